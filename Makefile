@@ -1,0 +1,58 @@
+# `make demo` and `make test` set up whatever they need first. `make help` lists every target.
+
+PYTHON ?= python3.12
+VENV := .venv
+BIN := $(VENV)/bin
+PACKAGES := $(VENV)/.packages-installed
+OPENGL := $(VENV)/.opengl-works
+# One file's tests share fixtures such as recorded datasets, so a file stays with one process.
+PYTEST := $(BIN)/pytest --numprocesses=auto --maxprocesses=4 --dist=loadfile
+
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+
+.DEFAULT_GOAL := help
+.PHONY: help setup demo test test-fast lint format clean
+
+help:  ## List the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+setup: $(PACKAGES) $(OPENGL)  ## Create .venv with the pinned packages; make headless OpenGL work
+
+demo: setup  ## Record, train and evaluate a small policy on a CPU, and print its table
+	$(BIN)/python -m labutopia_lerobot.cli.demo
+
+test: lint  ## Check style and types, then run every test
+	$(PYTEST)
+
+test-fast: setup  ## Run the tests that are not marked slow
+	$(PYTEST) -m "not slow"
+
+lint: setup  ## Check style, format and types
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	$(BIN)/mypy
+
+format: setup  ## Mend style and format
+	$(BIN)/ruff check --fix
+	$(BIN)/ruff format
+
+clean:  ## Remove the environment and the caches; recordings and results stay
+	rm -rf $(VENV) build dist .mypy_cache .pytest_cache .ruff_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+# A missing stamp means that an installation never ended: pip cannot mend half a package, so the
+# environment starts afresh. With the stamp, only what has changed is installed.
+$(PACKAGES): pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; raise SystemExit(not (3, 12) <= sys.version_info < (3, 14))' 2>/dev/null || { \
+		echo 'Python 3.12 is needed, and "$(PYTHON)" is not one.' \
+			'Install it (Debian and Ubuntu: apt-get install python3.12 python3.12-venv),' \
+			'or name one: make PYTHON=/path/to/python3.12' >&2; exit 1; }
+	@test -e $@ || $(PYTHON) -m venv --clear $(VENV)
+	@rm -f $@
+	@echo "Installing the pinned packages; the first time takes a few minutes"
+	@$(BIN)/python -m pip install --quiet --progress-bar off -c constraints.txt -e '.[dev]'
+	@touch $@
+
+$(OPENGL): $(PACKAGES) scripts/install_opengl.sh
+	@scripts/install_opengl.sh $(BIN)/python
+	@touch $@

@@ -1,0 +1,37 @@
+"""Turns a user's mistake into one message and a non-zero exit status."""
+
+import errno
+import sys
+from collections.abc import Callable
+from functools import wraps
+
+from rich.console import Console
+
+from labutopia_lerobot.errors import UserError
+
+
+def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
+    """Wrap a program: user errors exit with 2, a full disk with 1, Ctrl-C with 130.
+
+    Anything else is a bug of ours and keeps its traceback.
+    """
+
+    @wraps(main)
+    def wrapped(*args: P.args, **kwargs: P.kwargs) -> None:
+        try:
+            main(*args, **kwargs)
+        except UserError as error:
+            _tell(f"Error: {error}", status=2)
+        except OSError as error:
+            if error.errno != errno.ENOSPC:
+                raise
+            _tell("Error: the disk is full. What was finished before is intact.", status=1)
+        except KeyboardInterrupt:
+            _tell("Interrupted. What was finished before is intact.", status=130)
+
+    return wrapped
+
+
+def _tell(message: str, status: int) -> None:
+    Console(stderr=True, soft_wrap=True).print(message, style="red", markup=False, highlight=False)
+    sys.exit(status)

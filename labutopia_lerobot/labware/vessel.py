@@ -1,0 +1,246 @@
+"""A glass vessel of revolution as a MuJoCo body: look, hollow collision shape, mass and frames."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import mujoco
+import numpy as np
+
+from labutopia_lerobot.labware.mesh import Mesh, bead, join, revolve
+from labutopia_lerobot.labware.profile import MassProperties, Point, Profile
+
+VISUAL_GROUP, COLLISION_GROUP, HULL_GROUP = 2, 3, 4
+"""Geom groups: cameras draw 0 to 2; contacts come from 3; the motion planner measures to 4."""
+
+FACETS = 16
+"""Flat pieces around a wall: a neck of 22 mm radius is round to within 0.4 mm."""
+
+FEET = 8
+"""Small spheres on which a vessel stands."""
+
+FRICTION = (0.4, 0.005, 0.0001)
+"""Sliding, torsional [m], rolling [m]. The first is the kinetic friction of glass on glass (Serway,
+"Physics for Scientists and Engineers", table of friction coefficients). MuJoCo takes the larger
+value of two geoms, so that a rougher bench or a rubber pad decides for itself."""
+
+SOLREF = (0.008, 1.0)
+"""Time constant [s] and damping ratio of contacts: critically damped, and as stiff as two physics
+steps of 1/300 s allow (MuJoCo, "Solver parameters")."""
+
+SOLIMP = (0.95, 0.99, 0.0005, 0.5, 2.0)
+"""Contacts are hard within half a millimetre. Measured: an 8 mm ball is stopped by the walls up to
+1.2 m/s at 300 steps per second, and goes through some of them at 1.5 m/s."""
+
+_FOOT_RADIUS = 0.004
+_FOOT_DEPTH = 0.0002  # how far the feet stand out below the bottom [m]
+
+_GLASS = (0.74, 0.87, 0.95, 0.26)
+_EDGES = (0.82, 0.93, 0.98, 0.80)  # lip and heel: thick glass, which makes the outline readable
+_BOTTOM = (0.68, 0.83, 0.92, 0.38)
+_PRINT = (0.97, 0.98, 1.0, 0.95)
+
+
+@dataclass(frozen=True)
+class Vessel:
+    """A glass vessel: a value, usable as a dictionary key; `add_to` makes its MuJoCo body.
+
+    Attributes:
+        name: Name of the body; prefix of the names of all its elements.
+        profile: The wall's half cross-section.
+        grip_height: Height above the base at which a gripper closes [m].
+    """
+
+    name: str
+    profile: Profile
+    grip_height: float
+
+    @property
+    def grip_width(self) -> float:
+        """Outer diameter at the grip height [m]."""
+        return 2 * self.profile.outer_radius(self.grip_height)
+
+    @property
+    def height(self) -> float:
+        """Overall height [m]."""
+        return self.profile.height
+
+    @property
+    def rim_height(self) -> float:
+        """Height of the mouth above the base [m]; for a vessel of revolution, its height."""
+        return self.profile.height
+
+    @property
+    def footprint_radius(self) -> float:
+        """Radius of the circle around its axis that it needs on the bench [m]: its largest."""
+        return max(radius for radius, _ in self.profile.outer)
+
+    @property
+    def movable(self) -> bool:
+        """Vessels stand free."""
+        return True
+
+    @property
+    def capacity(self) -> float:
+        """Brimful capacity [ml]."""
+        return self.profile.capacity_below(self.height) * 1e6
+
+    @property
+    def mass(self) -> float:
+        """Mass of the glass [kg]."""
+        return self.mass_properties.mass
+
+    @cached_property
+    def mass_properties(self) -> MassProperties:
+        """Mass, centre of mass and principal inertia of the glass."""
+        return self.profile.mass_properties()
+
+    def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
+        """Build one jointless body into a spec (angles in radians), at the origin of the parent.
+
+        Its origin is the centre of the base, z up. Sites: `<name>_grasp` on the axis at the grip
+        height, `<name>_rim` in the centre of the mouth.
+
+        Returns:
+            The body.
+        """
+        body = parent.add_body(name=self.name)
+        mass, com_height, transverse, axial = self.mass_properties
+        body.explicitinertial = True
+        body.mass, body.ipos = mass, (0, 0, com_height)
+        body.inertia = (transverse, transverse, axial)
+        for site, height in (("grasp", self.grip_height), ("rim", self.rim_height)):
+            body.add_site(name=f"{self.name}_{site}", pos=(0, 0, height), group=COLLISION_GROUP)
+        self._add_look(spec, body)
+        self._add_base(body)
+        for band, (lower, upper) in enumerate(pairwise(self.profile.inner)):
+            self._add_wall(spec, body, band, lower, upper)
+        self._add_hull(body)
+        return body
+
+    def _add_look(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        """Add the visual geoms: the two glass surfaces, the thick edges and the printed scale."""
+        outer, inner, wall = self.profile.outer, self.profile.inner, self.profile.wall
+        bottom = [(0.0, 0.0), *outer[:2], inner[0], (0.0, self.profile.bottom)]
+        lip = bead(outer[-1][0] - wall / 2, self.height, wall)
+        heel = bead(outer[0][0], wall, wall)
+        parts = (
+            ("inside", revolve(inner[::-1]), _GLASS, 0.6),
+            ("bottom", revolve(bottom), _BOTTOM, 0.1),
+            ("outside", revolve(outer), _GLASS, 0.9),
+            ("edges", join(revolve(lip), revolve(heel)), _EDGES, 0.9),
+            ("scale", self._scale(), _PRINT, 0.0),
+        )
+        for part, (vertices, faces), rgba, specular in parts:
+            name = f"{self.name}_{part}"
+            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.9)
+            spec.add_mesh(
+                name=name,
+                uservert=vertices.ravel(),
+                userface=faces.ravel(),
+                inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL,
+            )
+            body.add_geom(
+                name=name,
+                type=mujoco.mjtGeom.mjGEOM_MESH,
+                meshname=name,
+                material=name,
+                group=VISUAL_GROUP,
+                contype=0,
+                conaffinity=0,
+                mass=0,
+            )
+
+    def _scale(self) -> Mesh:
+        """Return the printing as one mesh: graduation marks in front, a label at the back."""
+        profile = self.profile
+        step = next(ml for ml in (10, 20, 25, 50, 100, 200, 500) if self.capacity < 10 * ml)
+        levels = np.arange(step, 0.85 * self.capacity, step) * 1e-6
+        strips = [(profile.fill_height(level), 0.0012, 0.0, 0.5) for level in levels]
+        strips.append((0.3 * self.height, 0.16 * self.height, np.pi, 0.9))
+        patches = []
+        for middle, tall, azimuth, wide in strips:
+            heights = (middle - tall / 2, middle + tall / 2)
+            edge = [(profile.outer_radius(height) + 2e-4, height) for height in heights]
+            patches.append(revolve(edge, 5, azimuth - wide / 2, wide))
+        return join(*patches)
+
+    def _add_base(self, body: mujoco.MjsBody) -> None:
+        """Close the bottom with a disc, and stand it on a ring of small spheres as on its rim."""
+        radius, half = self.profile.outer[0][0], (self.profile.bottom - _FOOT_DEPTH) / 2
+        _add_collision_geom(
+            body,
+            name=f"{self.name}_floor",
+            type=mujoco.mjtGeom.mjGEOM_CYLINDER,
+            size=(radius, half, 0),
+            pos=(0, 0, _FOOT_DEPTH + half),
+        )
+        ring = radius - _FOOT_RADIUS  # tilted, it then rolls on the edge of the disc
+        for foot in range(FEET):
+            angle = 2 * np.pi * foot / FEET
+            _add_collision_geom(
+                body,
+                name=f"{self.name}_foot_{foot:02d}",
+                type=mujoco.mjtGeom.mjGEOM_SPHERE,
+                size=(_FOOT_RADIUS, 0, 0),
+                pos=(ring * np.cos(angle), ring * np.sin(angle), _FOOT_RADIUS),
+            )
+
+    def _add_wall(
+        self, spec: mujoco.MjSpec, body: mujoco.MjsBody, band: int, lower: Point, upper: Point
+    ) -> None:
+        """Add one band of wall, between two corners of the cavity, as a ring of convex prisms."""
+        mesh = f"{self.name}_facet_{band}"
+        wall, half_angle = self.profile.wall, np.pi / FACETS
+        corners = [
+            (radius, sign * radius * np.tan(half_angle), height)
+            for inner_radius, height in (lower, upper)
+            for radius in (inner_radius, inner_radius + wall)
+            for sign in (-1, 1)
+        ]
+        spec.add_mesh(name=mesh, uservert=np.ravel(corners))
+        for facet in range(FACETS):
+            angle = 2 * facet * half_angle
+            _add_collision_geom(
+                body,
+                name=f"{self.name}_wall_{band * FACETS + facet:02d}",
+                type=mujoco.mjtGeom.mjGEOM_MESH,
+                meshname=mesh,
+                quat=(np.cos(angle / 2), 0, 0, np.sin(angle / 2)),
+            )
+
+    def _add_hull(self, body: mujoco.MjsBody) -> None:
+        """Enclose the vessel in the two stacked cylinders of least volume, for distance queries."""
+        outer = self.profile.outer
+
+        def stack(split: int) -> list[tuple[float, float, float]]:
+            halves = (outer[: split + 1], outer[split:])
+            return [(max(r for r, _ in half), half[0][1], half[-1][1]) for half in halves]
+
+        def volume(split: int) -> float:
+            return sum(radius**2 * (top - bottom) for radius, bottom, top in stack(split))
+
+        best = stack(min(range(1, len(outer) - 1), key=volume))
+        for part, (radius, bottom, top) in zip(("lower", "upper"), best, strict=True):
+            body.add_geom(
+                name=f"{self.name}_hull_{part}",
+                type=mujoco.mjtGeom.mjGEOM_CYLINDER,
+                size=(radius, (top - bottom) / 2, 0),
+                pos=(0, 0, (top + bottom) / 2),
+                rgba=(0, 0, 0, 0),
+                group=HULL_GROUP,
+                contype=0,
+                conaffinity=0,
+                mass=0,
+            )
+
+
+def _add_collision_geom(body: mujoco.MjsBody, **attributes: object) -> None:
+    body.add_geom(
+        group=COLLISION_GROUP,
+        friction=FRICTION,
+        solref=SOLREF,
+        solimp=SOLIMP,
+        mass=0,
+        **attributes,
+    )

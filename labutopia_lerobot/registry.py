@@ -1,0 +1,167 @@
+"""Finding tasks: `level1/pick` is the function `pick` in the file `level1/pick.py`.
+
+There is nothing to register. A folder that holds `level1` ... `level5` is a task folder: the one in
+this package, those that installed distributions name under the entry point `labutopia.tasks` (a
+package with such folders), and those that the user names with `tasks_dir`.
+"""
+
+import difflib
+import importlib.metadata
+import importlib.util
+import sys
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+from labutopia_lerobot.errors import UserError
+
+if TYPE_CHECKING:
+    from labutopia_lerobot.task import Task
+
+LEVELS = (1, 2, 3, 4, 5)
+ENTRY_POINT_GROUP = "labutopia.tasks"
+_PACKAGED = Path(__file__).parent / "tasks"
+
+
+class UnknownTaskError(UserError, ValueError):
+    """A task, level or task folder that does not exist; the message lists those that do."""
+
+
+def task_files(tasks_dir: str | Path | None = None) -> dict[str, Path]:
+    """Return every task id with its file, in order of level and name.
+
+    Args:
+        tasks_dir: A further folder that holds `level1` ... `level5`.
+
+    Raises:
+        UnknownTaskError: If `tasks_dir` holds no task, or two folders hold the same task.
+    """
+    if tasks_dir is not None and not _modules_in(Path(tasks_dir)):
+        raise UnknownTaskError(
+            f"tasks_dir={tasks_dir} holds no task: put one at {tasks_dir}/level1/<name>.py"
+        )
+    files: dict[str, Path] = {}
+    for folder in _folders(tasks_dir):
+        found = {f"{path.parent.name}/{path.stem}": path for path in _modules_in(folder)}
+        for task_id in found.keys() & files.keys():
+            raise UnknownTaskError(
+                f"Task '{task_id}' exists twice: {files[task_id]} and {found[task_id]}. Rename one."
+            )
+        files |= found
+    return dict(sorted(files.items()))
+
+
+def tasks_of_levels(levels: Iterable[int], tasks_dir: str | Path | None = None) -> list[str]:
+    """Return the ids of every task of the levels.
+
+    Raises:
+        UnknownTaskError: If a level does not exist or has no task yet.
+    """
+    chosen: list[str] = []
+    known = task_files(tasks_dir)
+    for level in levels:
+        of_level = [task_id for task_id in known if task_id.startswith(f"level{level}/")]
+        if not of_level:
+            present = sorted({task_id.split("/")[0].removeprefix("level") for task_id in known})
+            raise UnknownTaskError(
+                f"Level {level} has no tasks. Levels with tasks: {', '.join(present)}"
+            )
+        chosen += of_level
+    return chosen
+
+
+def choose_tasks(
+    task: str | None, levels: Iterable[int] | None, tasks_dir: str | Path | None = None
+) -> list[str]:
+    """Return the task ids that `task=` and `level=` name together.
+
+    Args:
+        task: A task id, the bare name of a task of one of the levels, or None for all of them.
+        levels: Levels, or None when `task` is an id.
+        tasks_dir: A further folder of tasks.
+
+    Raises:
+        UnknownTaskError: If nothing is named, or what is named does not exist.
+    """
+    if levels is None:
+        if task is None:
+            raise UnknownTaskError("Name a task (task=level1/pick) or a level (level=1)")
+        require_task(task, tasks_dir)
+        return [task]
+    of_levels = tasks_of_levels(levels, tasks_dir)
+    if task is None:
+        return of_levels
+    chosen = [task_id for task_id in of_levels if task in (task_id, task_id.split("/")[1])]
+    if not chosen:
+        raise UnknownTaskError(f"No task '{task}' in these levels: {', '.join(of_levels)}")
+    return chosen
+
+
+def require_task(task_id: str, tasks_dir: str | Path | None = None) -> Path:
+    """Return the file of a task.
+
+    Raises:
+        UnknownTaskError: If there is none; the message lists the tasks and the nearest match.
+    """
+    files = task_files(tasks_dir)
+    if task_id not in files:
+        near = difflib.get_close_matches(task_id, files, n=1, cutoff=0.5)
+        hint = f" Did you mean '{near[0]}'?" if near else ""
+        raise UnknownTaskError(f"Unknown task '{task_id}'.{hint} Tasks: {', '.join(files)}")
+    return files[task_id]
+
+
+def load_task(task_id: str, tasks_dir: str | Path | None = None) -> "Task":
+    """Return the task with this id.
+
+    Raises:
+        UnknownTaskError: If there is none; the message lists the tasks and the nearest match.
+    """
+    return _build(task_id, require_task(task_id, tasks_dir))
+
+
+@cache
+def _build(task_id: str, path: Path) -> "Task":
+    from labutopia_lerobot.task import Task  # here: listing tasks must not import what they need
+
+    function = getattr(_import(task_id, path), path.stem, None)
+    if not callable(function):
+        raise UnknownTaskError(f"{path} must define the function `{path.stem}() -> Task`")
+    task = function()
+    if not isinstance(task, Task):
+        raise UnknownTaskError(f"`{path.stem}` in {path} returned {task!r}, which is no Task")
+    return task
+
+
+def _import(task_id: str, path: Path) -> ModuleType:
+    if path.is_relative_to(_PACKAGED):
+        return importlib.import_module(f"labutopia_lerobot.tasks.{task_id.replace('/', '.')}")
+    name = f"labutopia_user_tasks.{task_id.replace('/', '.')}"
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise UnknownTaskError(f"{path} cannot be imported as Python")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def _folders(tasks_dir: str | Path | None) -> list[Path]:
+    installed = [
+        Path(location)
+        for entry in importlib.metadata.entry_points(group=ENTRY_POINT_GROUP)
+        if (package := importlib.util.find_spec(entry.value)) is not None
+        for location in package.submodule_search_locations or ()
+    ]
+    return [_PACKAGED, *installed, *([Path(tasks_dir).resolve()] if tasks_dir else [])]
+
+
+def _modules_in(folder: Path) -> list[Path]:
+    return [
+        path
+        for level in LEVELS
+        for path in sorted((folder / f"level{level}").glob("*.py"))
+        if not path.stem.startswith("_")
+    ]

@@ -1,0 +1,1 @@
+"""LabScene: rooms and furniture."""

@@ -1,0 +1,1 @@
+"""The simulation proper: compiling a scene, stepping, rendering, inverse kinematics."""

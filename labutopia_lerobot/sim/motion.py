@@ -1,0 +1,173 @@
+"""Reactive motion: differential inverse kinematics that keeps clear of the bench and the labware.
+
+The paper moves its arm with RMPflow (section "Task-Rich Trajectory Collection"), a reactive policy
+that reaches a target while avoiding obstacles. This does the same job as a quadratic program, which
+mink solves at every control step: track the target frame, within joint position and velocity
+limits, without letting any pair of bodies come nearer than a margin.
+"""
+
+import itertools
+
+import mink
+import mujoco
+import numpy as np
+
+from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.robots.robot import Robot
+from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory
+from labutopia_lerobot.sim.scene import HULL_GROUP, ancestors
+from labutopia_lerobot.sim.simulation import Simulation
+from labutopia_lerobot.sim.view import SimulatedWorld
+from labutopia_lerobot.world import ARM, BENCH, CONTROL_HZ, HAND, FloatArray, Pose, Thing
+
+_MARGIN = 0.004
+"""Distance that is kept between any two bodies [m]."""
+_HORIZON = 0.05
+"""Distance below which a pair takes part in the program [m]."""
+_SPEED_SHARE = 0.9
+"""Share of the joint speed limits that is used, so that commands are never clipped."""
+_FAR = (0.0, 0.0, -10.0)
+_OBSTACLE, _LOAD = "obstacle_", "load_"
+
+
+class ReactiveMotion:
+    """Inverse kinematics on a model of its own: the arm, and hulls of everything else.
+
+    In that model each thing exists twice: as an obstacle, moved to where the world sees it, and as
+    a load fixed to the hand, moved there while the thing is held. The copy not in use is far away.
+    """
+
+    def __init__(self, simulation: Simulation, world: SimulatedWorld) -> None:
+        self._simulation = simulation
+        self._world = world
+        scene = simulation.scene
+        self._robot, self._pieces = scene.robot, scene.pieces
+        self._model = _planning_model(scene.robot, scene.pieces)
+        self._configuration = mink.Configuration(self._model)
+        self._track = mink.FrameTask(
+            scene.robot.grasp_site, "site", position_cost=1.0, orientation_cost=0.3
+        )
+        self._posture = mink.PostureTask(self._model, cost=0.01)
+        self._posture.set_target(np.array([*scene.robot.home, *(0.04,) * 2]))
+        speeds = zip(scene.robot.arm_joints, scene.robot.joint_velocity_limits, strict=True)
+        self._limits = [
+            mink.ConfigurationLimit(self._model),
+            mink.VelocityLimit(
+                self._model,
+                {name: _SPEED_SHARE * speed for name, speed in speeds}
+                | dict.fromkeys(scene.robot.finger_joints, 0.0),
+            ),
+        ]
+        self._clearances = _clearances(self._model, scene.robot, scene.pieces)
+
+    def follow(self, target: Pose, *, touches: frozenset[str], holds: Thing | None) -> FloatArray:
+        """Return joint targets, one control period ahead, that bring the gripper to the target.
+
+        Args:
+            target: Wanted pose of the gripper frame.
+            touches: Names of things, or `bench`, that the hand and its load may touch.
+            holds: The thing in the gripper, kept clear of everything else, or None.
+        """
+        self._look(holds)
+        quat_wxyz, position = target.quat_wxyz, target.position_w
+        self._track.set_target(mink.SE3(np.concatenate([quat_wxyz, position])))
+        load = holds.name if holds is not None else None
+        avoid = [
+            limit
+            for (mover, obstacle), limit in self._clearances.items()
+            if mover in (ARM, HAND, load)
+            and not (obstacle in touches and mover != ARM)
+            and obstacle != load
+        ]
+        velocity = mink.solve_ik(
+            self._configuration,
+            [self._track, self._posture],
+            1.0 / CONTROL_HZ,
+            solver="daqp",
+            damping=1e-6,
+            limits=[*self._limits, *avoid],
+        )
+        arm = len(self._robot.arm_joints)
+        joints: FloatArray = self._simulation.command[:arm] + velocity[:arm] / CONTROL_HZ
+        return joints
+
+    def _look(self, holds: Thing | None) -> None:
+        """Bring the planning model up to date with the command in force and the live world."""
+        data = self._configuration.data
+        for index, piece in enumerate(self._pieces):
+            pose = self._world.pose(piece)
+            held = holds is not None and piece.name == holds.name
+            data.mocap_pos[index] = _FAR if held else pose.position_w
+            data.mocap_quat[index] = pose.quat_wxyz
+            load = self._model.body(_LOAD + piece.name)
+            if held:
+                in_hand = self._world.gripper.inverse() @ pose
+                load.pos, load.quat = in_hand.position_w, in_hand.quat_wxyz
+            else:
+                load.pos = _FAR
+        widest = self._robot.gripper_max_opening
+        # A touch inside the range: measured openings overshoot it, which no motion could mend.
+        fingers = np.full(2, np.clip(self._world.gripper_opening, 1e-4, widest - 1e-4) / 2)
+        arm = len(self._robot.arm_joints)
+        self._configuration.update(np.concatenate([self._simulation.command[:arm], fingers]))
+
+
+def _planning_model(robot: Robot, pieces: tuple[Piece, ...]) -> mujoco.MjModel:
+    """Compile the arm, with the hulls of every piece once as mocap body and once in the hand."""
+    spec = laboratory()
+    robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=ROBOT_BASE))
+    grasp = spec.site(robot.grasp_site)
+    in_hand = spec.body(robot.hand_body).add_frame(pos=grasp.pos, quat=grasp.quat)
+    for piece in pieces:
+        spec.attach(_hulls(piece), prefix=_OBSTACLE, frame=spec.worldbody.add_frame())
+        spec.body(_OBSTACLE + piece.name).mocap = True
+        spec.attach(_hulls(piece), prefix=_LOAD, frame=in_hand)
+    return spec.compile()
+
+
+def _hulls(piece: Piece) -> mujoco.MjSpec:
+    """Return the piece with nothing but its hulls, which now count for distances."""
+    spec = mujoco.MjSpec()
+    spec.compiler.degree = False
+    piece.add_to(spec, spec.worldbody)
+    for geom in list(spec.geoms):
+        if geom.group == HULL_GROUP:
+            geom.contype = geom.conaffinity = 1
+        else:
+            spec.delete(geom)
+    for mesh in list(spec.meshes):
+        spec.delete(mesh)
+    return spec
+
+
+def _clearances(
+    model: mujoco.MjModel, robot: Robot, pieces: tuple[Piece, ...]
+) -> dict[tuple[str, str], mink.Limit]:
+    """Return one distance limit for every mover (arm, hand, load) and obstacle (bench, piece)."""
+    loads = {piece.name: _geoms_below(model, _LOAD + piece.name) for piece in pieces}
+    loaded = {geom for geoms in loads.values() for geom in geoms}
+    hand = set(_geoms_below(model, robot.hand_body)) - loaded
+    arm = set(_geoms_below(model, robot.base_body)) - hand - loaded
+    movers = {ARM: sorted(arm), HAND: sorted(hand), **loads}
+    obstacles = {piece.name: _geoms_below(model, _OBSTACLE + piece.name) for piece in pieces}
+    obstacles[BENCH] = _geoms_below(model, BENCH)
+    return {
+        (mover, obstacle): mink.CollisionAvoidanceLimit(
+            model,
+            [(movers[mover], obstacles[obstacle])],
+            minimum_distance_from_collisions=_MARGIN,
+            collision_detection_distance=_HORIZON,
+        )
+        for mover, obstacle in itertools.product(movers, obstacles)
+        if mover != obstacle
+    }
+
+
+def _geoms_below(model: mujoco.MjModel, body: str) -> list[int]:
+    """Return the colliding geoms of a body and its descendants."""
+    root = model.body(body).id
+    return [
+        geom
+        for geom in range(model.ngeom)
+        if model.geom_contype[geom] and root in ancestors(model, model.geom_bodyid[geom])
+    ]

@@ -1,0 +1,97 @@
+"""The expert: plays skills through the same eight numbers that a policy commands."""
+
+from collections.abc import Iterator, Sequence
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from labutopia_lerobot.skills.skill import Phase, Skill
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose, Thing, World
+
+_STEP_S = 1.0 / CONTROL_HZ
+_GRIPPER_STEP = 0.09 * _STEP_S
+"""Change of the opening per step [m]; the Franka Hand manages 0.1 m/s."""
+
+_ACCELERATION = 1.0
+"""Greatest change of the gripper's speed [m/s^2]; keeps a full beaker from slopping."""
+
+
+class Motion(Protocol):
+    """Turns a wanted gripper pose into joint targets, reactively."""
+
+    def follow(self, target: Pose, *, touches: frozenset[str], holds: Thing | None) -> FloatArray:
+        """Return the next joint targets, shape (7,), radians."""
+        ...
+
+
+class Expert:
+    """A finite-state machine over the phases of a task's skills.
+
+    Attributes:
+        label: "pick/lift" and so on, the phase in play.
+        failure: What went wrong ("pick/lower not done after 6 s"), or None.
+    """
+
+    def __init__(self, skills: Sequence[Skill], world: World, motion: Motion) -> None:
+        self._skills = skills
+        self._world = world
+        self._motion = motion
+
+    def start(self) -> None:
+        """Begin with the first phase, from the present world."""
+        self.failure: str | None = None
+        self.label = ""
+        self._remaining = self._play()
+        self._reference = self._world.gripper
+        self._opening = self._world.gripper_opening
+        self._speed = 0.0
+        self._next_phase()
+
+    def _play(self) -> Iterator[tuple[str, Phase]]:
+        for skill in self._skills:
+            for phase in skill.phases(self._world):
+                yield f"{type(skill).__name__.lower()}/{phase.name}", phase
+
+    def _next_phase(self) -> bool:
+        label, phase = next(self._remaining, (None, None))
+        if label is None or phase is None:
+            return False
+        self.label, self._phase, self._began = label, phase, self._world.time
+        return True
+
+    def act(self) -> NDArray[np.float32]:
+        """Return the next action, shape (8,): joint targets [rad] and opening [m].
+
+        After the last phase, or after a failure, the last target is kept.
+        """
+        target = self._phase.target(self._world)
+        elapsed = self._world.time - self._began
+        if self.failure is None and self._phase.done(self._world, target, elapsed):
+            if self._next_phase():
+                target = self._phase.target(self._world)
+        elif self.failure is None and elapsed > self._phase.timeout_s:
+            self.failure = f"{self.label} not done after {self._phase.timeout_s:g} s"
+        self._reference = self._towards(target)
+        joints = self._motion.follow(
+            self._reference, touches=self._phase.touches, holds=self._phase.holds
+        )
+        change = self._phase.opening - self._opening
+        self._opening += float(np.clip(change, -_GRIPPER_STEP, _GRIPPER_STEP))
+        return np.append(joints, self._opening).astype(np.float32)
+
+    def _towards(self, target: Pose) -> Pose:
+        """Move the reference towards the target within the phase's speeds."""
+        distance = self._reference.distance_to(target)
+        turn = Rotation.from_matrix(target.rotation_w @ self._reference.rotation_w.T)
+        angle = turn.magnitude()
+        duration = max(distance / self._phase.speed, angle / self._phase.turn_speed, 1e-9)
+        # Fraction of the way per second: full speed, ramped up at the start, easing in at the end.
+        wanted = min(1.0, np.sqrt(2.0 * _ACCELERATION * distance) / self._phase.speed + angle)
+        self._speed = min(wanted, self._speed + _ACCELERATION * _STEP_S / self._phase.speed)
+        part = min(1.0, self._speed * _STEP_S / duration)
+        return Pose(
+            self._reference.position_w + part * (target.position_w - self._reference.position_w),
+            Rotation.from_rotvec(part * turn.as_rotvec()).as_matrix() @ self._reference.rotation_w,
+        )

@@ -1,0 +1,57 @@
+"""A task is a value: what stands where, what the expert does, what counts as success."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from labutopia_lerobot.layout import OnBench, Piece
+from labutopia_lerobot.predicates import Predicate
+from labutopia_lerobot.skills.skill import Skill
+from labutopia_lerobot.world import CONTROL_HZ
+
+HOLD_S = 2.0
+"""How long the goal must hold without a break (paper, "Evaluation Execution")."""
+
+
+@dataclass(frozen=True)
+class Substep:
+    """A milestone: latched, in the order of the task, once all its predicates hold together."""
+
+    name: str
+    when: tuple[Predicate, ...]
+
+
+@dataclass(frozen=True)
+class Task:
+    """One benchmark task, shared by demonstration, evaluation and tests.
+
+    Attributes:
+        instruction: The canonical instruction, the same string in dataset and environment.
+        start: Where each thing stands at the start, as a distribution.
+        expert: The skills that the scripted expert plays, in order.
+        substeps: Milestones on the way; they latch in this order.
+        goal: What must hold together for `HOLD_S` after the last sub-step.
+        never: Outcome that ends the episode -> the fact that must not occur.
+        time_limit_s: Simulated time after which the episode is over [s].
+        paraphrases: Other ways to say the instruction.
+    """
+
+    instruction: str
+    start: Mapping[Piece, OnBench]
+    expert: tuple[Skill, ...]
+    substeps: tuple[Substep, ...]
+    goal: tuple[Predicate, ...]
+    never: Mapping[str, Predicate]
+    time_limit_s: float
+    paraphrases: tuple[str, ...] = field(default=())
+
+    @property
+    def max_steps(self) -> int:
+        """Control steps of an episode at most."""
+        return round(self.time_limit_s * CONTROL_HZ)
+
+    @property
+    def facts(self) -> dict[str, Predicate]:
+        """Every named predicate of the task, by name: sub-steps, goal, breaches."""
+        milestones = [predicate for substep in self.substeps for predicate in substep.when]
+        everything = [*milestones, *self.goal, *self.never.values()]
+        return {predicate.name: predicate for predicate in everything}

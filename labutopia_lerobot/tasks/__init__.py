@@ -1,0 +1,1 @@
+"""The tasks, one file each: the path is the id."""

@@ -1,0 +1,40 @@
+"""Pick: grasp a conical flask from the bench and lift it (paper, level 1, "Pick").
+
+Ported from: config/level1_pick.yaml, tasks/pick_task.py, controllers/pick_controller.py.
+"""
+
+from labutopia_lerobot.labware.glassware import erlenmeyer_flask
+from labutopia_lerobot.layout import OnBench
+from labutopia_lerobot.predicates import falling, gripped, knocked_over, lifted, steady, upright
+from labutopia_lerobot.skills.pick import Pick
+from labutopia_lerobot.task import Substep, Task
+
+
+def pick() -> Task:
+    """Return the task."""
+    flask = erlenmeyer_flask("flask")
+    return Task(
+        instruction="Pick up the conical flask from the bench.",
+        paraphrases=(
+            "Take the Erlenmeyer flask and lift it off the bench.",
+            "Grasp the conical flask by its neck and raise it.",
+        ),
+        # Original: x 0.21 to 0.36, y -0.08 to 0.08; the paper's 15 cm x 15 cm.
+        start={flask: OnBench(x=(0.21, 0.36), y=(-0.075, 0.075))},
+        expert=(Pick(flask, lift=0.25),),
+        substeps=(
+            Substep("gripped", (gripped(flask),)),
+            Substep("lifted", (lifted(flask, by=0.20),)),  # paper: "exceeding 20 cm"
+        ),
+        goal=(
+            lifted(flask, by=0.20),
+            gripped(flask),  # paper: "securely grasped"
+            upright(flask, within_deg=20),  # ours: a quarter-full flask does not spill
+            steady(flask, below=0.10),  # paper: "maintained steadily"; the number is ours
+        ),
+        never={
+            "knocked_over": knocked_over(flask, beyond_deg=30),
+            "dropped": falling(flask, faster_than=0.5),  # free fall over 13 mm
+        },
+        time_limit_s=800 / 60,  # original: 800 steps at 60 Hz
+    )

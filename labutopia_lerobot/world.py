@@ -1,0 +1,158 @@
+"""What predicates and skills may see of the simulation: a read-only view."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+FloatArray = NDArray[np.float64]
+
+CONTROL_HZ = 30
+"""Control, camera and recording rate: LeRobot's usual frame rate (the original runs at 60)."""
+
+LEFT_PAD = "left_pad"
+RIGHT_PAD = "right_pad"
+HAND = "hand"
+ARM = "arm"
+BENCH = "bench"
+ROOM = "room"
+
+
+class Thing(Protocol):
+    """A piece of labware or an instrument, known to the world by its name."""
+
+    @property
+    def name(self) -> str:
+        """Name of the root body; every element of the thing starts with it."""
+        ...
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Position and orientation of a frame in the world.
+
+    Attributes:
+        position_w: Origin of the frame, shape (3,), metres, world frame.
+        rotation_w: Axes of the frame as columns, shape (3, 3), world frame.
+    """
+
+    position_w: FloatArray
+    rotation_w: FloatArray
+
+    @classmethod
+    def from_quaternion(cls, position_w: FloatArray, quat_wxyz: FloatArray) -> "Pose":
+        """Make a pose from a position (3,) in metres and a scalar-first quaternion (4,)."""
+        return cls(position_w, Rotation.from_quat(quat_wxyz, scalar_first=True).as_matrix())
+
+    @property
+    def quat_wxyz(self) -> FloatArray:
+        """Orientation as a scalar-first unit quaternion, shape (4,)."""
+        return Rotation.from_matrix(self.rotation_w).as_quat(scalar_first=True)
+
+    @property
+    def x_axis(self) -> FloatArray:
+        """First axis of the frame, shape (3,), world frame."""
+        return self.rotation_w[:, 0]
+
+    @property
+    def y_axis(self) -> FloatArray:
+        """Second axis of the frame, shape (3,), world frame."""
+        return self.rotation_w[:, 1]
+
+    @property
+    def z_axis(self) -> FloatArray:
+        """Third axis of the frame, shape (3,), world frame."""
+        return self.rotation_w[:, 2]
+
+    @property
+    def tilt(self) -> float:
+        """Angle between the frame's z axis and the vertical [rad]."""
+        return float(np.arccos(np.clip(self.rotation_w[2, 2], -1.0, 1.0)))
+
+    def __matmul__(self, other: "Pose") -> "Pose":
+        """Express a pose given in this frame in the world."""
+        return Pose(
+            self.position_w + self.rotation_w @ other.position_w,
+            self.rotation_w @ other.rotation_w,
+        )
+
+    def inverse(self) -> "Pose":
+        """Return the pose of the world in this frame."""
+        return Pose(-self.rotation_w.T @ self.position_w, self.rotation_w.T)
+
+    def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Pose":
+        """Return the same orientation, displaced along the world's axes [m]."""
+        return Pose(self.position_w + np.array([x, y, z]), self.rotation_w)
+
+    def advanced(self, distance: float) -> "Pose":
+        """Return the same orientation, displaced along the frame's own z axis [m]."""
+        return Pose(self.position_w + distance * self.z_axis, self.rotation_w)
+
+    def distance_to(self, other: "Pose") -> float:
+        """Return the distance between the two origins [m]."""
+        return float(np.linalg.norm(other.position_w - self.position_w))
+
+    def angle_to(self, other: "Pose") -> float:
+        """Return the angle of the rotation between the two frames [rad]."""
+        cosine = 0.5 * (np.trace(self.rotation_w.T @ other.rotation_w) - 1.0)
+        return float(np.arccos(np.clip(cosine, -1.0, 1.0)))
+
+
+class World(Protocol):
+    """Getters only: nothing that holds a `World` can change the simulation.
+
+    Everything handed out is a copy. Contacts are those of any physics step since the previous
+    control step, so that a touch shorter than a control period is seen too. Contact names are
+    the names of things, and `left_pad`, `right_pad`, `hand`, `arm`, `bench`, `room`.
+    """
+
+    @property
+    def time(self) -> float:
+        """Time since the episode began [s]."""
+        ...
+
+    @property
+    def bench_height(self) -> float:
+        """Height of the bench top above the floor [m]."""
+        ...
+
+    @property
+    def robot_base(self) -> Pose:
+        """Base of the robot, x forward, z up."""
+        ...
+
+    @property
+    def gripper(self) -> Pose:
+        """Frame between the pads: z forward, y along the motion of the fingers."""
+        ...
+
+    @property
+    def gripper_opening(self) -> float:
+        """Distance between the pads [m]."""
+        ...
+
+    def pose(self, thing: Thing) -> Pose:
+        """Return the frame of a thing: origin at the centre of its base, z up when it stands."""
+        ...
+
+    def frame(self, name: str) -> Pose:
+        """Return a named frame (a MuJoCo site), such as `flask_rim`."""
+        ...
+
+    def velocity(self, thing: Thing) -> FloatArray:
+        """Return the velocity of a thing's centre of mass, shape (3,), m/s, world frame."""
+        ...
+
+    def joint(self, name: str) -> float:
+        """Return the position of a named hinge [rad] or slide [m]."""
+        ...
+
+    def touching(self, first: str, second: str) -> bool:
+        """Tell whether the two touched at any physics step since the last control step."""
+        ...
+
+    def touched_by(self, name: str) -> frozenset[str]:
+        """Return everything that touched it at any physics step since the last control step."""
+        ...

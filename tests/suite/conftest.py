@@ -1,0 +1,14 @@
+"""Fixtures of the suite: every test here runs over every registered task."""
+
+import pytest
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.registry import task_files
+
+TASKS = list(task_files())
+
+
+@pytest.fixture(params=TASKS, scope="module")
+def env(request: pytest.FixtureRequest) -> LabEnv:
+    """One environment per task, without pictures."""
+    return LabEnv(request.param, obs="state")
