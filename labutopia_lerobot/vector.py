@@ -137,9 +137,7 @@ def _make_member(task: str, **options: Any) -> FreezeWhenOver:
     return FreezeWhenOver(LabEnv(task, **options))
 
 
-def _start_workers(
-    makers: list[partial[FreezeWhenOver]],
-) -> AsyncVectorEnv:
+def _start_workers(makers: list[partial[FreezeWhenOver]]) -> AsyncVectorEnv:
     # The server imports MuJoCo once, and every worker is a fork of it.
     multiprocessing.set_forkserver_preload(["labutopia_lerobot.vector"])
     with _main_module_hidden():

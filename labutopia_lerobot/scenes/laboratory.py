@@ -164,4 +164,5 @@ def _looking(
     right = np.cross(up, back)
     right /= np.linalg.norm(right)
     axes = np.column_stack([right, np.cross(back, right), back])
-    return Rotation.from_matrix(axes).as_quat(scalar_first=True)
+    quat_wxyz: NDArray[np.float64] = Rotation.from_matrix(axes).as_quat(scalar_first=True)
+    return quat_wxyz

@@ -63,7 +63,8 @@ class Renderer:
         finally:
             self._renderer.disable_segmentation_rendering()
         bodies = np.append(self._renderer.model.geom_bodyid, -1).astype(np.int32)
-        return bodies[geoms]
+        segments: NDArray[np.int32] = bodies[geoms]
+        return segments
 
     def close(self) -> None:
         """Give the OpenGL context back."""

@@ -98,7 +98,8 @@ class Simulation:
     @property
     def arm_position(self) -> FloatArray:
         """Measured joint angles, shape (7,), radians."""
-        return self.data.qpos[self._arm]
+        position: FloatArray = self.data.qpos[self._arm]
+        return position
 
     @property
     def gripper_opening(self) -> float:

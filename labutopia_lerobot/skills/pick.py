@@ -18,7 +18,8 @@ APPROACH = math.radians(-60.0)
 """Yaw of a horizontal grasp relative to the bearing from the robot [rad].
 
 Pointing straight ahead, a Panda's wrist cannot reach low and level (joint 6 ends at 3.75 rad);
-turned by 60 degrees all joints stay a fifth of their range from their ends over the whole start region.
+turned by 60 degrees all joints stay a fifth of their range from their ends over the whole start
+region.
 """
 
 
