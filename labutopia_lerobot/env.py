@@ -22,10 +22,13 @@ from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
-from labutopia_lerobot.world import CONTROL_HZ
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
+
+_PRELUDE_TRIES = 5
+"""Sub-seeds that a reset tries; more failures than that are a defect of the task."""
 
 Observation = dict[str, Any]
 Info = dict[str, Any]
@@ -84,6 +87,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self._size = (width, height)
         self._renderer: Renderer | None = None
         self._simulation: Simulation | None = None
+        self._motion: ReactiveMotion | None = None
         self._frame: NDArray[np.uint8] | None = None
         self.observation_space = _observation_space(features)
         self.action_space = _action_space()
@@ -92,7 +96,8 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     def simulation(self) -> Simulation:
         """The simulation, compiled at first use."""
         if self._simulation is None:
-            self._simulation = Simulation(compile_scene(self.definition.start, PANDA))
+            task = self.definition
+            self._simulation = Simulation(compile_scene(task.start, PANDA, task.view))
             self.world = SimulatedWorld(self._simulation)
             self.progress = Progress(self.definition)
             self._filter = ActionFilter(PANDA)
@@ -111,9 +116,14 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def expert(self) -> Expert:
         """Return the scripted expert of the task for this environment; `start` it after a reset."""
-        simulation = self.simulation
-        motion = ReactiveMotion(simulation, self.world)
-        return Expert(self.definition.expert, self.world, motion)
+        return Expert(self.definition.expert, self.world, self.motion)
+
+    @property
+    def motion(self) -> ReactiveMotion:
+        """The expert's inverse kinematics, compiled at first use."""
+        if self._motion is None:
+            self._motion = ReactiveMotion(self.simulation, self.world)
+        return self._motion
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -121,13 +131,37 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """Begin the episode of this seed; without one, the next of Gymnasium's own sequence."""
         super().reset(seed=seed)
         self.seed = int(self.np_random.integers(2**31)) if seed is None else seed
-        key = [self.seed, *(zlib.crc32(word.encode()) for word in (self.task_id, self.split))]
-        rng = np.random.default_rng(key)
-        self.simulation.reset(sample_layout(self.definition.start, rng))
+        names = [zlib.crc32(word.encode()) for word in (self.task_id, self.split)]
+        for attempt in range(_PRELUDE_TRIES):
+            rng = np.random.default_rng([self.seed, *names, attempt])
+            self.simulation.reset(sample_layout(self.definition.start, rng))
+            self._filter.start(self.simulation.command)
+            if self._play_prelude():
+                break
+        else:
+            raise RuntimeError(
+                f"The prelude of {self.task_id} failed {_PRELUDE_TRIES} times with seed {self.seed}"
+            )
+        self.prelude_failures = attempt
         self._filter.start(self.simulation.command)
+        self.simulation.start_clock()
         self.progress.start()
         self.progress.update(self.world)
         return self._observe(), self._info()
+
+    def _play_prelude(self) -> bool:
+        """Play the task's prelude, if it has one; tell whether all went well."""
+        if not self.definition.prelude:
+            return True
+        expert = Expert(self.definition.prelude, self.world, self.motion)
+        expert.start()
+        breaches = self.definition.never.values()
+        while not expert.finished:
+            self.simulation.step(self._filter(expert.act()))
+            broken = any(breach.holds(self.world) for breach in breaches)
+            if expert.failure or broken or self.simulation.diverged:
+                return False
+        return True
 
     def step(self, action: NDArray[np.float32]) -> tuple[Observation, float, bool, bool, Info]:
         """Command the robot for one control period; the reward is 1 on success, else 0.
@@ -174,8 +208,11 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     def environment_state(self) -> NDArray[np.float32]:
         """Return the privileged state (see `features.environment_state_names`)."""
         to_base = self.world.robot_base.inverse()
-        poses = [to_base @ self.world.pose(thing) for thing in self.definition.start]
-        parts = [np.concatenate([pose.position_w, pose.x_axis, pose.y_axis]) for pose in poses]
+        parts: list[FloatArray] = []
+        for piece in self.definition.start:
+            pose_b = to_base @ self.world.pose(piece)
+            joints = np.array([self.world.joint(name) for name in piece.joints])
+            parts += [pose_b.position_w, pose_b.x_axis, pose_b.y_axis, joints]
         state: NDArray[np.float32] = np.concatenate(parts).astype(np.float32)
         return state
 
@@ -189,6 +226,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             "facts": {name: bool(holds) for name, holds in progress.facts.items()},
             "substeps": {name: np.inf if time is None else time for name, time in latched},
             "seed": self.seed,
+            "prelude_failures": self.prelude_failures,
             "applied_action": self._filter.applied.copy(),
             "clipped_actions": self._filter.clipped,
             "nonfinite_actions": self._filter.nonfinite,

@@ -99,6 +99,11 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
 
     For each thing its position [m] in the robot's base frame and the first two axes of its frame
     there: the continuous representation of rotations (Zhou et al. 2019, "On the Continuity of
-    Rotation Representations in Neural Networks"), since quaternions jump.
+    Rotation Representations in Neural Networks"), since quaternions jump. Then the position of each
+    of its hinges [rad] and slides [m].
     """
-    return tuple(f"{thing.name}.{name}" for thing in task.start for name in _POSE_NAMES)
+    return tuple(
+        name
+        for piece in task.start
+        for name in (*(f"{piece.name}.{part}" for part in _POSE_NAMES), *piece.joints)
+    )

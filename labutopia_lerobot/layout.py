@@ -18,12 +18,41 @@ CLEARANCE = 0.01
 _TRIES = 1000
 
 
+@dataclass(frozen=True)
+class Switch:
+    """A push-button that toggles a lamp each time it passes its travel.
+
+    Attributes:
+        name: What the world calls it.
+        button: Slide of the button; positive is in.
+        travel: Where it clicks [m].
+        lamp: Geom that is lit while it is on.
+        lit: Colour of the lit lamp.
+    """
+
+    name: str
+    button: str
+    travel: float
+    lamp: str
+    lit: tuple[float, float, float, float] = (1.0, 0.35, 0.1, 1.0)
+
+
 class Piece(Thing, Protocol):
     """A thing that can be put into a scene."""
 
     @property
     def footprint_radius(self) -> float:
         """Radius of the circle around its origin that it needs on the bench [m]."""
+        ...
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of its hinges and slides, as in the model; their positions are its state."""
+        ...
+
+    @property
+    def switches(self) -> "tuple[Switch, ...]":
+        """Its electric switches."""
         ...
 
     @property

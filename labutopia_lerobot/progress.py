@@ -1,6 +1,6 @@
 """The memory of an episode: latched sub-steps, the hold clock, the first breach."""
 
-from labutopia_lerobot.task import HOLD_S, Task
+from labutopia_lerobot.task import HOLD_S, INTERRUPTED, Substep, Task
 from labutopia_lerobot.world import CONTROL_HZ, World
 
 SUCCESS = "success"
@@ -15,8 +15,8 @@ class Progress:
     Attributes:
         facts: Every named predicate of the task, as of the last update.
         substeps: Sub-step name -> time at which it latched [s], or None.
-        outcome: "running", "success", "timeout", "diverged", or the key of the breached
-            `Task.never`.
+        outcome: "running", "success", "timeout", "diverged", "interrupted" (a sub-step's `keeping`
+            broke), or the key of the breached `Task.never`.
         ever: Whether the goal held at any instant after the last sub-step.
     """
 
@@ -32,6 +32,7 @@ class Progress:
         self.substeps: dict[str, float | None] = {step.name: None for step in self._task.substeps}
         self.outcome = RUNNING
         self.ever = False
+        self._passed = 0
         self._steps = 0
         self._goal_since: int | None = None
 
@@ -56,6 +57,8 @@ class Progress:
         )
         if breach is not None:
             self.outcome = breach
+        elif self.over:
+            return
         elif self._goal_since is not None and self._steps - self._goal_since >= self._hold_steps:
             self.outcome = SUCCESS
         elif self._steps >= self._task.max_steps:
@@ -64,10 +67,23 @@ class Progress:
 
     def _latch_substeps(self, time: float) -> None:
         for substep in self._task.substeps:
-            if self.substeps[substep.name] is None:
-                if not all(self.facts[fact.name] for fact in substep.when):
-                    return
-                self.substeps[substep.name] = time
+            if self.substeps[substep.name] is not None:
+                continue
+            if not self._pass_through(substep):
+                return
+            self.substeps[substep.name] = time
+            self._passed = 0
+
+    def _pass_through(self, substep: Substep) -> bool:
+        """Advance along the sub-step's `via`; tell whether it latches now."""
+        begun = self._passed > 0
+        while self._passed < len(substep.via) and self.facts[substep.via[self._passed].name]:
+            self._passed += 1
+        if begun and not all(self.facts[fact.name] for fact in substep.keeping):
+            self.outcome = INTERRUPTED
+            return False
+        arrived = self._passed == len(substep.via)
+        return arrived and all(self.facts[fact.name] for fact in substep.when)
 
     def _clock_the_goal(self) -> None:
         done = all(latched is not None for latched in self.substeps.values())

@@ -64,12 +64,15 @@ def tasks_of_levels(levels: Iterable[int], tasks_dir: str | Path | None = None) 
     for level in levels:
         of_level = [task_id for task_id in known if task_id.startswith(f"level{level}/")]
         if not of_level:
-            present = sorted({task_id.split("/")[0].removeprefix("level") for task_id in known})
-            raise UnknownTaskError(
-                f"Level {level} has no tasks. Levels with tasks: {', '.join(present)}"
-            )
+            present = ", ".join(str(level) for level in levels_with_tasks(tasks_dir))
+            raise UnknownTaskError(f"Level {level} has no tasks. Levels with tasks: {present}")
         chosen += of_level
     return chosen
+
+
+def levels_with_tasks(tasks_dir: str | Path | None = None) -> list[int]:
+    """Return the levels that have a task."""
+    return sorted({int(task.split("/")[0].removeprefix("level")) for task in task_files(tasks_dir)})
 
 
 def choose_tasks(

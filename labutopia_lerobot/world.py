@@ -105,7 +105,8 @@ class World(Protocol):
 
     Everything handed out is a copy. Contacts are those of any physics step since the previous
     control step, so that a touch shorter than a control period is seen too. Contact names are
-    the names of things, and `left_pad`, `right_pad`, `hand`, `arm`, `bench`, `room`.
+    the names of bodies (a thing's own, or a moving part's), and `left_pad`, `right_pad`, `hand`,
+    `arm`, `bench`, `room`.
     """
 
     @property
@@ -133,6 +134,11 @@ class World(Protocol):
         """Distance between the pads [m]."""
         ...
 
+    @property
+    def commanded_opening(self) -> float:
+        """Distance between the pads that is commanded [m]; less than measured in a grasp."""
+        ...
+
     def pose(self, thing: Thing) -> Pose:
         """Return the frame of a thing: origin at the centre of its base, z up when it stands."""
         ...
@@ -147,6 +153,14 @@ class World(Protocol):
 
     def joint(self, name: str) -> float:
         """Return the position of a named hinge [rad] or slide [m]."""
+        ...
+
+    def sensor(self, name: str) -> float:
+        """Return the reading of a named scalar sensor, such as the force on a button [N]."""
+        ...
+
+    def switched_on(self, name: str) -> bool:
+        """Tell whether a named switch is on."""
         ...
 
     def touching(self, first: str, second: str) -> bool:

@@ -9,6 +9,7 @@ import numpy as np
 
 from labutopia_lerobot.labware.mesh import Mesh, bead, join, revolve
 from labutopia_lerobot.labware.profile import MassProperties, Point, Profile
+from labutopia_lerobot.layout import Switch
 
 VISUAL_GROUP, COLLISION_GROUP, HULL_GROUP = 2, 3, 4
 """Geom groups: cameras draw 0 to 2; contacts come from 3; the motion planner measures to 4."""
@@ -74,6 +75,16 @@ class Vessel:
     def footprint_radius(self) -> float:
         """Radius of the circle around its axis that it needs on the bench [m]: its largest."""
         return max(radius for radius, _ in self.profile.outer)
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Glass does not move in itself."""
+        return ()
+
+    @property
+    def switches(self) -> tuple[Switch, ...]:
+        """Glass has none."""
+        return ()
 
     @property
     def movable(self) -> bool:

@@ -2,9 +2,9 @@
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.views import CameraPose, View
 from labutopia_lerobot.world import BENCH, ROOM
 
 BENCH_HEIGHT = 0.775
@@ -24,8 +24,8 @@ _STEEL = (0.42, 0.45, 0.49, 1.0)
 _TOP = (0.33, 0.37, 0.42, 1.0)
 
 
-def laboratory() -> mujoco.MjSpec:
-    """Return the room: floor, walls, bench, robot pedestal, lights, cameras `front` and `top`.
+def laboratory(view: View) -> mujoco.MjSpec:
+    """Return the room: floor, walls, bench, robot pedestal, lights, the cameras `front` and `top`.
 
     The world frame has its origin on the floor, x from the robot to the bench, z up.
     """
@@ -36,7 +36,8 @@ def laboratory() -> mujoco.MjSpec:
     _room(spec)
     _bench(spec)
     _lights(spec)
-    _cameras(spec)
+    _add_camera(spec, "front", view.front)
+    _add_camera(spec, "top", view.top)
     return spec
 
 
@@ -136,33 +137,15 @@ def _lights(spec: mujoco.MjSpec) -> None:
         )
 
 
-def _cameras(spec: mujoco.MjSpec) -> None:
-    """Cameras of the original's vessel tasks: (2, 0, 2) facing the robot, and overhead.
-
-    Its focal length gives a 20 degree field of view (`reference`: group "vessel tasks", f 6); the
-    overhead one is widened to 26 degrees so that the whole bench region is in view.
-    """
-    spec.worldbody.add_camera(
-        name="front",
-        pos=[2.0, 0.0, 2.0],
-        quat=_looking((-0.866, 0.0, -0.5), up=(0.0, 0.0, 1.0)),
-        fovy=20.0,  # degrees, whatever the compiler's unit
-    )
-    spec.worldbody.add_camera(
-        name="top",
-        pos=[0.1, 0.0, 2.5],
-        quat=_looking((0.0, 0.0, -1.0), up=(1.0, 0.0, 0.0)),
-        fovy=26.0,
-    )
-
-
-def _looking(
-    direction: tuple[float, float, float], up: tuple[float, float, float]
-) -> NDArray[np.float64]:
-    """Return the `quat_wxyz` of a camera: -z axis along `direction`, y axis towards `up`."""
-    back = -np.array(direction) / np.linalg.norm(direction)
-    right = np.cross(up, back)
+def _add_camera(spec: mujoco.MjSpec, name: str, pose: CameraPose) -> None:
+    """Add a camera: its -z axis along the direction, its y axis towards what is up."""
+    back = -np.array(pose.direction_w) / np.linalg.norm(pose.direction_w)
+    right = np.cross(pose.up_w, back)
     right /= np.linalg.norm(right)
     axes = np.column_stack([right, np.cross(back, right), back])
-    quat_wxyz: NDArray[np.float64] = Rotation.from_matrix(axes).as_quat(scalar_first=True)
-    return quat_wxyz
+    spec.worldbody.add_camera(
+        name=name,
+        pos=pose.position_w,
+        quat=Rotation.from_matrix(axes).as_quat(scalar_first=True),
+        fovy=pose.field_of_view_deg,  # in degrees, whatever the compiler's unit
+    )

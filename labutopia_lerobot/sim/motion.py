@@ -18,6 +18,7 @@ from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory
 from labutopia_lerobot.sim.scene import HULL_GROUP, ancestors
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
+from labutopia_lerobot.views import VESSEL_VIEW
 from labutopia_lerobot.world import ARM, BENCH, CONTROL_HZ, HAND, FloatArray, Pose, Thing
 
 _MARGIN = 0.004
@@ -33,8 +34,9 @@ _OBSTACLE, _LOAD = "obstacle_", "load_"
 class ReactiveMotion:
     """Inverse kinematics on a model of its own: the arm, and hulls of everything else.
 
-    In that model each thing exists twice: as an obstacle, moved to where the world sees it, and as
-    a load fixed to the hand, moved there while the thing is held. The copy not in use is far away.
+    In that model every body of a thing is an obstacle, moved to where the world sees it. A movable
+    thing is there a second time, as a load fixed to the hand while it is held. The copy that is not
+    in use is far away.
     """
 
     def __init__(self, simulation: Simulation, world: SimulatedWorld) -> None:
@@ -59,6 +61,8 @@ class ReactiveMotion:
             ),
         ]
         self._clearances = _clearances(self._model, scene.robot, scene.pieces)
+        hulls = [body.name for piece in scene.pieces for body in _bodies_with_hulls(piece)]
+        self._obstacles = [(name, scene.model.body(name).id) for name in hulls]
 
     def follow(self, target: Pose, *, touches: frozenset[str], holds: Thing | None) -> FloatArray:
         """Return joint targets, one control period ahead, that bring the gripper to the target.
@@ -93,18 +97,19 @@ class ReactiveMotion:
 
     def _look(self, holds: Thing | None) -> None:
         """Bring the planning model up to date with the command in force and the live world."""
-        data = self._configuration.data
-        for index, piece in enumerate(self._pieces):
-            pose = self._world.pose(piece)
-            held = holds is not None and piece.name == holds.name
-            data.mocap_pos[index] = _FAR if held else pose.position_w
-            data.mocap_quat[index] = pose.quat_wxyz
-            load = self._model.body(_LOAD + piece.name)
-            if held:
-                in_hand = self._world.gripper.inverse() @ pose
-                load.pos, load.quat = in_hand.position_w, in_hand.quat_wxyz
-            else:
-                load.pos = _FAR
+        data, live = self._configuration.data, self._simulation.data
+        held = holds.name if holds is not None else None
+        for mocap, (name, body) in enumerate(self._obstacles):
+            data.mocap_pos[mocap] = _FAR if name == held else live.xpos[body]
+            data.mocap_quat[mocap] = live.xquat[body]
+        for piece in self._pieces:
+            if piece.movable:
+                load = self._model.body(_LOAD + piece.name)
+                if piece.name == held:
+                    in_hand = self._world.gripper.inverse() @ self._world.pose(piece)
+                    load.pos, load.quat = in_hand.position_w, in_hand.quat_wxyz
+                else:
+                    load.pos = _FAR
         widest = self._robot.gripper_max_opening
         # A touch inside the range: measured openings overshoot it, which no motion could mend.
         fingers = np.full(2, np.clip(self._world.gripper_opening, 1e-4, widest - 1e-4) / 2)
@@ -113,43 +118,54 @@ class ReactiveMotion:
 
 
 def _planning_model(robot: Robot, pieces: tuple[Piece, ...]) -> mujoco.MjModel:
-    """Compile the arm, with the hulls of every piece once as mocap body and once in the hand."""
-    spec = laboratory()
+    """Compile the arm among hulls: of every body as an obstacle, of movable things as a load too."""
+    spec = laboratory(VESSEL_VIEW)
     robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=ROBOT_BASE))
     grasp = spec.site(robot.grasp_site)
-    in_hand = spec.body(robot.hand_body).add_frame(pos=grasp.pos, quat=grasp.quat)
+    hand = spec.body(robot.hand_body)
+    in_hand = hand.add_body(name="in_hand", pos=grasp.pos, quat=grasp.quat)
     for piece in pieces:
-        spec.attach(_hulls(piece), prefix=_OBSTACLE, frame=spec.worldbody.add_frame())
-        spec.body(_OBSTACLE + piece.name).mocap = True
-        spec.attach(_hulls(piece), prefix=_LOAD, frame=in_hand)
+        for body in _bodies_with_hulls(piece):
+            obstacle = spec.worldbody.add_body(name=_OBSTACLE + body.name, mocap=True)
+            _copy_hulls(body, obstacle, _OBSTACLE)
+            if piece.movable:
+                load = in_hand.add_body(name=_LOAD + body.name)
+                _copy_hulls(body, load, _LOAD)
     return spec.compile()
 
 
-def _hulls(piece: Piece) -> mujoco.MjSpec:
-    """Return the piece with nothing but its hulls, which now count for distances."""
+def _bodies_with_hulls(piece: Piece) -> list[mujoco.MjsBody]:
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
     piece.add_to(spec, spec.worldbody)
-    for geom in list(spec.geoms):
-        if geom.group == HULL_GROUP:
-            geom.contype = geom.conaffinity = 1
-        else:
-            spec.delete(geom)
-    for mesh in list(spec.meshes):
-        spec.delete(mesh)
-    return spec
+    return [body for body in spec.bodies if any(g.group == HULL_GROUP for g in body.geoms)]
+
+
+def _copy_hulls(body: mujoco.MjsBody, copy: mujoco.MjsBody, prefix: str) -> None:
+    """Copy the hulls of a body (primitives placed by `pos` and `quat`); the copies count."""
+    for hull in body.geoms:
+        if hull.group == HULL_GROUP:
+            copy.add_geom(
+                name=prefix + hull.name,
+                type=hull.type,
+                size=hull.size,
+                pos=hull.pos,
+                quat=hull.quat,
+            )
 
 
 def _clearances(
     model: mujoco.MjModel, robot: Robot, pieces: tuple[Piece, ...]
 ) -> dict[tuple[str, str], mink.Limit]:
-    """Return one distance limit for every mover (arm, hand, load) and obstacle (bench, piece)."""
-    loads = {piece.name: _geoms_below(model, _LOAD + piece.name) for piece in pieces}
-    loaded = {geom for geoms in loads.values() for geom in geoms}
-    hand = set(_geoms_below(model, robot.hand_body)) - loaded
-    arm = set(_geoms_below(model, robot.base_body)) - hand - loaded
+    """Return one distance limit for every mover (arm, hand, load) and obstacle (bench, body)."""
+    loads = {
+        piece.name: _geoms_below(model, _LOAD + piece.name) for piece in pieces if piece.movable
+    }
+    hand = set(_geoms_below(model, robot.hand_body)) - set(_geoms_below(model, "in_hand"))
+    arm = set(_geoms_below(model, robot.base_body)) - set(_geoms_below(model, robot.hand_body))
     movers = {ARM: sorted(arm), HAND: sorted(hand), **loads}
-    obstacles = {piece.name: _geoms_below(model, _OBSTACLE + piece.name) for piece in pieces}
+    names = (model.body(body).name for body in range(model.nbody) if model.body_mocapid[body] >= 0)
+    obstacles = {name.removeprefix(_OBSTACLE): _geoms_below(model, name) for name in names}
     obstacles[BENCH] = _geoms_below(model, BENCH)
     return {
         (mover, obstacle): mink.CollisionAvoidanceLimit(

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory
+from labutopia_lerobot.views import View
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
 
 HULL_GROUP = 4
@@ -42,13 +43,13 @@ class Scene:
     group_of_geom: NDArray[np.intp]
 
 
-def compile_scene(pieces: Iterable[Piece], robot: Robot) -> Scene:
+def compile_scene(pieces: Iterable[Piece], robot: Robot, view: View) -> Scene:
     """Put the robot and the pieces into the laboratory and compile.
 
     Pieces stand at the world's origin; a reset puts them where the layout says.
     """
     pieces = tuple(pieces)
-    spec = laboratory()
+    spec = laboratory(view)
     spec.option.timestep = 1.0 / PHYSICS_HZ
     # Elliptic cones with a high friction impedance keep a friction grasp from creeping
     # (MuJoCo documentation, "Preventing slip").
@@ -69,15 +70,17 @@ def compile_scene(pieces: Iterable[Piece], robot: Robot) -> Scene:
         body = piece.add_to(spec, spec.worldbody)
         if piece.movable:
             body.add_freejoint(name=f"{piece.name}_free")
+    # Two numbers per switch: whether it is on, and whether its button is in.
+    spec.nuserdata = 2 * sum(len(piece.switches) for piece in pieces)
     model = spec.compile()
-    groups, group_of_geom = _contact_groups(model, robot, pieces)
+    groups, group_of_geom = _contact_groups(model, robot)
     return Scene(model, robot, pieces, groups, group_of_geom)
 
 
 def _contact_groups(
-    model: mujoco.MjModel, robot: Robot, pieces: tuple[Piece, ...]
+    model: mujoco.MjModel, robot: Robot
 ) -> tuple[tuple[str, ...], NDArray[np.intp]]:
-    """Name each geom after its thing, or the part of the robot or room that it belongs to."""
+    """Name each geom after its body, or the part of the robot that it belongs to."""
     hand = model.body(robot.hand_body).id
     base = model.body(robot.base_body).id
     names = []
@@ -93,7 +96,7 @@ def _contact_groups(
         elif base in line:
             names.append(ARM)
         else:
-            names.append(model.body(model.body_rootid[body]).name)
+            names.append(model.body(body).name)
     groups = tuple(dict.fromkeys([LEFT_PAD, RIGHT_PAD, HAND, ARM, *names]))
     return groups, np.array([groups.index(name) for name in names], dtype=np.intp)
 

@@ -43,6 +43,8 @@ class Simulation:
         self.command = self._home.copy()
         self._arm = [scene.model.joint(name).qposadr[0] for name in robot.arm_joints]
         self._fingers = [scene.model.joint(name).qposadr[0] for name in robot.finger_joints]
+        self._switches = [switch for piece in scene.pieces for switch in piece.switches]
+        self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
         self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
 
     def reset(self, layout: Mapping[Piece, Placement]) -> None:
@@ -64,7 +66,11 @@ class Simulation:
         mujoco.mj_step1(model, data)
         for _ in range(_SETTLE_STEPS):
             self.step(self._home)
-        data.time = 0.0
+        self.start_clock()
+
+    def start_clock(self) -> None:
+        """Make now the beginning of the episode."""
+        self.data.time = 0.0
 
     def step(self, command: FloatArray) -> None:
         """Advance by one control period.
@@ -87,8 +93,23 @@ class Simulation:
             if data.ncon:
                 first, second = group_of_geom[contact.geom].T
                 self.touched[first, second] = True
+        self._work_switches()
         self.touched |= self.touched.T
         self.command = np.array(command)
+
+    def _work_switches(self) -> None:
+        """Toggle what has been pressed since the last control step, and light the lamps."""
+        states = self.data.userdata.reshape(-1, 2)
+        for switch, dark, state in zip(self._switches, self._dark, states, strict=True):
+            pressed = self.data.joint(switch.button).qpos[0] > switch.travel
+            on = bool(state[0]) != (pressed and not state[1])
+            state[:] = on, pressed
+            self.scene.model.geom(switch.lamp).rgba = switch.lit if on else dark
+
+    def switched_on(self, name: str) -> bool:
+        """Tell whether a switch is on."""
+        index = [switch.name for switch in self._switches].index(name)
+        return bool(self.data.userdata[2 * index])
 
     @property
     def diverged(self) -> bool:

@@ -45,6 +45,11 @@ class SimulatedWorld:
         """Distance between the pads [m]."""
         return self._simulation.gripper_opening
 
+    @property
+    def commanded_opening(self) -> float:
+        """Distance between the pads that is commanded [m]."""
+        return float(self._simulation.command[-1])
+
     def pose(self, thing: Thing) -> Pose:
         """Return the frame of a thing: origin at the centre of its base."""
         body = self._bodies[thing.name]
@@ -64,6 +69,14 @@ class SimulatedWorld:
     def joint(self, name: str) -> float:
         """Return the position of a named hinge [rad] or slide [m]."""
         return float(self._data.joint(name).qpos[0])
+
+    def sensor(self, name: str) -> float:
+        """Return the reading of a named scalar sensor."""
+        return float(self._data.sensor(name).data[0])
+
+    def switched_on(self, name: str) -> bool:
+        """Tell whether a named switch is on."""
+        return self._simulation.switched_on(name)
 
     def touching(self, first: str, second: str) -> bool:
         """Tell whether the two touched since the last control step."""

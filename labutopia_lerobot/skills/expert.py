@@ -1,5 +1,6 @@
 """The expert: plays skills through the same eight numbers that a policy commands."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Protocol
 
@@ -8,7 +9,17 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.skills.skill import Phase, Skill
-from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose, Thing, World
+from labutopia_lerobot.world import (
+    ARM,
+    CONTROL_HZ,
+    HAND,
+    LEFT_PAD,
+    RIGHT_PAD,
+    FloatArray,
+    Pose,
+    Thing,
+    World,
+)
 
 _STEP_S = 1.0 / CONTROL_HZ
 _GRIPPER_STEP = 0.09 * _STEP_S
@@ -30,6 +41,8 @@ class Expert:
     """A finite-state machine over the phases of a task's skills.
 
     Attributes:
+        finished: Whether the last phase is done.
+        unexpected: Control steps with a touch outside the phase's declared list, by the two names.
         label: "pick/lift" and so on, the phase in play.
         failure: What went wrong ("pick/lower not done after 6 s"), or None.
     """
@@ -42,10 +55,12 @@ class Expert:
     def start(self) -> None:
         """Begin with the first phase, from the present world."""
         self.failure: str | None = None
+        self.finished = False
+        self.unexpected: Counter[tuple[str, str]] = Counter()
         self.label = ""
         self._remaining = self._play()
         self._reference = self._world.gripper
-        self._opening = self._world.gripper_opening
+        self._opening = self._world.commanded_opening
         self._speed = 0.0
         self._next_phase()
 
@@ -66,11 +81,12 @@ class Expert:
 
         After the last phase, or after a failure, the last target is kept.
         """
+        self._count_unexpected_touches()
         target = self._phase.target(self._world)
         elapsed = self._world.time - self._began
         if self.failure is None and self._phase.done(self._world, target, elapsed):
-            if self._next_phase():
-                target = self._phase.target(self._world)
+            self.finished = not self._next_phase()
+            target = self._phase.target(self._world)
         elif self.failure is None and elapsed > self._phase.timeout_s:
             self.failure = f"{self.label} not done after {self._phase.timeout_s:g} s"
         self._reference = self._towards(target)
@@ -80,6 +96,16 @@ class Expert:
         change = self._phase.opening - self._opening
         self._opening += float(np.clip(change, -_GRIPPER_STEP, _GRIPPER_STEP))
         return np.append(joints, self._opening).astype(np.float32)
+
+    def _count_unexpected_touches(self) -> None:
+        """Count touches of the arm, the hand and its load with what the phase does not list."""
+        robot = {ARM, HAND, LEFT_PAD, RIGHT_PAD}
+        allowed = {ARM: robot, **dict.fromkeys(robot - {ARM}, robot | self._phase.touches)}
+        if self._phase.holds is not None:
+            allowed[self._phase.holds.name] = (robot - {ARM}) | self._phase.touches
+        for mover, others in allowed.items():
+            for other in self._world.touched_by(mover) - others:
+                self.unexpected[mover, other] += 1
 
     def _towards(self, target: Pose) -> Pose:
         """Move the reference towards the target within the phase's speeds."""

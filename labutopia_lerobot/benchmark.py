@@ -1,0 +1,142 @@
+"""How fast it runs here: frames per second and demonstrations per hour.
+
+One frame is one 30 Hz `env.step` with observation, predicates and info, replaying what the expert
+commanded; resets are not timed.
+"""
+
+import multiprocessing
+import os
+import tempfile
+import time
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.datasets.candidate import Candidate
+from labutopia_lerobot.datasets.recorder import record
+from labutopia_lerobot.datasets.recording_config import RecordingConfig
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.sim.renderer import opengl_renderer_name
+
+POLICY_CAMERAS = ("front", "top")
+"""What the paper's ACT and Diffusion Policy look through ("Model Input And Output")."""
+
+_RIGID = "level1/pick"
+_PACKAGES = ("lerobot_env_labutopia", "mujoco", "mink", "numpy", "lerobot")
+
+
+class _Silent:
+    """A recording that nobody watches."""
+
+    def resumed(self, candidates: Sequence[Candidate]) -> None:
+        """Ignore it."""
+
+    def played(self, candidate: Candidate) -> None:
+        """Ignore it."""
+
+    def assembled(self, candidate: Candidate) -> None:
+        """Ignore it."""
+
+
+def measure(tasks: Sequence[str], seconds: float, episodes: int) -> dict[str, Any]:
+    """Measure everything that can be measured; what cannot be yet is None.
+
+    Args:
+        tasks: Tasks whose demonstrations per hour are asked for.
+        seconds: How long each rate is measured [s].
+        episodes: Demonstrations recorded per rate of recording.
+    """
+    cores = len(os.sched_getaffinity(0))
+    start = time.perf_counter()
+    frames = _record(_RIGID, "pixels", episodes)
+    recording_fps = frames / (time.perf_counter() - start)
+    demonstrations = {}
+    for task in tasks:
+        start = time.perf_counter()
+        _record(task, "state", episodes)
+        demonstrations[task] = round(3600 * episodes / (time.perf_counter() - start))
+    return {
+        "no_camera_fps": _fps((), 1, seconds),
+        "no_camera_fps_all_cores": _fps((), cores, seconds),
+        "rigid_2cam_fps": _fps(POLICY_CAMERAS, 1, seconds),
+        "rigid_2cam_fps_all_cores": _fps(POLICY_CAMERAS, cores, seconds),
+        "liquid_2cam_fps": None,
+        "liquid_2cam_fps_all_cores": None,
+        "record_3cam_fps": round(recording_fps, 1),
+        "demos_per_hour": demonstrations,
+        "renderer": _renderer(),
+        "cores": cores,
+        "versions": {package: version(package) for package in _PACKAGES},
+    }
+
+
+def all_tasks() -> list[str]:
+    """Return the ids of every task."""
+    return list(task_files())
+
+
+def _fps(cameras: tuple[str, ...], processes: int, seconds: float) -> float:
+    """Return the frames per second of so many environments, one process each, together."""
+    context = multiprocessing.get_context("spawn")
+    with context.Manager() as manager:
+        gate = manager.Barrier(processes)
+        with ProcessPoolExecutor(processes, mp_context=context) as pool:
+            rates = [pool.submit(_replay, cameras, seconds, gate) for _ in range(processes)]
+            return round(sum(rate.result() for rate in rates), 1)
+
+
+def _replay(cameras: tuple[str, ...], seconds: float, gate: Any) -> float:
+    """Replay an expert episode again and again; return the frames per second of the steps."""
+    os.environ["LP_NUM_THREADS"] = "1"  # Mesa's software renderer: a process per core, no threads
+    actions = _expert_actions()
+    env = LabEnv(_RIGID, cameras=cameras) if cameras else LabEnv(_RIGID, obs="state")
+    env.reset(seed=0)
+    env.step(actions[0])
+    gate.wait()
+    frames, elapsed = 0, 0.0
+    while elapsed < seconds:
+        env.reset(seed=0)
+        start = time.perf_counter()
+        for action in actions:
+            env.step(action)
+        elapsed += time.perf_counter() - start
+        frames += len(actions)
+    env.close()
+    return frames / elapsed
+
+
+def _expert_actions() -> list[NDArray[np.float32]]:
+    env = LabEnv(_RIGID, obs="state")
+    env.reset(seed=0)
+    expert = env.expert()
+    expert.start()
+    actions = []
+    over = False
+    while not over:
+        _, _, terminated, truncated, info = env.step(expert.act())
+        actions.append(info["applied_action"])
+        over = terminated or truncated
+    return actions
+
+
+def _record(task: str, obs: str, episodes: int) -> int:
+    """Record demonstrations on all cores; return their number of frames."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = str(Path(folder) / "dataset")
+        candidates = record(
+            RecordingConfig(task=task, episodes=episodes, obs=obs, root=root), _Silent()
+        )
+    return sum(candidate.frames for candidate in candidates if candidate.success)
+
+
+def _renderer() -> str:
+    env = LabEnv(_RIGID, cameras=("front",), width=64, height=64)
+    name = opengl_renderer_name(env.renderer)
+    env.close()
+    return name

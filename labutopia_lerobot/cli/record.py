@@ -1,0 +1,93 @@
+"""`labutopia-record task=level1/pick episodes=100`: demonstrations as a LeRobotDataset."""
+
+import difflib
+import sys
+from collections.abc import Sequence
+from dataclasses import fields
+
+from hydra import compose, initialize
+from hydra.core.config_store import ConfigStore
+from hydra.errors import HydraException
+from omegaconf import OmegaConf
+from omegaconf.errors import OmegaConfBaseException
+from rich.console import Console
+
+from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.recording_bars import RecordingBars
+from labutopia_lerobot.datasets.candidate import Candidate
+from labutopia_lerobot.datasets.recorder import record
+from labutopia_lerobot.datasets.recording_config import RecordingConfig
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.registry import task_files
+
+
+class OverrideError(UserError):
+    """An argument that is no valid `name=value`; the message lists the names."""
+
+
+@clear_errors
+def main() -> None:
+    """Record what the command line asks for."""
+    console = Console(stderr=True, highlight=False, soft_wrap=True)
+    arguments = sys.argv[1:]
+    if {"-h", "--help"} & set(arguments):
+        console.print(_help(), markup=False)
+        return
+    config = parse(arguments)
+    with RecordingBars(config.episodes, console) as bars:
+        candidates = record(config, bars)
+    console.print(_summary(config, candidates), markup=False)
+
+
+def parse(overrides: Sequence[str]) -> RecordingConfig:
+    """Return the configuration that Hydra overrides (`name=value`) describe.
+
+    Raises:
+        OverrideError: If a name is unknown, a value has the wrong type, or no task is named.
+    """
+    names = [field.name for field in fields(RecordingConfig)]
+    for override in overrides:
+        name, equals, _ = override.partition("=")
+        if not equals or name not in names:
+            near = difflib.get_close_matches(name, names, n=1)
+            hint = f" Did you mean '{near[0]}='?" if near else ""
+            raise OverrideError(
+                f"'{override}' is no option.{hint} Options (name=value): {', '.join(names)}"
+            )
+    ConfigStore.instance().store(name="record", node=RecordingConfig)
+    try:
+        # The compose API makes neither an output folder nor a log file, as hydra.main would.
+        with initialize(version_base=None, config_path=None):
+            composed = compose("record", list(overrides))
+        if OmegaConf.is_missing(composed, "task"):
+            raise OverrideError(f"Name a task, such as task=level1/pick: {', '.join(task_files())}")
+        config = OmegaConf.to_object(composed)
+    except (HydraException, OmegaConfBaseException) as error:
+        reason = str(error.__cause__ or error).strip().splitlines()[0]
+        raise OverrideError(f"{reason} (in: {' '.join(overrides)})") from None
+    assert isinstance(config, RecordingConfig)
+    return config
+
+
+def _help() -> str:
+    options = "\n".join(
+        f"  {line.strip()}"
+        for line in (RecordingConfig.__doc__ or "").partition("Attributes:")[2].splitlines()
+        if line.strip()
+    )
+    return f"Usage: labutopia-record task=level1/pick [name=value ...]\n\n{options}"
+
+
+def _summary(config: RecordingConfig, candidates: Sequence[Candidate]) -> str:
+    failures = [candidate for candidate in candidates if not candidate.success]
+    frames = sum(candidate.frames for candidate in candidates if candidate.success)
+    failed = "".join(f"\n  seed {failure.seed}: {failure.cause}" for failure in failures)
+    return (
+        f"Recorded {config.episodes} demonstrations of {config.task} ({frames} frames) "
+        f"in {config.folder}; {len(failures)} of {len(candidates)} episodes failed and are not "
+        f"stored{':' if failures else '.'}{failed}"
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Playing policies and counting: rollouts, statistics, tables."""

@@ -1,0 +1,210 @@
+"""Checkpoints of LeRobot: where they are, what they observe, whether they fit a task.
+
+Reads only the JSON beside the weights, so that a mistake is told before torch is imported.
+"""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.policies import Policy
+from labutopia_lerobot.features import (
+    ACTION,
+    CAMERAS,
+    IMAGE_SIZE,
+    STATE_NAMES,
+    environment_state_names,
+)
+from labutopia_lerobot.registry import load_task
+
+_CONFIG = "config.json"
+_PREPROCESSOR = "policy_preprocessor.json"
+_FILES = (_CONFIG, "model.safetensors", _PREPROCESSOR, "policy_postprocessor.json")
+_PICKLES = {".bin", ".ckpt", ".pkl", ".pt", ".pth"}
+_STATE = "observation.state"
+_PRIVILEGED = "observation.environment_state"
+_IMAGES = "observation.images."
+_EMPTY_SLOT = "empty_camera"
+"""LeRobot's name for cameras that a vision-language-action model can do without."""
+
+
+class CheckpointError(UserError):
+    """A checkpoint that is missing, or that cannot play the task; the message says the cure."""
+
+
+@dataclass(frozen=True)
+class Checkpoint:
+    """A trained policy that fits a task; calling it loads the weights.
+
+    Attributes:
+        folder: LeRobot's `pretrained_model` folder.
+        device: Device of torch, or None for CUDA where there is one.
+        obs: `pixels` or `state`.
+        cameras: Which cameras it looks through.
+        width: Width of its pictures [pixels].
+        height: Height of its pictures [pixels].
+    """
+
+    folder: Path
+    device: str | None
+    obs: str
+    cameras: tuple[str, ...]
+    width: int
+    height: int
+
+    def __call__(self) -> Policy:
+        """Load the policy."""
+        # Here: torch takes seconds to import, and only the workers need it.
+        from labutopia_lerobot.evaluation.learned import LearnedPolicy
+
+        return LearnedPolicy(self.folder, self.device)
+
+
+def open_checkpoint(
+    path: Path,
+    policy: str,
+    task_id: str,
+    obs: str | None = None,
+    device: str | None = None,
+    tasks_dir: str | None = None,
+) -> Checkpoint:
+    """Find the checkpoint for a task and make sure that it can play it.
+
+    Args:
+        path: A `pretrained_model` folder, an `output_dir` of `lerobot-train`, or a folder that
+            holds either of them per task, such as `level1/pick`.
+        policy: LeRobot's name of the policy, such as `act`.
+        task_id: The task to play.
+        obs: What it must have been trained on, `pixels` or `state`, or None for either.
+        device: Device of torch, or None for CUDA where there is one.
+        tasks_dir: A further folder of tasks.
+
+    Raises:
+        CheckpointError: If there is none, or it cannot play the task.
+    """
+    folder = _find(path, policy, task_id, obs)
+    _require_files(folder)
+    config = _read(folder / _CONFIG)
+    _require_type(folder, config, policy)
+    inputs = _shapes(folder, config, "input_features")
+    outputs = _shapes(folder, config, "output_features")
+    _require_size(folder, ACTION.key, outputs.get(ACTION.key), len(STATE_NAMES))
+    # Models that pad the state also scale the pictures, and keep the sizes of their base model.
+    adapts = "max_state_dim" in config
+    if not adapts:
+        _require_size(folder, _STATE, inputs.get(_STATE), len(STATE_NAMES))
+    pictures = {key: shape for key, shape in inputs.items() if key.startswith(_IMAGES)}
+    _require_obs(folder, "pixels" if pictures else "state", obs)
+    if not pictures:
+        names = environment_state_names(load_task(task_id, tasks_dir))
+        _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
+        return Checkpoint(folder, device, "state", CAMERAS, IMAGE_SIZE, IMAGE_SIZE)
+    if _PRIVILEGED in inputs:
+        raise CheckpointError(
+            f"{folder} wants both pictures and {_PRIVILEGED}; obs=pixels and obs=state offer one of "
+            "them. Train on one"
+        )
+    cameras = _cameras(folder, pictures)
+    height, width = (IMAGE_SIZE, IMAGE_SIZE) if adapts else _picture_size(folder, pictures)
+    return Checkpoint(folder, device, "pixels", cameras, width, height)
+
+
+def _find(path: Path, policy: str, task_id: str, obs: str | None) -> Path:
+    for folder in (path / task_id, path):
+        for inner in ("", "pretrained_model", "checkpoints/last/pretrained_model"):
+            if (folder / inner / _CONFIG).is_file():
+                return folder / inner
+    name = task_id.rpartition("/")[2]
+    recorded, recipe = (" obs=state", "train_state") if obs == "state" else ("", "train")
+    raise CheckpointError(
+        f"No checkpoint for {task_id} at policy.path={path}: it has neither {_CONFIG}, nor "
+        f"checkpoints/last/pretrained_model, nor {task_id}. Make one:\n"
+        f"  labutopia-record task={task_id}{recorded}\n"
+        f"  lerobot-train --config_path=policies/{policy}/{recipe}.json "
+        f"--dataset.repo_id=local/{name} "
+        f"--dataset.root=outputs/datasets/{task_id} --output_dir={path / task_id}"
+    )
+
+
+def _require_files(folder: Path) -> None:
+    missing = [name for name in _FILES if not (folder / name).is_file()]
+    if not missing:
+        return
+    pickles = sorted(file.name for file in folder.iterdir() if file.suffix in _PICKLES)
+    pickled = (
+        f" It holds {', '.join(pickles)}, but pickles can run any code: save the policy with "
+        "LeRobot's save_pretrained"
+        if pickles
+        else " It must be whole, as lerobot-train saves it"
+    )
+    raise CheckpointError(f"{folder} lacks {', '.join(missing)}.{pickled}")
+
+
+def _require_type(folder: Path, config: dict[str, Any], policy: str) -> None:
+    found = config.get("type")
+    if found != policy:
+        raise CheckpointError(
+            f"policy={policy} cannot play {folder}, which holds a policy of type '{found}'. "
+            "Choose the policy of that type, or another policy.path="
+        )
+
+
+def _require_obs(folder: Path, trained_on: str, obs: str | None) -> None:
+    if obs not in (None, trained_on):
+        raise CheckpointError(
+            f"obs={obs} does not suit {folder}, which was trained with obs={trained_on}. "
+            "Leave obs= out"
+        )
+
+
+def _read(file: Path) -> dict[str, Any]:
+    try:
+        content = json.loads(file.read_text())
+    except (OSError, ValueError) as error:
+        raise CheckpointError(f"{file} cannot be read: {error}") from None
+    if not isinstance(content, dict):
+        raise CheckpointError(f"{file} is no JSON object")
+    return content
+
+
+def _shapes(folder: Path, config: dict[str, Any], kind: str) -> dict[str, tuple[int, ...]]:
+    try:
+        return {key: tuple(feature["shape"]) for key, feature in config[kind].items()}
+    except (AttributeError, KeyError, TypeError):
+        raise CheckpointError(f"{folder / _CONFIG} declares no {kind}") from None
+
+
+def _require_size(folder: Path, key: str, shape: tuple[int, ...] | None, size: int) -> None:
+    if shape != (size,):
+        found = "none" if shape is None else f"one of shape {shape}"
+        raise CheckpointError(
+            f"{folder} does not fit: `{key}` has {size} elements in this task, and it was trained "
+            f"with {found}. Train it on a dataset that labutopia-record made of this task"
+        )
+
+
+def _cameras(folder: Path, pictures: dict[str, tuple[int, ...]]) -> tuple[str, ...]:
+    renamed = {
+        after: before
+        for step in _read(folder / _PREPROCESSOR).get("steps", [])
+        if step.get("registry_name") == "rename_observations_processor"
+        for before, after in step["config"].get("rename_map", {}).items()
+    }
+    seen = [renamed.get(key, key) for key in pictures if _EMPTY_SLOT not in key]
+    unknown = [key for key in seen if key.removeprefix(_IMAGES) not in CAMERAS]
+    if unknown:
+        raise CheckpointError(
+            f"{folder} looks through {', '.join(unknown)}, which do not exist here. "
+            f"Cameras: {', '.join(_IMAGES + camera for camera in CAMERAS)}"
+        )
+    return tuple(key.removeprefix(_IMAGES) for key in seen)
+
+
+def _picture_size(folder: Path, pictures: dict[str, tuple[int, ...]]) -> tuple[int, int]:
+    sizes = {shape[-2:] for shape in pictures.values()}
+    if len(sizes) > 1:
+        raise CheckpointError(f"{folder} wants pictures of several sizes: {sorted(sizes)}")
+    height, width = sizes.pop()
+    return height, width

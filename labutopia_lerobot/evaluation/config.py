@@ -1,0 +1,127 @@
+"""What to evaluate: the schema and the defaults of `eval/run.py`."""
+
+import difflib
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from omegaconf import MISSING
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.features import OBSERVATION_KINDS
+from labutopia_lerobot.options import SPLITS, require_choices
+from labutopia_lerobot.registry import choose_tasks, levels_with_tasks
+
+
+class EvaluationOptionError(UserError, ValueError):
+    """An option with an impossible value; the message says which values are possible."""
+
+
+@dataclass
+class PolicyConfig:
+    """Which policy plays.
+
+    Attributes:
+        name: `expert`, `random`, `still`, or LeRobot's name of a learned policy.
+        path: Checkpoint of a learned policy, or a folder with one per task.
+        device: Device of torch for a learned policy; CUDA where there is one when null.
+    """
+
+    name: str = MISSING
+    path: str | None = None
+    device: str | None = None
+
+
+@dataclass
+class EvaluationConfig:
+    """Options of an evaluation.
+
+    Attributes:
+        policy: Which policy plays.
+        task: Task id, or the bare name of a task of the level.
+        level: 1 to 5, a list of these, or `all`.
+        split: `id`, `train`, or a list.
+        episodes: Episodes per task and split.
+        seed: Episode i resets with `seed + i`; training seeds begin at 0.
+        obs: `pixels` or `state`; what the checkpoint was trained on, or else `state`, when null.
+        workers: Processes that play; the result does not depend on it.
+        videos: How many successes and how many failures to film, per task and split.
+        tasks_dir: A further folder of tasks.
+        out: Folder of the result.
+    """
+
+    policy: PolicyConfig = field(default_factory=PolicyConfig)
+    task: str | None = None
+    level: Any = None
+    split: Any = "id"
+    episodes: int = 100
+    seed: int = 100_000
+    obs: str | None = None
+    workers: int = field(default_factory=lambda: len(os.sched_getaffinity(0)))
+    videos: int = 2
+    tasks_dir: str | None = None
+    out: str = MISSING
+
+    @property
+    def tasks(self) -> list[str]:
+        """Ids of the tasks to play.
+
+        Raises:
+            UnknownTaskError: If none is named, or one that does not exist.
+        """
+        return choose_tasks(self.task, self._levels, self.tasks_dir)
+
+    @property
+    def splits(self) -> list[str]:
+        """The splits to play."""
+        return list(dict.fromkeys(_listed(self.split)))
+
+    def check(self) -> None:
+        """Check every value that stands for itself.
+
+        Raises:
+            EvaluationOptionError: If a number is out of its range.
+            UnknownOptionError: If a word is not one of its choices.
+        """
+        for name, least in {"episodes": 1, "workers": 1, "seed": 0, "videos": 0}.items():
+            if getattr(self, name) < least:
+                raise EvaluationOptionError(
+                    f"{name}={getattr(self, name)} is too small: {name} is at least {least}"
+                )
+        require_choices("split", self.splits, SPLITS)
+        if self.obs is not None:
+            require_choices("obs", [self.obs], OBSERVATION_KINDS)
+
+    @property
+    def _levels(self) -> list[int] | None:
+        if self.level is None:
+            return None
+        if self.level == "all":
+            return levels_with_tasks(self.tasks_dir)
+        return list(dict.fromkeys(_listed(self.level)))
+
+
+def require_known_options(arguments: Sequence[str]) -> None:
+    """Make sure that every override (`name=value`) of the command line names an option.
+
+    Hydra refuses unknown names too, but does not say which there are. Its own flags, `hydra.*` and
+    what is no override at all are left to it.
+
+    Raises:
+        EvaluationOptionError: If one does not; the message lists the options.
+    """
+    options = [option.name for option in fields(EvaluationConfig)]
+    options += [f"policy.{option.name}" for option in fields(PolicyConfig)]
+    for argument in arguments:
+        name, equals, _ = argument.partition("=")
+        if equals and name[0].isalpha() and name not in options and not name.startswith("hydra"):
+            near = difflib.get_close_matches(name, options, n=1)
+            hint = f" Did you mean '{near[0]}='?" if near else ""
+            raise EvaluationOptionError(
+                f"'{argument}' is no option.{hint} Options (name=value): {', '.join(options)}"
+            )
+
+
+def _listed(value: Any) -> list[Any]:
+    return list(value) if isinstance(value, list) else [value]

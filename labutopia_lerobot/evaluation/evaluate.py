@@ -1,0 +1,68 @@
+"""An evaluation, from pairings of policies and tasks to episodes."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from labutopia_lerobot.evaluation.checkpoint import open_checkpoint
+from labutopia_lerobot.evaluation.config import EvaluationConfig, EvaluationOptionError
+from labutopia_lerobot.evaluation.policies import REFERENCE_POLICIES
+from labutopia_lerobot.evaluation.processes import in_processes
+from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
+
+
+def make_pairings(config: EvaluationConfig) -> list[Pairing]:
+    """Return what an evaluation plays, ordered by task and split.
+
+    Raises:
+        CheckpointError: If a checkpoint is missing, or cannot play its task.
+        EvaluationOptionError: If options contradict each other.
+        UnknownTaskError: If no task is named, or one that does not exist.
+    """
+    return [_pairing(config, task, split) for task in config.tasks for split in config.splits]
+
+
+def evaluate(pairings: Sequence[Pairing], seeds: Sequence[int], workers: int) -> Iterator[Episode]:
+    """Yield every episode as it is finished; what is in them does not depend on the workers.
+
+    Args:
+        pairings: What to play.
+        seeds: Which episodes of each.
+        workers: Number of processes.
+
+    Raises:
+        Exception: Whatever was raised in a worker; a bug is not a failed episode.
+    """
+    jobs = [(pairing, seed) for pairing in pairings for seed in seeds]
+    yield from in_processes(play, jobs, workers)
+
+
+def in_order(episodes: Sequence[Episode], pairings: Sequence[Pairing]) -> list[Episode]:
+    """Return episodes in the order of the pairings, and then of the seeds."""
+    return sorted(episodes, key=lambda episode: (pairings.index(episode.pairing), episode.row.seed))
+
+
+def _pairing(config: EvaluationConfig, task: str, split: str) -> Pairing:
+    policy = config.policy
+    if policy.name in REFERENCE_POLICIES:
+        if policy.path is not None or policy.device is not None:
+            raise EvaluationOptionError(
+                f"policy={policy.name} takes neither policy.path nor policy.device"
+            )
+        maker = REFERENCE_POLICIES[policy.name]
+        obs = config.obs or "state"
+        return Pairing(task, split, policy.name, maker, obs, tasks_dir=config.tasks_dir)
+    path = Path(policy.path or f"outputs/train/{policy.name}")
+    checkpoint = open_checkpoint(
+        path, policy.name, task, config.obs, policy.device, config.tasks_dir
+    )
+    return Pairing(
+        task,
+        split,
+        policy.name,
+        checkpoint,
+        checkpoint.obs,
+        checkpoint.cameras,
+        checkpoint.width,
+        checkpoint.height,
+        config.tasks_dir,
+    )

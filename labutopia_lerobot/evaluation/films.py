@@ -1,0 +1,78 @@
+"""Films of the first successes and the first failures of each task and split."""
+
+from collections.abc import Sequence
+from itertools import groupby, islice
+from pathlib import Path
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.evaluation.rollout import Episode, Pairing
+from labutopia_lerobot.evaluation.video import write_video
+from labutopia_lerobot.sim.renderer import NoOpenGLError
+
+_CAMERA = "front"
+
+
+def require_camera(pairing: Pairing) -> None:
+    """Make sure, before hours of playing, that films can be drawn.
+
+    Raises:
+        NoOpenGLError: If there is no OpenGL.
+    """
+    env = _env(pairing)
+    try:
+        env.renderer.close()
+    except NoOpenGLError as error:
+        raise NoOpenGLError(f"{error}\nvideos=0 films nothing and needs no OpenGL.") from None
+
+
+def choose(episodes: Sequence[Episode], count: int, folder: Path) -> list[tuple[Episode, Path]]:
+    """Return which episodes to film, with the files to write.
+
+    Args:
+        episodes: Every episode, in order.
+        count: How many successes and how many failures of each task and split.
+        folder: Where the files go.
+    """
+    return [
+        (episode, folder / _name(episode))
+        for _, group in groupby(episodes, key=lambda episode: episode.pairing)
+        for played in [list(group)]
+        for success in (True, False)
+        for episode in islice((e for e in played if e.row.success == success), count)
+    ]
+
+
+def film(episode: Episode, file: Path) -> None:
+    """Play the actions of an episode again, in front of a camera.
+
+    The policy is not asked, so that filming can change nothing of what it sees, and only the
+    episodes that are shown are drawn.
+
+    Raises:
+        RuntimeError: If the episode ends otherwise than before.
+    """
+    row = episode.row
+    env = _env(episode.pairing)
+    observation, info = env.reset(seed=row.seed)
+    frames = [observation["pixels"][_CAMERA]]
+    for action in episode.actions:
+        observation, *_, info = env.step(action)
+        frames.append(observation["pixels"][_CAMERA])
+    env.close()
+    if info["outcome"] != row.outcome:
+        raise RuntimeError(
+            f"{row.task}, seed {row.seed}: the same actions ended in {info['outcome']} while "
+            f"being filmed, and in {row.outcome} before"
+        )
+    write_video(file, frames)
+
+
+def _env(pairing: Pairing) -> LabEnv:
+    return LabEnv(
+        pairing.task, cameras=(_CAMERA,), split=pairing.split, tasks_dir=pairing.tasks_dir
+    )
+
+
+def _name(episode: Episode) -> str:
+    row = episode.row
+    return f"{row.task.replace('/', '-')}_{row.split}_seed{row.seed}_{row.outcome}.mp4"

@@ -1,0 +1,93 @@
+"""What plays an episode, and the three reference policies that need no training."""
+
+from collections.abc import Callable
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.env import LabEnv, Observation
+from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.world import CONTROL_HZ
+
+Action = NDArray[np.float32]
+"""Absolute targets: seven joint angles [rad] and the gripper opening [m], shape (8,)."""
+
+
+class Policy(Protocol):
+    """Plays one episode after another.
+
+    What it does depends on the observations and the seed of the episode alone.
+    """
+
+    def start(self, env: LabEnv, seed: int) -> None:
+        """Begin an episode of an environment that has just been reset with this seed."""
+        ...
+
+    def act(self, observation: Observation) -> Action:
+        """Return the next action."""
+        ...
+
+
+PolicyMaker = Callable[[], Policy]
+"""Makes a policy in a worker process; can be pickled and hashed."""
+
+
+class ExpertPolicy:
+    """The scripted expert of the task; it looks at the world, not at the observation."""
+
+    def start(self, env: LabEnv, seed: int) -> None:
+        """Begin with the first skill."""
+        self._expert = env.expert()
+        self._expert.start()
+
+    def act(self, observation: Observation) -> Action:
+        """Return the expert's next action."""
+        return self._expert.act()
+
+
+class StillPolicy:
+    """Repeats the command that is in force after the reset."""
+
+    def start(self, env: LabEnv, seed: int) -> None:
+        """Remember the command in force."""
+        self._command = env.simulation.command.astype(np.float32)
+
+    def act(self, observation: Observation) -> Action:
+        """Return that command."""
+        return self._command.copy()
+
+
+class RandomPolicy:
+    """Wanders over the whole action box, each element at its greatest speed.
+
+    Each element heads for a target that is uniform over its range, and draws the next on arrival:
+    the random waypoint model (Johnson and Maltz 1996), one element at a time. A walk of independent
+    steps would hardly leave the start in the time of an episode.
+    """
+
+    def start(self, env: LabEnv, seed: int) -> None:
+        """Begin at the command in force, with a generator of this episode's own."""
+        self._rng = np.random.default_rng(seed)
+        self._low = np.array([*PANDA.joint_lower, 0.0])
+        self._high = np.array([*PANDA.joint_upper, PANDA.gripper_max_opening])
+        speed = np.array([*PANDA.joint_velocity_limits, PANDA.gripper_max_speed])
+        self._reach = speed / CONTROL_HZ
+        self._command = env.simulation.command.copy()
+        self._target = self._rng.uniform(self._low, self._high)
+
+    def act(self, observation: Observation) -> Action:
+        """Return the next action on the way."""
+        change = np.clip(self._target - self._command, -self._reach, self._reach)
+        self._command = self._command + change
+        arrived = self._command == self._target
+        fresh = self._rng.uniform(self._low, self._high)
+        self._target = np.where(arrived, fresh, self._target)
+        return self._command.astype(np.float32)
+
+
+REFERENCE_POLICIES: dict[str, PolicyMaker] = {
+    "expert": ExpertPolicy,
+    "random": RandomPolicy,
+    "still": StillPolicy,
+}

@@ -1,0 +1,162 @@
+"""Playing one episode."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.env import Info, LabEnv
+from labutopia_lerobot.evaluation.policies import Policy, PolicyMaker
+from labutopia_lerobot.features import CAMERAS, IMAGE_SIZE
+from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.world import CONTROL_HZ
+
+PLAY = "single"
+"""How sequences are played: one policy from beginning to end."""
+
+
+@dataclass(frozen=True)
+class Pairing:
+    """One policy in one task and split: whatever an episode depends on beside its seed.
+
+    Attributes:
+        task: Task id, such as `level1/pick`.
+        split: `train` or `id`.
+        policy: What the policy is called.
+        make_policy: Makes it.
+        obs: `pixels` or `state`.
+        cameras: Which cameras `pixels` has.
+        width: Width of the pictures [pixels].
+        height: Height of the pictures [pixels].
+        tasks_dir: A further folder of tasks.
+    """
+
+    task: str
+    split: str
+    policy: str
+    make_policy: PolicyMaker
+    obs: str = "state"
+    cameras: tuple[str, ...] = CAMERAS
+    width: int = IMAGE_SIZE
+    height: int = IMAGE_SIZE
+    tasks_dir: str | None = None
+
+    def make_env(self) -> LabEnv:
+        """Return the environment that the policy plays in; nothing is compiled yet."""
+        return LabEnv(
+            self.task, self.obs, self.cameras, self.width, self.height, self.split, self.tasks_dir
+        )
+
+
+@dataclass(frozen=True)
+class Row:
+    """What became of one episode: one row of a result file.
+
+    Attributes:
+        task: Task id.
+        split: `train` or `id`.
+        policy: What the policy is called.
+        play: How the sequence was played.
+        obs: `pixels` or `state`.
+        seed: What the environment was reset with.
+        success: Whether the goal held for as long as it must.
+        ever_success: Whether the goal held at any instant.
+        outcome: How it ended.
+        steps: Control steps played.
+        seconds: The same in simulated time [s].
+        substeps: Sub-step -> time at which it latched [s], or None.
+        facts: Every predicate of the task, as it was at the end.
+        ml_poured: Liquid that arrived where it should [ml], or None where none is simulated.
+        ml_spilled: Liquid that was lost [ml], or None where none is simulated.
+        clipped_actions: Actions beyond a limit of position or velocity.
+        nonfinite_actions: Actions with an infinite or undefined element.
+    """
+
+    task: str
+    split: str
+    policy: str
+    play: str
+    obs: str
+    seed: int
+    success: bool
+    ever_success: bool
+    outcome: str
+    steps: int
+    seconds: float
+    substeps: dict[str, float | None]
+    facts: dict[str, bool]
+    ml_poured: float | None
+    ml_spilled: float | None
+    clipped_actions: int
+    nonfinite_actions: int
+
+
+@dataclass(frozen=True)
+class Episode:
+    """A played episode.
+
+    Attributes:
+        pairing: What was played.
+        row: What became of it.
+        actions: Everything that the policy commanded, shape (steps, 8).
+        renderer: What drew the pictures that the policy saw, or None.
+    """
+
+    pairing: Pairing
+    row: Row
+    actions: NDArray[np.float32]
+    renderer: str | None
+
+
+def play(pairing: Pairing, seed: int) -> Episode:
+    """Play the episode of a seed. Errors are not caught: a bug is not a failed episode."""
+    env, policy = _prepare(pairing)
+    observation, info = env.reset(seed=seed)
+    policy.start(env, seed)
+    actions: list[NDArray[np.float32]] = []
+    over = False
+    while not over:
+        action = policy.act(observation)
+        actions.append(action)
+        observation, _, terminated, truncated, info = env.step(action)
+        over = terminated or truncated
+    return Episode(
+        pairing,
+        _row(pairing, seed, len(actions), info),
+        np.array(actions, dtype=np.float32),
+        opengl_renderer_name(env.renderer) if pairing.obs == "pixels" else None,
+    )
+
+
+@lru_cache(maxsize=1)
+def _prepare(pairing: Pairing) -> tuple[LabEnv, Policy]:
+    """Compile the scene and load the policy once per process, not once per episode."""
+    return pairing.make_env(), pairing.make_policy()
+
+
+def _row(pairing: Pairing, seed: int, steps: int, info: Info) -> Row:
+    latched: dict[str, Any] = info["substeps"]
+    return Row(
+        task=pairing.task,
+        split=pairing.split,
+        policy=pairing.policy,
+        play=PLAY,
+        obs=pairing.obs,
+        seed=seed,
+        success=info["is_success"],
+        ever_success=info["ever_success"],
+        outcome=info["outcome"],
+        steps=steps,
+        seconds=round(steps / CONTROL_HZ, 3),
+        substeps={
+            name: round(float(time), 3) if np.isfinite(time) else None
+            for name, time in latched.items()
+        },
+        facts=info["facts"],
+        ml_poured=info.get("ml_poured"),
+        ml_spilled=info.get("ml_spilled"),
+        clipped_actions=info["clipped_actions"],
+        nonfinite_actions=info["nonfinite_actions"],
+    )

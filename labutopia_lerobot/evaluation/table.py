@@ -1,0 +1,80 @@
+"""The table in the terminal."""
+
+from collections.abc import Sequence
+from itertools import groupby
+from statistics import fmean
+
+from rich import box
+from rich.table import Table
+
+from labutopia_lerobot.evaluation.policies import REFERENCE_POLICIES
+from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.task import HOLD_S
+
+_CAPTION = (
+    f"Success: the goal held for {HOLD_S:g} s without a break, after every sub-step and before any "
+    "breach. 95 %: Wilson interval. Ever: the goal held at any instant. Time: mean simulated time "
+    "of the successes. Sub-steps: reached in their order, share of all episodes."
+)
+_STATE_CAPTION = " State: the policy is told the poses of all things and sees no pictures."
+_MEAN_CAPTION = " Mean: each task of the level counts the same."
+
+
+def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
+    """Return a table of one policy with a line per task and split; it fits 80 columns.
+
+    Args:
+        summaries: What to show, ordered by task.
+        level_means: Whether a line per level and split follows its tasks.
+    """
+    policy = summaries[0].policy
+    state = policy not in REFERENCE_POLICIES and any(line.obs == "state" for line in summaries)
+    table = Table(
+        title=f"{policy}, state" if state else policy,
+        caption=_CAPTION + _STATE_CAPTION * state + _MEAN_CAPTION * level_means,
+        caption_justify="left",
+        box=box.SIMPLE_HEAD,
+    )
+    for name in ("Task", "Split"):
+        table.add_column(name, no_wrap=True)
+    for name in ("Success", "95 %", "Ever", "Time"):
+        table.add_column(name, justify="right", no_wrap=True)
+    table.add_column("Sub-steps")
+    for level, of_level in groupby(summaries, key=lambda summary: summary.task.split("/")[0]):
+        group = list(of_level)
+        for summary in group:
+            table.add_row(*_cells(summary))
+        for split in dict.fromkeys(summary.split for summary in group) if level_means else ():
+            table.add_row(*_mean_cells(level, [line for line in group if line.split == split]))
+        table.add_section()
+    return table
+
+
+def _cells(summary: Summary) -> list[str]:
+    low, high = summary.wilson95
+    seconds = summary.mean_seconds_to_success
+    return [
+        summary.task,
+        summary.split,
+        f"{summary.successes}/{summary.n} = {_percent(summary.rate)}",
+        f"{100 * low:.0f} to {_percent(high)}",
+        _percent(summary.ever_rate),
+        "-" if seconds is None else f"{seconds:.1f} s",
+        "\n".join(f"{name} {_percent(rate)}" for name, rate in summary.substep_rates.items()),
+    ]
+
+
+def _mean_cells(level: str, summaries: Sequence[Summary]) -> list[str]:
+    return [
+        f"{level}, mean",
+        summaries[0].split,
+        _percent(fmean(summary.rate for summary in summaries)),
+        "-",
+        _percent(fmean(summary.ever_rate for summary in summaries)),
+        "-",
+        "-",
+    ]
+
+
+def _percent(rate: float) -> str:
+    return f"{100 * rate:.0f} %"

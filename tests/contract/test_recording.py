@@ -1,0 +1,424 @@
+"""Recording, as LeRobot and as the user see it."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+from lerobot.datasets.lerobot_dataset import LeRobotDataset
+
+from labutopia_lerobot.cli.record import parse
+from labutopia_lerobot.datasets.candidate import Candidate
+from labutopia_lerobot.datasets.features import dataset_features
+from labutopia_lerobot.datasets.layout import (
+    PHASES,
+    RECORDING,
+    SEED,
+    DamagedDatasetError,
+    read_episodes,
+    read_frames,
+    read_json,
+)
+from labutopia_lerobot.datasets.recorder import HopelessExpertError, record
+from labutopia_lerobot.datasets.recording_folder import RecordingFolderError
+from labutopia_lerobot.datasets.replay import ForeignDatasetError, replay
+from labutopia_lerobot.datasets.verify import find_problems, require_intact
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.registry import load_task
+
+PICK = ["task=level1/pick", "obs=state", "episodes=3", "seed=20"]
+FILM = ["task=level1/pick", "episodes=2", "width=64", "height=48", "cameras=[wrist,front]"]
+
+MOODY_TASK = """
+import dataclasses
+from labutopia_lerobot.skills.skill import Phase
+from labutopia_lerobot.tasks.level1.pick import pick
+
+class Sulk:
+    def phases(self, world):
+        if world.frame("flask_rim").position_w[1] > {limit}:
+            never = lambda world, target, elapsed: False
+            yield Phase("sulk", lambda w: w.gripper, 0.08, never, timeout_s=0.1)
+
+def moody():
+    return dataclasses.replace(pick(), expert=(Sulk(), *pick().expert))
+"""
+
+
+class StoppedError(Exception):
+    """Stops a recording."""
+
+
+class Watch:
+    """Watches a recording; stops it after so many candidates or episodes."""
+
+    def __init__(self, played: int = -1, assembled: int = -1) -> None:
+        self.left = {"played": played, "assembled": assembled}
+        self.indices: list[int] = []
+
+    def resumed(self, candidates: Sequence[Candidate]) -> None:
+        self.indices += [candidate.index for candidate in candidates]
+
+    def played(self, candidate: Candidate) -> None:
+        self.indices.append(candidate.index)
+        self._count("played")
+
+    def assembled(self, candidate: Candidate) -> None:
+        self._count("assembled")
+
+    def _count(self, event: str) -> None:
+        self.left[event] -= 1
+        if self.left[event] == 0:
+            raise StoppedError
+
+
+def recording(root: Path, *overrides: str, workers: int = 2, watch: Watch | None = None) -> Path:
+    record(parse([*overrides, f"root={root}", f"workers={workers}"]), watch or Watch())
+    return root
+
+
+def assert_same_dataset(first: Path, second: Path) -> None:
+    assert read_frames(first).equals(read_frames(second))
+    assert read_episodes(first) == read_episodes(second)
+    for name in ("meta/stats.json", "meta/info.json", RECORDING):
+        assert read_json(first, name) == read_json(second, name)
+    files = [
+        {path.relative_to(root): path for path in root.rglob("*") if path.is_file()}
+        for root in (first, second)
+    ]
+    assert files[0].keys() == files[1].keys()
+    for name in files[0]:
+        if name.suffix == ".mp4":
+            assert files[0][name].read_bytes() == files[1][name].read_bytes()
+
+
+@pytest.fixture(scope="module")
+def picked(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A finished recording without pictures."""
+    return recording(tmp_path_factory.mktemp("picked") / "dataset", *PICK)
+
+
+@pytest.fixture(scope="module")
+def filmed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A finished recording with pictures."""
+    return recording(tmp_path_factory.mktemp("filmed") / "dataset", *FILM)
+
+
+@pytest.fixture
+def copied(filmed: Path, tmp_path: Path) -> Path:
+    """A copy of the recording with pictures, to be damaged."""
+    return Path(shutil.copytree(filmed, tmp_path / "copy"))
+
+
+@pytest.mark.parametrize(("fixture", "obs"), [("picked", "state"), ("filmed", "pixels")])
+def test_lerobot_loads_it_with_the_declared_features(
+    fixture: str, obs: str, request: pytest.FixtureRequest
+) -> None:
+    root = request.getfixturevalue(fixture)
+    task = load_task("level1/pick")
+    dataset = LeRobotDataset("local/pick", root=root)
+    declared = dataset_features(task, obs, ["wrist", "front"], 64, 48)
+    for key, feature in declared.items():
+        assert tuple(dataset.features[key]["shape"]) == feature["shape"]
+        assert dataset.features[key]["names"] == feature["names"]
+        assert key in dataset.meta.stats
+    generated = {"timestamp", "frame_index", "episode_index", "index", "task_index"}
+    assert dataset.features.keys() == declared.keys() | generated
+    assert dataset.fps == 30
+    assert len(dataset) == dataset.meta.total_frames > 300
+    assert dataset[len(dataset) - 1]["task"] == task.instruction
+
+
+def test_exactly_the_wanted_successes_are_stored(picked: Path) -> None:
+    rows = read_episodes(picked)
+    assert [row[SEED] for row in rows] == [20, 21, 22]
+    phases = json.loads(rows[0][PHASES])
+    labels = ["hover", "lower", "reach", "settle", "close", "lift", "hold"]
+    assert [label for label, _ in phases] == [f"pick/{label}" for label in labels]
+    starts = [start for _, start in phases]
+    assert starts[0] == 0
+    assert starts == sorted(set(starts))
+    assert starts[-1] < rows[0]["length"]
+    assert not (picked / ".recording").exists()
+
+
+def test_the_number_of_workers_changes_nothing(picked: Path, tmp_path: Path) -> None:
+    assert_same_dataset(picked, recording(tmp_path / "one", *PICK, workers=1))
+
+
+def test_each_picture_shows_the_state_of_its_row(filmed: Path) -> None:
+    dataset = LeRobotDataset("local/pick", root=filmed, video_backend="pyav")
+    second = dataset.meta.episodes[1]
+    env = LabEnv("level1/pick", width=64, height=48, cameras=("wrist",), split="train")
+    observation, _ = env.reset(seed=second[SEED])
+    drawn, actions = [], []
+    for index in range(second["dataset_from_index"], second["dataset_to_index"]):
+        drawn.append(observation["pixels"]["wrist"] / 255.0)
+        actions.append(dataset.hf_dataset[index]["action"].numpy())
+        observation, *_ = env.step(actions[-1])
+    env.close()
+    moving = 100  # in mid-lift, where neighbouring frames differ
+    stored = dataset[second["dataset_from_index"] + moving]["observation.images.wrist"]
+    distance = [np.abs(stored.permute(1, 2, 0).numpy() - picture).mean() for picture in drawn]
+    assert int(np.argmin(distance)) == moving
+    assert distance[moving] < 0.02
+
+
+def test_killed_while_playing_it_resumes_without_loss(picked: Path, tmp_path: Path) -> None:
+    root = tmp_path / "dataset"
+    command = [sys.executable, "-m", "labutopia_lerobot.cli.record", *PICK, f"root={root}"]
+    process = subprocess.Popen(
+        [*command, "workers=2"], start_new_session=True, stderr=subprocess.DEVNULL
+    )
+    wait_until(lambda: any(root.glob(".recording/candidate_*")))
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    assert not (root / "meta").exists()
+    watch = Watch()
+    recording(root, *PICK, watch=watch)
+    assert sorted(watch.indices) == [0, 1, 2]
+    assert_same_dataset(picked, root)
+
+
+def test_workers_end_when_the_recorder_is_killed(tmp_path: Path) -> None:
+    root = tmp_path / "dataset"
+    arguments = ["task=level1/pick", "obs=state", "episodes=1000", f"root={root}", "workers=1"]
+    process = subprocess.Popen(
+        [sys.executable, "-m", "labutopia_lerobot.cli.record", *arguments],
+        start_new_session=True,
+        stderr=subprocess.DEVNULL,
+    )
+    wait_until(lambda: any(root.glob(".recording/candidate_*")))
+    process.kill()
+    process.wait()
+    wait_until(lambda: not group_exists(process.pid))
+
+
+def group_exists(group: int) -> bool:
+    try:
+        os.killpg(group, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def wait_until(condition: Callable[[], bool], seconds: float = 60.0) -> None:
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
+def test_stopped_while_assembling_it_resumes(filmed: Path, tmp_path: Path) -> None:
+    root = tmp_path / "dataset"
+    with pytest.raises(StoppedError):
+        recording(root, *FILM, watch=Watch(assembled=1))
+    assert_same_dataset(filmed, recording(root, *FILM))
+
+
+@pytest.mark.parametrize("moved", [["videos"], ["videos", "data"], ["videos", "data", "meta"]])
+def test_killed_while_moving_it_resumes(
+    moved: list[str], filmed: Path, tmp_path: Path, stopped: Path
+) -> None:
+    root = Path(shutil.copytree(stopped, tmp_path / "dataset"))
+    for part in moved:
+        shutil.copytree(filmed / part, root / part)
+    assert_same_dataset(filmed, recording(root, *FILM))
+
+
+@pytest.fixture(scope="module")
+def stopped(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A recording with pictures that was stopped when everything was played."""
+    root = tmp_path_factory.mktemp("stopped") / "dataset"
+    with pytest.raises(StoppedError):
+        recording(root, *FILM, watch=Watch(assembled=2))
+    return root
+
+
+def test_a_finished_folder_is_refused(picked: Path) -> None:
+    before = {path: path.stat().st_mtime_ns for path in picked.rglob("*")}
+    with pytest.raises(RecordingFolderError, match="finished"):
+        recording(picked, *PICK)
+    assert {path: path.stat().st_mtime_ns for path in picked.rglob("*")} == before
+
+
+def test_a_leftover_of_a_finished_recording_is_cleaned_away(picked: Path, tmp_path: Path) -> None:
+    root = Path(shutil.copytree(picked, tmp_path / "dataset"))
+    (root / ".recording.discarded").mkdir()
+    with pytest.raises(RecordingFolderError, match="finished"):
+        recording(root, *PICK)
+    assert not (root / ".recording.discarded").exists()
+
+
+@pytest.mark.parametrize("fixture", ["picked", "stopped"])
+def test_another_recording_is_refused_with_the_difference(
+    fixture: str, request: pytest.FixtureRequest
+) -> None:
+    root = request.getfixturevalue(fixture)
+    with pytest.raises(RecordingFolderError) as refusal:
+        recording(root, "task=level1/pick", "obs=state", "episodes=5", "seed=20")
+    assert f"episodes: {3 if fixture == 'picked' else 2} there, 5 here" in str(refusal.value)
+    assert ("obs: 'pixels' there, 'state' here" in str(refusal.value)) == (fixture == "stopped")
+
+
+def test_a_foreign_folder_is_refused_and_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "thesis.txt").write_text("mine")
+    with pytest.raises(RecordingFolderError, match=r"thesis\.txt"):
+        recording(tmp_path, *PICK)
+    assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
+
+
+def test_a_folder_being_recorded_is_refused(tmp_path: Path) -> None:
+    class Second(Watch):
+        def resumed(self, candidates: Sequence[Candidate]) -> None:
+            recording(tmp_path / "dataset", *PICK)
+
+    with pytest.raises(RecordingFolderError, match="by another process"):
+        recording(tmp_path / "dataset", *PICK, watch=Second())
+
+
+@pytest.mark.parametrize("workers", [1, 3])
+def test_failures_are_listed_and_the_lowest_successes_stored(workers: int, tmp_path: Path) -> None:
+    (tmp_path / "level1").mkdir()
+    (tmp_path / "level1" / "moody.py").write_text(MOODY_TASK.format(limit=0.0))
+    overrides = ["task=level1/moody", f"tasks_dir={tmp_path}", "obs=state", "episodes=3"]
+    watch = Watch()
+    root = recording(tmp_path / "dataset", *overrides, workers=workers, watch=watch)
+    stored = [row[SEED] for row in read_episodes(root)]
+    failed = read_json(root, RECORDING)["failures"]
+    env = LabEnv("level1/moody", obs="state", split="train", tasks_dir=tmp_path)
+    sulks = []
+    for seed in range(stored[-1] + 1):
+        env.reset(seed=seed)
+        sulks.append(env.world.frame("flask_rim").position_w[1] > 0.0)
+    assert [seed for seed, sulk in enumerate(sulks) if not sulk] == stored
+    assert [failure["seed"] for failure in failed] == np.flatnonzero(sulks).tolist()
+    assert len(failed) > 0
+    assert {failure["cause"] for failure in failed} == {"sulk/sulk not done after 0.1 s"}
+    assert sorted(watch.indices) == list(range(stored[-1] + 1))
+
+
+def test_a_hopeless_expert_ends_the_recording(tmp_path: Path) -> None:
+    (tmp_path / "level1").mkdir()
+    (tmp_path / "level1" / "moody.py").write_text(MOODY_TASK.format(limit=-1.0))
+    overrides = ["task=level1/moody", f"tasks_dir={tmp_path}", "obs=state"]
+    with pytest.raises(HopelessExpertError, match="sulk/sulk not done after"):
+        recording(tmp_path / "dataset", *overrides)
+
+
+def test_a_finished_dataset_is_intact(picked: Path, filmed: Path) -> None:
+    assert find_problems(picked) == []
+    assert find_problems(filmed) == []
+
+
+@pytest.mark.parametrize("kept", [0.0, 0.5, 0.999])
+def test_a_video_cut_short_is_found(kept: float, copied: Path) -> None:
+    video = next(copied.glob("videos/observation.images.front/*/*.mp4"))
+    os.truncate(video, int(kept * video.stat().st_size))
+    with pytest.raises(DamagedDatasetError, match=r"observation\.images\.front/.*mp4"):
+        require_intact(copied)
+
+
+@pytest.mark.parametrize("pattern", ["videos/*/*/*.mp4", "data/*/*", "meta/*", "meta/episodes/*/*"])
+def test_a_missing_file_is_found(pattern: str, copied: Path) -> None:
+    files = [path for path in copied.glob(pattern) if path.is_file()]
+    for path in files:
+        if path.name == "labutopia.json":
+            continue
+        content = path.read_bytes()
+        path.unlink()
+        assert find_problems(copied)
+        path.write_bytes(content)
+    assert files
+    assert find_problems(copied) == []
+
+
+def test_lost_rows_are_found(copied: Path) -> None:
+    path = next(copied.glob("data/*/*.parquet"))
+    pq.write_table(pq.read_table(path).slice(1), path)
+    assert any(problem.startswith("data") for problem in find_problems(copied))
+
+
+@pytest.mark.parametrize("fixture", ["picked", "filmed"])
+def test_replayed_it_succeeds_through_identical_states(
+    fixture: str, request: pytest.FixtureRequest
+) -> None:
+    replays = list(replay(request.getfixturevalue(fixture)))
+    assert len(replays) == (3 if fixture == "picked" else 2)
+    assert all(played.faithful for played in replays)
+
+
+def test_a_changed_action_is_seen_in_the_replay(copied: Path) -> None:
+    path = next(copied.glob("data/*/*.parquet"))
+    table = pq.read_table(path)
+    actions = table["action"].to_pylist()
+    actions[50][0] += 0.01
+    column = table.column_names.index("action")
+    changed = pa.array(actions, type=table.schema.field(column).type)
+    pq.write_table(table.set_column(column, table.schema.field(column), changed), path)
+    first, second = replay(copied)
+    assert first.first_difference == 51
+    assert second.faithful
+
+
+def test_a_foreign_dataset_cannot_be_replayed(copied: Path) -> None:
+    (copied / RECORDING).unlink()
+    with pytest.raises(ForeignDatasetError):
+        list(replay(copied))
+
+
+@pytest.mark.parametrize(
+    ("overrides", "message"),
+    [
+        ([], "Name a task"),
+        (["task=level1/pick", "episods=3"], "Did you mean 'episodes='?"),
+        (["task=level1/pick", "episodes=many"], "'many'"),
+        (["task=level1/pick", "+liquid=on"], "is no option"),
+    ],
+)
+def test_a_wrong_override_is_explained(overrides: list[str], message: str) -> None:
+    with pytest.raises(UserError, match=message.replace("?", r"\?")):
+        parse(overrides)
+
+
+@pytest.mark.parametrize(
+    ("override", "message"),
+    [
+        ("task=level1/pik", "Did you mean 'level1/pick'"),
+        ("obs=pictures", "pixels, state"),
+        ("cameras=[wrist,side]", "front, top, wrist"),
+        ("cameras=[top,top]", "twice"),
+        ("episodes=0", "at least 1"),
+        ("width=255", "even"),
+    ],
+)
+def test_an_impossible_value_is_explained(override: str, message: str, tmp_path: Path) -> None:
+    root = tmp_path / "dataset"
+    with pytest.raises(UserError, match=message):
+        recording(root, "task=level1/pick", override)
+    assert not root.exists()
+
+
+def test_the_command_line_has_no_traceback_and_leaves_no_litter(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "labutopia_lerobot.cli.record"]
+    wrong = subprocess.run(
+        [*command, "tusk=level1/pick"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert wrong.returncode == 2
+    assert "Did you mean 'task='?" in wrong.stderr
+    assert "Traceback" not in wrong.stderr
+    assert list(tmp_path.iterdir()) == []
+    right = [*command, "task=level1/pick", "episodes=1", "obs=state", "workers=1"]
+    subprocess.run(right, cwd=tmp_path, check=True)
+    assert [path.name for path in tmp_path.iterdir()] == ["outputs"]
+    assert find_problems(tmp_path / "outputs/datasets/level1/pick") == []

@@ -1,0 +1,51 @@
+"""Videos: nothing is dropped, and the statistics are those of the pictures."""
+
+from pathlib import Path
+
+import av
+import numpy as np
+import pytest
+
+from labutopia_lerobot.datasets.video import VideoWriter, color_statistics, video_size_and_frames
+
+RNG = np.random.default_rng(0)
+PICTURES = [RNG.integers(20 * k, 200, (48, 64, 3), dtype=np.uint8) for k in range(9)]
+
+
+@pytest.fixture
+def written(tmp_path: Path) -> tuple[Path, VideoWriter]:
+    """A video of nine pictures and its closed writer."""
+    path = tmp_path / "video.mp4"
+    with VideoWriter(path, width=64, height=48) as writer:
+        for picture in PICTURES:
+            writer.add(picture)
+    return path, writer
+
+
+def test_every_picture_becomes_a_frame(written: tuple[Path, VideoWriter]) -> None:
+    path, _ = written
+    assert video_size_and_frames(path) == (64, 48, len(PICTURES))
+    with av.open(str(path)) as container:
+        times = [frame.time for frame in container.decode(video=0)]
+    assert times == pytest.approx([k / 30 for k in range(len(PICTURES))])
+
+
+def test_statistics_are_those_of_every_pixel(written: tuple[Path, VideoWriter]) -> None:
+    _, writer = written
+    statistics = color_statistics(writer.histogram, len(PICTURES))
+    pixels = np.stack(PICTURES).reshape(-1, 3)
+    assert statistics["count"].tolist() == [len(PICTURES)]
+    np.testing.assert_array_equal(statistics["min"], pixels.min(axis=0))
+    np.testing.assert_array_equal(statistics["max"], pixels.max(axis=0))
+    np.testing.assert_allclose(statistics["mean"], pixels.mean(axis=0))
+    np.testing.assert_allclose(statistics["std"], pixels.std(axis=0))
+    for name, q in {"q01": 0.01, "q10": 0.10, "q50": 0.50, "q90": 0.90, "q99": 0.99}.items():
+        expected = np.quantile(pixels, q, axis=0, method="inverted_cdf")
+        np.testing.assert_array_equal(statistics[name], expected)
+
+
+def test_a_video_without_its_end_is_no_video(written: tuple[Path, VideoWriter]) -> None:
+    path, _ = written
+    path.write_bytes(path.read_bytes()[:200])
+    with pytest.raises((OSError, ValueError)):
+        video_size_and_frames(path)
