@@ -103,8 +103,8 @@ def open_checkpoint(
         return Checkpoint(folder, device, "state", CAMERAS, IMAGE_SIZE, IMAGE_SIZE)
     if _PRIVILEGED in inputs:
         raise CheckpointError(
-            f"{folder} wants both pictures and {_PRIVILEGED}; obs=pixels and obs=state offer one of "
-            "them. Train on one"
+            f"{folder} wants both pictures and {_PRIVILEGED}, but obs=pixels and obs=state offer "
+            "one of them. Train on one"
         )
     cameras = _cameras(folder, pictures)
     height, width = (IMAGE_SIZE, IMAGE_SIZE) if adapts else _picture_size(folder, pictures)

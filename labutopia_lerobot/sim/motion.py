@@ -118,7 +118,7 @@ class ReactiveMotion:
 
 
 def _planning_model(robot: Robot, pieces: tuple[Piece, ...]) -> mujoco.MjModel:
-    """Compile the arm among hulls: of every body as an obstacle, of movable things as a load too."""
+    """Compile the arm among hulls: of every body an obstacle, of movable things a load too."""
     spec = laboratory(VESSEL_VIEW)
     robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=ROBOT_BASE))
     grasp = spec.site(robot.grasp_site)

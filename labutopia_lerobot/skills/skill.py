@@ -62,3 +62,9 @@ def arrived(within: float, within_rad: float = 0.05) -> Condition:
 def waited(seconds: float) -> Condition:
     """The phase has lasted this long."""
     return lambda world, target, elapsed: elapsed >= seconds
+
+
+def carrier(world: World, thing: Thing) -> Callable[[Pose], Pose]:
+    """Return the map from a wanted pose of a held thing to the gripper pose that puts it there."""
+    gripper_in_thing = world.pose(thing).inverse() @ world.gripper
+    return lambda wanted: wanted @ gripper_in_thing

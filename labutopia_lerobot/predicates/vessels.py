@@ -1,24 +1,9 @@
-"""Named facts about the world: memoryless, relative to the scene, never changing anything."""
-
-from collections.abc import Callable
-from dataclasses import dataclass
+"""Facts about vessels and other things that stand, are held, lean or fall."""
 
 import numpy as np
 
-from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Thing, World
-
-
-@dataclass(frozen=True)
-class Predicate:
-    """A yes-or-no question about the present world.
-
-    Attributes:
-        name: How the fact appears in `info["facts"]` and in result files.
-        holds: The answer for a world.
-    """
-
-    name: str
-    holds: Callable[[World], bool]
+from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Thing
 
 
 def lifted(thing: Thing, *, by: float) -> Predicate:

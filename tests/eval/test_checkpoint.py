@@ -1,0 +1,92 @@
+import json
+from pathlib import Path
+
+import pytest
+
+from labutopia_lerobot.evaluation.checkpoint import CheckpointError, open_checkpoint
+from labutopia_lerobot.evaluation.learned import LearnedPolicy, UnusableWeightsError
+from labutopia_lerobot.evaluation.rollout import Pairing, play
+
+from .conftest import Saver
+
+TASK = "level1/pick"
+
+
+def test_a_checkpoint_plays_the_same_episode_twice(save_checkpoint: Saver) -> None:
+    checkpoint = open_checkpoint(save_checkpoint(), "act", TASK, device="cpu")
+    first, second = (
+        play(Pairing(TASK, "id", "act", maker), 100_000)
+        for maker in (checkpoint, open_checkpoint(checkpoint.folder, "act", TASK, device="cpu"))
+    )
+    assert first.row == second.row
+    assert first.renderer is None
+
+
+def test_a_policy_of_pictures_gets_its_own_cameras_in_its_own_size(save_checkpoint: Saver) -> None:
+    checkpoint = open_checkpoint(save_checkpoint(cameras=("wrist", "top")), "act", TASK)
+    assert (checkpoint.obs, checkpoint.width, checkpoint.height) == ("pixels", 64, 64)
+    assert sorted(checkpoint.cameras) == ["top", "wrist"]
+
+
+@pytest.mark.parametrize("depth", range(4))
+def test_a_checkpoint_is_found_from_every_folder_above(save_checkpoint: Saver, depth: int) -> None:
+    folder = save_checkpoint()
+    given = [folder, *folder.parents][depth]
+    if depth in (2,):
+        pytest.skip("`checkpoints` itself is neither an output_dir nor a checkpoint")
+    assert open_checkpoint(given, "act", TASK).folder == folder
+
+
+def test_a_folder_may_hold_one_policy_per_task(save_checkpoint: Saver, tmp_path: Path) -> None:
+    output_dir = save_checkpoint().parents[2]
+    (tmp_path / "many" / "level1").mkdir(parents=True)
+    output_dir.rename(tmp_path / "many" / TASK)
+    assert (tmp_path / "many" / TASK) in open_checkpoint(
+        tmp_path / "many", "act", TASK
+    ).folder.parents
+
+
+@pytest.mark.parametrize(
+    ("features", "message"),
+    [
+        ({"action": 7}, "`action` has 8 elements"),
+        ({"state": 6}, "`observation.state` has 8 elements"),
+        ({"things": 2}, "`observation.environment_state` has 9 elements"),
+        ({"cameras": ("side",)}, "observation.images.side.*observation.images.front"),
+    ],
+)
+def test_a_foreign_checkpoint_is_refused(
+    save_checkpoint: Saver, features: dict[str, object], message: str
+) -> None:
+    with pytest.raises(CheckpointError, match=message):
+        open_checkpoint(save_checkpoint(**features), "act", TASK)
+
+
+def test_other_observations_than_those_of_training_are_refused(save_checkpoint: Saver) -> None:
+    with pytest.raises(CheckpointError, match="trained with obs=state"):
+        open_checkpoint(save_checkpoint(), "act", TASK, obs="pixels")
+
+
+def test_another_type_of_policy_is_refused(save_checkpoint: Saver) -> None:
+    with pytest.raises(CheckpointError, match="type 'act'"):
+        open_checkpoint(save_checkpoint(), "diffusion", TASK)
+
+
+def test_pickled_weights_are_refused(save_checkpoint: Saver) -> None:
+    folder = save_checkpoint()
+    (folder / "model.safetensors").rename(folder / "pytorch_model.bin")
+    with pytest.raises(CheckpointError, match=r"pytorch_model\.bin.*can run any code"):
+        open_checkpoint(folder, "act", TASK)
+
+
+def test_weights_of_another_size_are_refused(save_checkpoint: Saver) -> None:
+    folder = save_checkpoint()
+    config = json.loads((folder / "config.json").read_text())
+    (folder / "config.json").write_text(json.dumps(config | {"dim_model": 32}))
+    with pytest.raises(UnusableWeightsError, match="size mismatch"):
+        LearnedPolicy(folder, "cpu")
+
+
+def test_an_absent_device_is_refused(save_checkpoint: Saver) -> None:
+    with pytest.raises(UnusableWeightsError, match="policy.device=abacus"):
+        LearnedPolicy(save_checkpoint(), "abacus")

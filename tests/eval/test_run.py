@@ -1,0 +1,103 @@
+import json
+from pathlib import Path
+
+import av
+import pytest
+
+from .conftest import Program, Saver
+
+
+@pytest.mark.parametrize(
+    ("overrides", "names"),
+    [
+        (["episods=3"], ["'episods=3'", "episodes=", "policy.path"]),
+        (["policy=actt"], ["actt", "expert", "smolvla"]),
+        (["policy=expert", "task=level1/pik"], ["Did you mean 'level1/pick'"]),
+        (["policy=expert", "level=9"], ["Levels with tasks: 1"]),
+        (["policy=expert", "task=level1/pick", "split=ood"], ["train, id"]),
+        (["policy=expert", "task=level1/pick", "episodes=0"], ["at least 1"]),
+        (["policy=still", "task=level1/pick", "policy.path=x"], ["policy=still", "policy.path"]),
+        (
+            ["policy=act", "task=level1/pick", "policy.path=x"],
+            ["policy.path=x", "lerobot-train --config_path=policies/act/train.json"],
+        ),
+    ],
+)
+def test_a_mistake_is_told_in_one_message(
+    evaluate_program: Program, overrides: list[str], names: list[str]
+) -> None:
+    done = evaluate_program(*overrides)
+    assert done.returncode != 0
+    assert "Traceback" not in done.stderr
+    for name in names:
+        assert name in done.stderr
+
+
+def test_a_result_holds_rows_summary_provenance_and_films(
+    evaluate_program: Program, tmp_path: Path
+) -> None:
+    done = evaluate_program(
+        "level=1", "task=pick", "policy=expert", "episodes=2", "videos=1", "out=out", "workers=1"
+    )
+    assert done.returncode == 0, done.stderr
+    assert "2/2 = 100 %" in done.stdout
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    kept = (tmp_path / "out" / "rows.jsonl").read_text().splitlines()
+    assert [json.loads(line) for line in kept] == result["rows"]
+    assert [row["seed"] for row in result["rows"]] == [100_000, 100_001]
+    row = result["rows"][0]
+    assert row["play"] == "single"
+    assert row["seconds"] == pytest.approx(row["steps"] / 30, abs=1e-3)
+    assert 0 < row["substeps"]["gripped"] < row["substeps"]["lifted"] < row["seconds"]
+    assert {"task", "split", "policy", "success", "ever_success", "outcome", "facts"} <= set(row)
+    assert {"ml_poured", "ml_spilled"} <= set(row)
+    (summary,) = result["summary"]
+    assert (summary["n"], summary["successes"], summary["rate"]) == (2, 2, 1.0)
+    assert summary["wilson95"] == pytest.approx([0.3424, 1.0], abs=1e-4)
+    assert summary["substep_rates"] == {"gripped": 1.0, "lifted": 1.0}
+    provenance = result["provenance"]
+    assert {"commit", "versions", "renderer", "machine", "config"} <= set(provenance)
+    assert provenance["renderer"] is None
+    assert provenance["config"]["policy"]["name"] == "expert"
+    (film,) = (tmp_path / "out" / "videos").iterdir()
+    assert film.name == "level1-pick_id_seed100000_success.mp4"
+    with av.open(str(film)) as video:
+        assert sum(1 for _ in video.decode(video=0)) == row["steps"] + 1
+
+    again = evaluate_program("task=level1/pick", "policy=expert", "out=out")
+    assert again.returncode == 2
+    assert "already holds a result" in again.stderr
+
+
+def test_a_policy_of_pictures_is_played_and_the_renderer_is_named(
+    evaluate_program: Program, save_checkpoint: Saver, tmp_path: Path
+) -> None:
+    output_dir = save_checkpoint(cameras=("front",)).parents[2]
+    arguments = [f"policy.path={output_dir}", "policy.device=cpu", "out=out", "videos=0"]
+    done = evaluate_program("task=level1/pick", "policy=act", "episodes=1", *arguments)
+    assert done.returncode == 0, done.stderr
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    assert result["rows"][0]["obs"] == "pixels"
+    assert result["provenance"]["renderer"]
+
+
+def test_a_bug_in_a_worker_stops_the_run_with_its_traceback(
+    evaluate_program: Program, tmp_path: Path
+) -> None:
+    folder = tmp_path / "tasks" / "level1"
+    folder.mkdir(parents=True)
+    (folder / "moody.py").write_text(
+        "from dataclasses import replace\n"
+        "from labutopia_lerobot.predicates import Predicate\n"
+        "from labutopia_lerobot.tasks.level1.pick import pick\n\n"
+        "def explode(world):\n    raise ZeroDivisionError('a bug in a predicate')\n\n"
+        "def moody():\n"
+        "    return replace(pick(), goal=(Predicate('moody', explode),))\n"
+    )
+    done = evaluate_program(
+        "task=level1/moody", "tasks_dir=tasks", "policy=still", "videos=0", "episodes=4"
+    )
+    assert done.returncode != 0
+    assert "ZeroDivisionError: a bug in a predicate" in done.stderr
+    assert "explode" in done.stderr
+    assert not list(tmp_path.glob("outputs/**/result.json"))

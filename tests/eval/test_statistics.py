@@ -1,0 +1,64 @@
+import pytest
+
+from labutopia_lerobot.evaluation.rollout import Row
+from labutopia_lerobot.evaluation.statistics import summarise, wilson95
+
+
+# R, binom::binom.confint(x, n, methods = "wilson").
+@pytest.mark.parametrize(
+    ("successes", "n", "low", "high"),
+    [
+        (0, 10, 0.0, 0.2775328),
+        (5, 10, 0.2365931, 0.7634069),
+        (10, 10, 0.7224672, 1.0),
+        (81, 263, 0.2552854, 0.3661800),
+    ],
+)
+def test_wilson_intervals_are_the_published_ones(
+    successes: int, n: int, low: float, high: float
+) -> None:
+    assert wilson95(successes, n) == pytest.approx((low, high), abs=5e-4)
+
+
+@pytest.mark.parametrize(("successes", "n"), [(0, 0), (3, 2), (-1, 2)])
+def test_impossible_counts_have_no_interval(successes: int, n: int) -> None:
+    with pytest.raises(ValueError, match="No rate"):
+        wilson95(successes, n)
+
+
+def row(seed: int, outcome: str, *, ever: bool, lifted: float | None, split: str = "id") -> Row:
+    return Row(
+        task="level1/pick",
+        split=split,
+        policy="act",
+        play="single",
+        obs="state",
+        seed=seed,
+        success=outcome == "success",
+        ever_success=ever,
+        outcome=outcome,
+        steps=30 * (seed + 1),
+        seconds=seed + 1.0,
+        substeps={"gripped": 1.0, "lifted": lifted},
+        facts={},
+        ml_poured=None,
+        ml_spilled=None,
+        clipped_actions=0,
+        nonfinite_actions=0,
+    )
+
+
+def test_a_summary_counts_its_own_rows_only() -> None:
+    rows = [
+        row(0, "success", ever=True, lifted=2.0),
+        row(1, "timeout", ever=True, lifted=3.0),
+        row(2, "dropped", ever=False, lifted=None),
+        row(3, "success", ever=True, lifted=2.0),
+        row(9, "timeout", ever=False, lifted=None, split="train"),
+    ]
+    drawn, trained = summarise(rows)
+    assert (drawn.n, drawn.successes, drawn.rate, drawn.ever_rate) == (4, 2, 0.5, 0.75)
+    assert drawn.substep_rates == {"gripped": 1.0, "lifted": 0.75}
+    assert drawn.mean_seconds_to_success == 2.5
+    assert drawn.outcomes == {"success": 2, "timeout": 1, "dropped": 1}
+    assert (trained.split, trained.n, trained.mean_seconds_to_success) == ("train", 1, None)
