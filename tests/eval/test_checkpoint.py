@@ -28,12 +28,10 @@ def test_a_policy_of_pictures_gets_its_own_cameras_in_its_own_size(save_checkpoi
     assert sorted(checkpoint.cameras) == ["top", "wrist"]
 
 
-@pytest.mark.parametrize("depth", range(4))
-def test_a_checkpoint_is_found_from_every_folder_above(save_checkpoint: Saver, depth: int) -> None:
+@pytest.mark.parametrize("depth", [0, 1, 3])
+def test_a_checkpoint_step_or_output_folder_will_do(save_checkpoint: Saver, depth: int) -> None:
     folder = save_checkpoint()
     given = [folder, *folder.parents][depth]
-    if depth in (2,):
-        pytest.skip("`checkpoints` itself is neither an output_dir nor a checkpoint")
     assert open_checkpoint(given, "act", TASK).folder == folder
 
 
@@ -88,5 +86,5 @@ def test_weights_of_another_size_are_refused(save_checkpoint: Saver) -> None:
 
 
 def test_an_absent_device_is_refused(save_checkpoint: Saver) -> None:
-    with pytest.raises(UnusableWeightsError, match="policy.device=abacus"):
+    with pytest.raises(UnusableWeightsError, match="abacus"):
         LearnedPolicy(save_checkpoint(), "abacus")

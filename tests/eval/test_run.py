@@ -1,4 +1,6 @@
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import av
@@ -31,6 +33,11 @@ def test_a_mistake_is_told_in_one_message(
     assert "Traceback" not in done.stderr
     for name in names:
         assert name in done.stderr
+
+
+def test_evaluating_the_expert_imports_no_torch() -> None:
+    program = "import sys, labutopia_lerobot.evaluation.run; assert 'torch' not in sys.modules"
+    subprocess.run([sys.executable, "-c", program], check=True)
 
 
 def test_a_result_holds_rows_summary_provenance_and_films(
