@@ -8,6 +8,11 @@ OPENGL := $(VENV)/.opengl-works
 # One file's tests share fixtures such as recorded datasets, so a file stays with one process.
 PYTEST := $(BIN)/pytest --numprocesses=auto --maxprocesses=4 --dist=loadfile
 
+DEMO := outputs/demo
+
+# Everything is on this machine: nothing is looked up on the Hub.
+demo: export HF_HUB_OFFLINE := 1
+
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .DEFAULT_GOAL := help
@@ -18,8 +23,19 @@ help:  ## List the targets
 
 setup: $(PACKAGES) $(OPENGL)  ## Create .venv with the pinned packages; make headless OpenGL work
 
+# The main job in small, with the commands that a user types.
 demo: setup  ## Record, train and evaluate a small policy on a CPU, and print its table
-	$(BIN)/python -m labutopia_lerobot.cli.demo
+	rm -rf $(DEMO)
+	$(BIN)/labutopia-record task=level1/pick obs=state episodes=200 root=$(DEMO)/dataset
+	$(BIN)/lerobot-train --config_path=policies/act/train_state.json \
+		--dataset.repo_id=local/pick --dataset.root=$(DEMO)/dataset --output_dir=$(DEMO)/train
+	$(BIN)/python eval/run.py task=level1/pick episodes=50 policy=random out=$(DEMO)/eval/random
+	$(BIN)/python eval/run.py task=level1/pick episodes=50 policy=expert out=$(DEMO)/eval/expert
+	$(BIN)/python eval/run.py task=level1/pick episodes=50 policy=act policy.path=$(DEMO)/train \
+		out=$(DEMO)/eval/act
+	$(BIN)/labutopia-view level1/pick --headless --out $(DEMO)
+	$(BIN)/python eval/report.py $(DEMO)/eval
+	@echo "Expert: $(DEMO)/level1-pick.png and .mp4. Policies: $(DEMO)/eval/*/videos"
 
 test: lint  ## Check style and types, then run every test
 	$(PYTEST)

@@ -49,7 +49,8 @@ class Pose:
     @property
     def quat_wxyz(self) -> FloatArray:
         """Orientation as a scalar-first unit quaternion, shape (4,)."""
-        return Rotation.from_matrix(self.rotation_w).as_quat(scalar_first=True)
+        quat_wxyz: FloatArray = Rotation.from_matrix(self.rotation_w).as_quat(scalar_first=True)
+        return quat_wxyz
 
     @property
     def x_axis(self) -> FloatArray:

@@ -13,8 +13,8 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.evaluation.video import write_video
 from labutopia_lerobot.options import SPLITS
+from labutopia_lerobot.video import write_video
 from labutopia_lerobot.world import CONTROL_HZ
 
 

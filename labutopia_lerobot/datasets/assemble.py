@@ -23,7 +23,8 @@ from labutopia_lerobot.datasets.candidate import COLUMNS, HISTOGRAM, Candidate, 
 from labutopia_lerobot.datasets.features import IMAGES, dataset_features
 from labutopia_lerobot.datasets.layout import OUTCOME, PHASES, RECORDING, SEED
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
-from labutopia_lerobot.datasets.video import (
+from labutopia_lerobot.registry import load_task
+from labutopia_lerobot.video import (
     CODEC,
     KEYFRAME_INTERVAL,
     PIXEL_FORMAT,
@@ -31,7 +32,6 @@ from labutopia_lerobot.datasets.video import (
     QUALITY,
     color_statistics,
 )
-from labutopia_lerobot.registry import load_task
 from labutopia_lerobot.world import CONTROL_HZ
 
 _VIDEO_FILE_MB = 10

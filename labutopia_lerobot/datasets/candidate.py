@@ -17,10 +17,10 @@ import numpy as np
 
 from labutopia_lerobot.datasets.demonstration import Demonstration, Pictures, demonstrate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
-from labutopia_lerobot.datasets.video import VideoWriter
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.progress import SUCCESS
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.video import VideoWriter
 
 SUMMARY = "candidate.json"
 COLUMNS = "columns.npz"

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing
-from labutopia_lerobot.evaluation.video import write_video
 from labutopia_lerobot.sim.renderer import NoOpenGLError
+from labutopia_lerobot.video import write_video
 
 _CAMERA = "front"
 

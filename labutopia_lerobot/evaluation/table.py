@@ -21,21 +21,21 @@ _MEAN_CAPTION = " Mean: each task of the level counts the same."
 
 
 def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
-    """Return a table of one policy with a line per task and split; it fits 80 columns.
+    """Return a table with a line per task, split and policy; one policy fits 80 columns.
 
     Args:
         summaries: What to show, ordered by task.
-        level_means: Whether a line per level and split follows its tasks.
+        level_means: Whether a line per level and split follows its tasks; of one policy only.
     """
-    policy = summaries[0].policy
-    state = policy not in REFERENCE_POLICIES and any(line.obs == "state" for line in summaries)
+    policies = list(dict.fromkeys(map(_policy, summaries)))
+    state = any("state" in policy for policy in policies)
     table = Table(
-        title=f"{policy}, state" if state else policy,
+        title=policies[0] if len(policies) == 1 else None,
         caption=_CAPTION + _STATE_CAPTION * state + _MEAN_CAPTION * level_means,
         caption_justify="left",
         box=box.SIMPLE_HEAD,
     )
-    for name in ("Task", "Split"):
+    for name in ("Task", "Split") if len(policies) == 1 else ("Policy", "Task", "Split"):
         table.add_column(name, no_wrap=True)
     for name in ("Success", "95 %", "Ever", "Time"):
         table.add_column(name, justify="right", no_wrap=True)
@@ -43,11 +43,18 @@ def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
     for level, of_level in groupby(summaries, key=lambda summary: summary.task.split("/")[0]):
         group = list(of_level)
         for summary in group:
-            table.add_row(*_cells(summary))
+            policy = [] if len(policies) == 1 else [_policy(summary)]
+            table.add_row(*policy, *_cells(summary))
         for split in dict.fromkeys(summary.split for summary in group) if level_means else ():
             table.add_row(*_mean_cells(level, [line for line in group if line.split == split]))
         table.add_section()
     return table
+
+
+def _policy(summary: Summary) -> str:
+    """Return the policy's name, marked if it was trained on privileged state."""
+    privileged = summary.obs == "state" and summary.policy not in REFERENCE_POLICIES
+    return f"{summary.policy}, state" if privileged else summary.policy
 
 
 def _cells(summary: Summary) -> list[str]:

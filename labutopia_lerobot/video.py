@@ -1,5 +1,6 @@
 """H.264 in MP4: encoding frame by frame, exact colour statistics, counting frames."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 from types import TracebackType
@@ -80,6 +81,15 @@ class VideoWriter:
         if kind is None:
             self._container.mux(self._stream.encode())
         self._container.close()
+
+
+def write_video(file: Path, frames: Sequence[NDArray[np.uint8]]) -> None:
+    """Write pictures, shape (height, width, 3) each, as H.264 in MP4 at the control rate."""
+    height, width, _ = frames[0].shape
+    file.parent.mkdir(parents=True, exist_ok=True)
+    with VideoWriter(file, width, height) as video:
+        for frame in frames:
+            video.add(frame)
 
 
 def color_statistics(histogram: NDArray[np.int64], frames: int) -> dict[str, NDArray[np.float64]]:
