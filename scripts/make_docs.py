@@ -1,0 +1,102 @@
+"""`python scripts/make_docs.py RESULTS`: the gallery, and the table of tasks in the README.
+
+RESULTS is a folder with results of `eval/run.py level=N policy=expert`.
+"""
+
+import argparse
+import json
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.evaluation.result import RESULT
+from labutopia_lerobot.registry import load_task, task_files
+
+ROOT = Path(__file__).parents[1]
+DOCS = ROOT / "docs"
+BEGIN, END = "<!-- tasks -->", "<!-- end of tasks -->"
+
+
+def main() -> None:
+    """Write everything."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("results", type=Path)
+    results = parser.parse_args().results
+    summaries = {}
+    for file in sorted(results.rglob(RESULT)):
+        content = json.loads(file.read_text())
+        summaries |= {line["task"]: line for line in content["summary"]}
+    gallery = [
+        "# Gallery",
+        "",
+        "The expert with seed 0: start and end, from the three cameras.",
+        "",
+    ]
+    for task_id in task_files():
+        picture = DOCS / "gallery" / f"{task_id.replace('/', '-')}.png"
+        picture.parent.mkdir(parents=True, exist_ok=True)
+        Image.fromarray(start_and_end(task_id)).quantize(256).save(picture, optimize=True)
+        task = load_task(task_id)
+        gallery += [f"## {task_id}", "", task.instruction, ""]
+        gallery += [f"![{task_id}](gallery/{picture.name})", ""]
+    (DOCS / "gallery.md").write_text("\n".join(gallery))
+    readme = (ROOT / "README.md").read_text()
+    before, _, rest = readme.partition(BEGIN)
+    _, _, after = rest.partition(END)
+    table = "\n".join(task_table(summaries))
+    (ROOT / "README.md").write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
+    (DOCS / "failures.md").write_text("\n".join(failure_table(summaries)) + "\n")
+
+
+def start_and_end(task_id: str) -> NDArray[np.uint8]:
+    """Return the first picture above the last, all cameras side by side."""
+    env = LabEnv(task_id)
+    observation, _ = env.reset(seed=0)
+    first = np.hstack(list(observation["pixels"].values()))
+    expert = env.expert()
+    expert.start()
+    over = False
+    while not over:
+        observation, _, terminated, truncated, _ = env.step(expert.act())
+        over = terminated or truncated
+    env.close()
+    return np.vstack([first, np.hstack(list(observation["pixels"].values()))])
+
+
+def task_table(summaries: dict[str, dict[str, Any]]) -> list[str]:
+    """Return the table of tasks in Markdown."""
+    lines = [
+        "| task | instruction | expert | 95 % | mean time |",
+        "| --- | --- | --- | --- | --- |",
+    ]
+    for task_id in task_files():
+        line, instruction = summaries.get(task_id), load_task(task_id).instruction
+        cells = ["not measured", "", ""]
+        if line is not None:
+            low, high = line["wilson95"]
+            cells = [
+                f"{line['successes']}/{line['n']}",
+                f"{100 * low:.0f} to {100 * high:.0f} %",
+                f"{line['mean_seconds_to_success']:.1f} s",
+            ]
+        lines.append(f"| `{task_id}` | {instruction} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def failure_table(summaries: dict[str, dict[str, Any]]) -> list[str]:
+    """Return the experts' failures by cause, in Markdown."""
+    lines = ["# How experts fail", "", "Outcomes of the episodes behind the README's table.", ""]
+    lines += ["| task | episodes | outcomes |", "| --- | --- | --- |"]
+    for task_id, line in summaries.items():
+        outcomes = ", ".join(f"{name} {count}" for name, count in Counter(line["outcomes"]).items())
+        lines.append(f"| `{task_id}` | {line['n']} | {outcomes} |")
+    return lines
+
+
+if __name__ == "__main__":
+    main()
