@@ -6,6 +6,7 @@ commanded; resets are not timed.
 
 import multiprocessing
 import os
+import signal
 import tempfile
 import time
 from collections.abc import Sequence
@@ -23,6 +24,7 @@ from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.worker_process import become_worker
 
 POLICY_CAMERAS = ("front", "top")
 """What the paper's ACT and Diffusion Policy look through ("Model Input And Output")."""
@@ -93,7 +95,7 @@ def _fps(cameras: tuple[str, ...], processes: int, seconds: float) -> float:
 
 def _replay(cameras: tuple[str, ...], seconds: float, gate: Any) -> float:
     """Replay an expert episode again and again; return the frames per second of the steps."""
-    os.environ["LP_NUM_THREADS"] = "1"  # Mesa's software renderer: a process per core, no threads
+    become_worker(signal.SIG_DFL)
     actions = _expert_actions()
     env = LabEnv(_RIGID, cameras=cameras) if cameras else LabEnv(_RIGID, obs="state")
     env.reset(seed=0)

@@ -185,6 +185,17 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             self._frame = self.renderer.color(self.simulation.data, camera)
         return self._frame
 
+    def depth(self, camera: str) -> NDArray[np.float32]:
+        """Return the distance along a camera's optical axis [m], shape (height, width)."""
+        return self.renderer.depth(self.simulation.data, camera)
+
+    def segmentation(self, camera: str) -> NDArray[np.int32]:
+        """Return which body a camera sees, shape (height, width); -1 where it sees none.
+
+        `env.simulation.scene.model.body(index).name` is the name of a body.
+        """
+        return self.renderer.segmentation(self.simulation.data, camera)
+
     def close(self) -> None:
         """Give the OpenGL context back."""
         if self._renderer is not None:

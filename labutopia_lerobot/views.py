@@ -37,5 +37,5 @@ VESSEL_VIEW = View(
     front=CameraPose((2.0, 0.0, 2.0), (-0.866, 0.0, -0.5), _UP, 20.0),
     top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 26.0),
 )
-"""Facing the robot and overhead, as in the original's vessel tasks, whose focal length of 6 gives 20
-degrees; the overhead camera is widened so that the whole region is in view."""
+"""Facing the robot and overhead, as in the original's vessel tasks, whose focal length of 6 gives
+20 degrees; the overhead camera is widened so that the whole region is in view."""

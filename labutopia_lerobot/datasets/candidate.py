@@ -1,12 +1,9 @@
 """A candidate: one attempt at a demonstration, played by a worker process and kept in a folder."""
 
 import json
-import multiprocessing
-import os
 import shutil
 import signal
 import tempfile
-import threading
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -21,6 +18,7 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.progress import SUCCESS
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 from labutopia_lerobot.video import VideoWriter
+from labutopia_lerobot.worker_process import become_worker
 
 SUMMARY = "candidate.json"
 COLUMNS = "columns.npz"
@@ -79,19 +77,10 @@ _environment: LabEnv
 
 
 def start_worker(config: RecordingConfig) -> None:
-    """Prepare a worker process; it ends with its parent, however that ends."""
+    """Prepare a worker process."""
     global _environment
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software renderer: a process per core
+    become_worker(signal.SIG_IGN)
     _environment = config.make_environment()
-
-
-def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
 
 
 def play_candidate(config: RecordingConfig, work: Path, index: int) -> Candidate:
