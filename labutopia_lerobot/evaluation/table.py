@@ -16,37 +16,52 @@ _CAPTION = (
     "breach. 95 %: Wilson interval. Ever: the goal held at any instant. Time: mean simulated time "
     "of the successes. Sub-steps: reached in their order, share of all episodes."
 )
+_STATE_MARK = ", state"
 _STATE_CAPTION = " State: the policy is told the poses of all things and sees no pictures."
 _MEAN_CAPTION = " Mean: each task of the level counts the same."
 
 
 def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
-    """Return a table with a line per task, split and policy; one policy fits 80 columns.
+    """Return a table with a line per task, split and policy; it fits 80 columns.
+
+    What all lines have in common, the policy or the split, stands in the title.
 
     Args:
         summaries: What to show, ordered by task.
-        level_means: Whether a line per level and split follows its tasks; of one policy only.
+        level_means: Whether a line per level, split and policy follows its tasks.
     """
     policies = list(dict.fromkeys(map(_policy, summaries)))
-    state = any("state" in policy for policy in policies)
+    splits = list(dict.fromkeys(summary.split for summary in summaries))
+    varying = {"Policy": len(policies) > 1, "Split": len(splits) > 1}
+    state = any(policy.endswith(_STATE_MARK) for policy in policies)
+    common = policies * (len(policies) == 1) + [f"split {splits[0]}"] * (len(splits) == 1)
     table = Table(
-        title=policies[0] if len(policies) == 1 else None,
+        title=", ".join(common) or None,
         caption=_CAPTION + _STATE_CAPTION * state + _MEAN_CAPTION * level_means,
         caption_justify="left",
         box=box.SIMPLE_HEAD,
+        padding=(0, 1, 0, 0),
     )
-    for name in ("Task", "Split") if len(policies) == 1 else ("Policy", "Task", "Split"):
-        table.add_column(name, no_wrap=True)
+    for name in ("Policy", "Split", "Task"):
+        if varying.get(name, True):
+            table.add_column(name, no_wrap=True)
     for name in ("Success", "95 %", "Ever", "Time"):
         table.add_column(name, justify="right", no_wrap=True)
     table.add_column("Sub-steps")
+
+    def heading(summary: Summary) -> list[str]:
+        names = {"Policy": _policy(summary), "Split": summary.split}
+        return [name for kind, name in names.items() if varying[kind]]
+
     for level, of_level in groupby(summaries, key=lambda summary: summary.task.split("/")[0]):
         group = list(of_level)
         for summary in group:
-            policy = [] if len(policies) == 1 else [_policy(summary)]
-            table.add_row(*policy, *_cells(summary))
-        for split in dict.fromkeys(summary.split for summary in group) if level_means else ():
-            table.add_row(*_mean_cells(level, [line for line in group if line.split == split]))
+            table.add_row(*heading(summary), *_cells(summary))
+        if level_means:
+            parts = dict.fromkeys((summary.policy, summary.split) for summary in group)
+            for part in parts:
+                of_part = [line for line in group if (line.policy, line.split) == part]
+                table.add_row(*heading(of_part[0]), *_mean_cells(level, of_part))
         table.add_section()
     return table
 
@@ -54,7 +69,7 @@ def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
 def _policy(summary: Summary) -> str:
     """Return the policy's name, marked if it was trained on privileged state."""
     privileged = summary.obs == "state" and summary.policy not in REFERENCE_POLICIES
-    return f"{summary.policy}, state" if privileged else summary.policy
+    return summary.policy + _STATE_MARK * privileged
 
 
 def _cells(summary: Summary) -> list[str]:
@@ -62,24 +77,22 @@ def _cells(summary: Summary) -> list[str]:
     seconds = summary.mean_seconds_to_success
     return [
         summary.task,
-        summary.split,
-        f"{summary.successes}/{summary.n} = {_percent(summary.rate)}",
+        f"{summary.successes}/{summary.n}",
         f"{100 * low:.0f} to {_percent(high)}",
         _percent(summary.ever_rate),
         "-" if seconds is None else f"{seconds:.1f} s",
-        "\n".join(f"{name} {_percent(rate)}" for name, rate in summary.substep_rates.items()),
+        ", ".join(f"{name} {_percent(rate)}" for name, rate in summary.substep_rates.items()),
     ]
 
 
 def _mean_cells(level: str, summaries: Sequence[Summary]) -> list[str]:
     return [
         f"{level}, mean",
-        summaries[0].split,
         _percent(fmean(summary.rate for summary in summaries)),
-        "-",
+        "",
         _percent(fmean(summary.ever_rate for summary in summaries)),
-        "-",
-        "-",
+        "",
+        "",
     ]
 
 
