@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.action_filter import ActionFilter
 from labutopia_lerobot.features import CAMERAS, IMAGE_SIZE, Feature, observation_features
-from labutopia_lerobot.layout import sample_layout
+from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
 from labutopia_lerobot.options import SPLITS, require_choices
 from labutopia_lerobot.progress import DIVERGED, SUCCESS, TIMEOUT, Progress
 from labutopia_lerobot.registry import load_task
 from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.scenes.laboratory import BENCH_X, BENCH_Y, ROBOT_BASE
 from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.renderer import Renderer
 from labutopia_lerobot.sim.scene import compile_scene
@@ -26,6 +27,8 @@ from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
+
+_WORKSPACE = Workspace(BENCH_X, BENCH_Y, ROBOT_BASE[:2], PANDA.reach)
 
 _PRELUDE_TRIES = 5
 """Sub-seeds that a reset tries; more failures than that are a defect of the task."""
@@ -60,6 +63,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     Raises:
         UnknownOptionError: If an argument is not one of its choices.
         UnknownTaskError: If there is no such task.
+        ImpossibleStartError: If things cannot stand where the task wants them.
     """
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": CONTROL_HZ}  # noqa: RUF012 (Gymnasium)
@@ -79,6 +83,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         require_choices("render_mode", [render_mode], self.metadata["render_modes"])
         self.task_id = task
         self.definition = load_task(task, tasks_dir)
+        require_possible(self.definition.start, _WORKSPACE)
         features = observation_features(lambda: self.definition, obs, cameras, width, height)
         self.task = self.task_description = self.definition.instruction
         self._max_episode_steps = self.definition.max_steps
@@ -220,10 +225,11 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """Return the privileged state (see `features.environment_state_names`)."""
         to_base = self.world.robot_base.inverse()
         parts: list[FloatArray] = []
-        for piece in self.definition.start:
+        for piece, region in self.definition.start.items():
             pose_b = to_base @ self.world.pose(piece)
             joints = np.array([self.world.joint(name) for name in piece.joints])
-            parts += [pose_b.position_w, pose_b.x_axis, pose_b.y_axis, joints]
+            shuffled = [(to_base @ self.world.frame(name)).position_w for name in region.shuffled]
+            parts += [pose_b.position_w, pose_b.x_axis, pose_b.y_axis, joints, *shuffled]
         state: NDArray[np.float32] = np.concatenate(parts).astype(np.float32)
         return state
 

@@ -100,10 +100,14 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
     For each thing its position [m] in the robot's base frame and the first two axes of its frame
     there: the continuous representation of rotations (Zhou et al. 2019, "On the Continuity of
     Rotation Representations in Neural Networks"), since quaternions jump. Then the position of each
-    of its hinges [rad] and slides [m].
+    of its hinges [rad] and slides [m], and the place [m] of each of its parts that is shuffled.
     """
     return tuple(
         name
-        for piece in task.start
-        for name in (*(f"{piece.name}.{part}" for part in _POSE_NAMES), *piece.joints)
+        for piece, region in task.start.items()
+        for name in (
+            *(f"{piece.name}.{part}" for part in _POSE_NAMES),
+            *piece.joints,
+            *(f"{body}.{axis}" for body in region.shuffled for axis in "xyz"),
+        )
     )

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
+from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.world import Thing
 
 if TYPE_CHECKING:
@@ -67,11 +68,21 @@ class Piece(Thing, Protocol):
 
 @dataclass(frozen=True)
 class Placement:
-    """A spot on the bench: x, y [m] in the world, yaw [rad] about the vertical."""
+    """Where a thing stands.
+
+    Attributes:
+        x: Of its origin [m], world frame.
+        y: Of its origin [m], world frame.
+        yaw: About the vertical [rad].
+        height: Of its origin above the bench top [m].
+        swaps: Bodies of the thing, each with the body whose place in it it takes.
+    """
 
     x: float
     y: float
     yaw: float
+    height: float = 0.0
+    swaps: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -82,15 +93,74 @@ class OnBench:
         x: Least and greatest x of the thing's origin [m], world frame.
         y: Least and greatest y of the thing's origin [m], world frame.
         yaw: Least and greatest yaw [rad].
+        height: Least and greatest height of the origin above the bench top [m]; for a thing on a
+            post.
+        shuffled: Bodies of the thing that are dealt out to each other's places, every order being
+            equally likely; each has a frame of its name.
     """
 
     x: tuple[float, float]
     y: tuple[float, float]
     yaw: tuple[float, float] = (-math.pi, math.pi)
+    height: tuple[float, float] = (0.0, 0.0)
+    shuffled: tuple[str, ...] = ()
 
     def sample(self, rng: np.random.Generator) -> Placement:
         """Draw one placement."""
-        return Placement(rng.uniform(*self.x), rng.uniform(*self.y), rng.uniform(*self.yaw))
+        x, y, yaw = (rng.uniform(*bounds) for bounds in (self.x, self.y, self.yaw))
+        height = rng.uniform(*self.height)
+        places = [self.shuffled[index] for index in rng.permutation(len(self.shuffled))]
+        return Placement(x, y, yaw, height, tuple(zip(self.shuffled, places, strict=True)))
+
+
+@dataclass(frozen=True)
+class Workspace:
+    """Where things can be.
+
+    Attributes:
+        x: Least and greatest x of the bench top [m], world frame.
+        y: Least and greatest y of the bench top [m], world frame.
+        robot: Where the robot stands, x and y [m], world frame.
+        reach: How far its hand gets, horizontally [m].
+    """
+
+    x: tuple[float, float]
+    y: tuple[float, float]
+    robot: tuple[float, float]
+    reach: float
+
+
+class ImpossibleStartError(UserError, ValueError):
+    """A start that cannot be; the message names the things and their regions."""
+
+
+def require_possible(start: Mapping[Piece, OnBench], workspace: Workspace) -> None:
+    """Make sure, before anything is compiled, that things can stand where a task wants them.
+
+    Everything must be on the bench, what the robot is to move must be within its reach, and some
+    layout without overlaps must exist.
+
+    Raises:
+        ImpossibleStartError: If that is not so.
+    """
+    for piece, region in start.items():
+        corners = [(x, y) for x in region.x for y in region.y]
+        for x, y in corners:
+            on_bench = (
+                workspace.x[0] <= x <= workspace.x[1] and workspace.y[0] <= y <= workspace.y[1]
+            )
+            if not on_bench:
+                raise ImpossibleStartError(
+                    f"{piece.name} would stand off the bench at x={x:g}, y={y:g}: {region}. The "
+                    f"bench reaches over x={workspace.x}, y={workspace.y}"
+                )
+            distance = math.dist((x, y), workspace.robot)
+            if piece.movable and distance > workspace.reach:
+                raise ImpossibleStartError(
+                    f"{piece.name} would be out of reach at x={x:g}, y={y:g}: {region}. That is "
+                    f"{distance:.2f} m from the robot, whose hand gets {workspace.reach:g} m far"
+                )
+    sample_layout(start, np.random.default_rng(0))
 
 
 def sample_layout(
@@ -99,14 +169,14 @@ def sample_layout(
     """Draw a placement for every thing so that no two are nearer than `CLEARANCE`.
 
     Raises:
-        ValueError: If no such layout is found, naming the things and their regions.
+        ImpossibleStartError: If no such layout is found, naming the things and their regions.
     """
     for _ in range(_TRIES):
         layout = {piece: region.sample(rng) for piece, region in start.items()}
         if not _overlapping(layout):
             return layout
     regions = "; ".join(f"{piece.name}: {region}" for piece, region in start.items())
-    raise ValueError(
+    raise ImpossibleStartError(
         f"No layout without overlaps in {_TRIES} tries. Widen or part the regions of: {regions}"
     )
 

@@ -39,3 +39,23 @@ VESSEL_VIEW = View(
 )
 """Facing the robot and overhead, as in the original's vessel tasks, whose focal length of 6 gives
 20 degrees; the overhead camera is widened so that the whole region is in view."""
+
+WIDE_VESSEL_VIEW = View(
+    front=CameraPose((2.0, 0.0, 2.0), (-0.866, 0.0, -0.5), _UP, 24.0),
+    top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 31.0),
+)
+"""The same from a focal length of 5, as in the original's tasks with two things side by side."""
+
+DOOR_VIEW = View(
+    front=CameraPose((-0.7, 1.4, 1.4), (0.548, -0.807, -0.222), _UP, 55.3),
+    top=CameraPose((-1.0, -0.1, 3.6), (0.423, 0.0, -0.906), _FORWARD, 29.3),
+)
+"""Over the robot's left shoulder, and from above and behind: a camera that faces the robot would
+see the back of an instrument. As in the original's door and drawer tasks."""
+
+PRESS_VIEW = View(
+    front=CameraPose((-0.1, 1.8, 1.5), (0.2, -0.95, -0.2), _UP, 22.0),
+    top=CameraPose((0.15, -0.08, 3.012), (0.0, 0.0, -1.0), _FORWARD, 23.7),
+)
+"""Over the robot's left shoulder, where the buttons and the finger are in view, and overhead. The
+original looks from the far right of the robot, through what is a wall here, along the panel."""

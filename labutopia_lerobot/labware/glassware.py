@@ -54,7 +54,7 @@ def beaker(name: str, size: str = "250 ml") -> Vessel:
     """
     base, body, lip, height = _look_up(size, _BEAKERS, "beaker")
     outer = ((base - _HEEL, 0.0), (base, _BOTTOM), (body, height - (lip - body)), (lip, height))
-    return Vessel(name, Profile(outer, _WALL, _BOTTOM), 0.55 * height)
+    return Vessel(name, Profile(outer, _WALL, _BOTTOM), 0.5 * height)
 
 
 def _look_up[Size](size: str, sizes: Mapping[str, Size], kind: str) -> Size:

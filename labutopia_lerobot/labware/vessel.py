@@ -72,6 +72,11 @@ class Vessel:
         return self.profile.height
 
     @property
+    def mouth_radius(self) -> float:
+        """Inner radius of the mouth [m]."""
+        return self.profile.inner_radius(self.height)
+
+    @property
     def footprint_radius(self) -> float:
         """Radius of the circle around its axis that it needs on the bench [m]: its largest."""
         return max(radius for radius, _ in self.profile.outer)

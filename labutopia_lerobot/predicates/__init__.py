@@ -1,6 +1,31 @@
 """Named facts about the world: memoryless, relative to the scene, never changing anything."""
 
+from labutopia_lerobot.predicates.buttons import (
+    aligned,
+    fingered,
+    fingers_clear_of,
+    pressed,
+    pushed,
+    switched_on,
+    touched,
+)
+from labutopia_lerobot.predicates.openables import (
+    clear_of,
+    closed,
+    collided,
+    grasped,
+    less_open,
+    opened,
+)
+from labutopia_lerobot.predicates.placing import near, released, standing_on, struck, withdrawn
 from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.tilting import (
+    lip_over,
+    spilled,
+    tilted,
+    tilted_left,
+    tilted_right,
+)
 from labutopia_lerobot.predicates.vessels import (
     falling,
     gripped,
@@ -10,4 +35,35 @@ from labutopia_lerobot.predicates.vessels import (
     upright,
 )
 
-__all__ = ["Predicate", "falling", "gripped", "knocked_over", "lifted", "steady", "upright"]
+__all__ = [
+    "Predicate",
+    "aligned",
+    "clear_of",
+    "closed",
+    "collided",
+    "falling",
+    "fingered",
+    "fingers_clear_of",
+    "grasped",
+    "gripped",
+    "knocked_over",
+    "less_open",
+    "lifted",
+    "lip_over",
+    "near",
+    "opened",
+    "pressed",
+    "pushed",
+    "released",
+    "spilled",
+    "standing_on",
+    "steady",
+    "struck",
+    "switched_on",
+    "tilted",
+    "tilted_left",
+    "tilted_right",
+    "touched",
+    "upright",
+    "withdrawn",
+]

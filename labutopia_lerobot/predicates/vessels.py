@@ -52,10 +52,12 @@ def knocked_over(thing: Thing, *, beyond_deg: float) -> Predicate:
 
 
 def falling(thing: Thing, *, faster_than: float) -> Predicate:
-    """Nothing touches the thing and it moves down faster than `faster_than` metres per second."""
+    """The thing moves down faster than `faster_than` metres per second while not between the pads.
+
+    It may touch an open hand that it slips through.
+    """
+    held = gripped(thing)
     return Predicate(
         f"{thing.name} falling",
-        lambda world: (
-            not world.touched_by(thing.name) and bool(world.velocity(thing)[2] < -faster_than)
-        ),
+        lambda world: bool(world.velocity(thing)[2] < -faster_than) and not held.holds(world),
     )

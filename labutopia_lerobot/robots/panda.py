@@ -211,6 +211,7 @@ PANDA = Robot(
     # Grasp point at (0.45, 0.2, 0.35) m, hand horizontal, turned 60 degrees to the right: one that
     # pointed straight away from the base would need joint 6 beyond its limit.
     home=(0.812, 0.159, 0.067, -2.209, -1.319, 1.318, 0.046),
+    reach=0.855,  # Franka Emika Panda data sheet, "maximum reach"
     gripper_max_opening=franka_hand.MAX_OPENING,
     gripper_max_speed=franka_hand.MAX_SPEED,
     grasp_site="grasp",

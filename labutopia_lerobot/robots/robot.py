@@ -20,6 +20,7 @@ class Robot:
         joint_upper: Upper joint limits [rad].
         joint_velocity_limits: Largest joint speeds [rad/s].
         home: Joint angles at rest [rad].
+        reach: How far the hand gets from the base, horizontally [m].
         gripper_max_opening: Largest distance between the pads [m].
         gripper_max_speed: Largest rate of that distance [m/s].
         grasp_site: Site between the pads: z forward, y along the finger motion, x up at home.
@@ -37,6 +38,7 @@ class Robot:
     joint_upper: tuple[float, ...]
     joint_velocity_limits: tuple[float, ...]
     home: tuple[float, ...]
+    reach: float
     gripper_max_opening: float
     gripper_max_speed: float
     grasp_site: str

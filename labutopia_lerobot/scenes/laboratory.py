@@ -13,6 +13,10 @@ BENCH_HEIGHT = 0.775
 ROBOT_BASE = (-0.4, 0.0, 0.71)
 """Where the robot stands [m], facing +x (original, every level 1 to 4 task)."""
 
+BENCH_X = (-0.2, 1.2)
+BENCH_Y = (-0.9, 0.9)
+"""Extent of the bench top [m], world frame."""
+
 _BOX = mujoco.mjtGeom.mjGEOM_BOX
 _BENCH_FRICTION = (0.5, 0.005, 0.0001)
 """Sliding friction of glass on a phenolic resin top; glass on glass is 0.4 to 0.9 (greasy to dry,
@@ -87,13 +91,16 @@ def _room(spec: mujoco.MjSpec) -> None:
 
 
 def _bench(spec: mujoco.MjSpec) -> None:
-    """A bench from x = -0.2 to 1.2 m, 1.8 m wide, and the pedestal that carries the robot."""
-    bench = spec.worldbody.add_body(name=BENCH, pos=[0.5, 0.0, BENCH_HEIGHT])
+    """Add the bench and the pedestal that carries the robot."""
+    (x_min, x_max), (y_min, y_max) = BENCH_X, BENCH_Y
+    middle = [(x_min + x_max) / 2, (y_min + y_max) / 2, BENCH_HEIGHT]
+    half_x, half_y = (x_max - x_min) / 2, (y_max - y_min) / 2
+    bench = spec.worldbody.add_body(name=BENCH, pos=middle)
     bench.add_geom(
         name="bench_top",
         type=_BOX,
         pos=[0.0, 0.0, -0.015],
-        size=[0.7, 0.9, 0.015],
+        size=[half_x, half_y, 0.015],
         material="bench_top",
         friction=_BENCH_FRICTION,
     )
@@ -101,7 +108,7 @@ def _bench(spec: mujoco.MjSpec) -> None:
         name="bench_body",
         type=_BOX,
         pos=[0.02, 0.0, -0.03 - 0.37],
-        size=[0.64, 0.86, 0.37],
+        size=[half_x - 0.06, half_y - 0.04, 0.37],
         material="cabinet",
     )
     x, y, z = ROBOT_BASE

@@ -15,7 +15,7 @@ import numpy as np
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory
-from labutopia_lerobot.sim.scene import HULL_GROUP, ancestors
+from labutopia_lerobot.sim.scene import HULL_GROUP, Scene, ancestors
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.views import VESSEL_VIEW
@@ -23,8 +23,13 @@ from labutopia_lerobot.world import ARM, BENCH, CONTROL_HZ, HAND, FloatArray, Po
 
 _MARGIN = 0.004
 """Distance that is kept between any two bodies [m]."""
-_HORIZON = 0.05
+_HORIZON = 0.08
 """Distance below which a pair takes part in the program [m]."""
+_GAIN = 0.85 / CONTROL_HZ
+"""Share of the distance left that one control period may use up, per second: mink bounds a step by
+`gain * distance / dt`."""
+_RETREAT = 0.0005
+"""Distance by which a pair that is too near must part in a control period [m]."""
 _SPEED_SHARE = 0.9
 """Share of the joint speed limits that is used, so that commands are never clipped."""
 _FAR = (0.0, 0.0, -10.0)
@@ -44,7 +49,7 @@ class ReactiveMotion:
         self._world = world
         scene = simulation.scene
         self._robot, self._pieces = scene.robot, scene.pieces
-        self._model = _planning_model(scene.robot, scene.pieces)
+        self._model = _planning_model(scene)
         self._configuration = mink.Configuration(self._model)
         self._track = mink.FrameTask(
             scene.robot.grasp_site, "site", position_cost=1.0, orientation_cost=0.3
@@ -61,8 +66,8 @@ class ReactiveMotion:
             ),
         ]
         self._clearances = _clearances(self._model, scene.robot, scene.pieces)
-        hulls = [body.name for piece in scene.pieces for body in _bodies_with_hulls(piece)]
-        self._obstacles = [(name, scene.model.body(name).id) for name in hulls]
+        hulls = [body for piece in scene.pieces for body in _hulls_by_body(scene, piece)]
+        self._obstacles = [(scene.model.body(body).name, body) for body in hulls]
 
     def follow(self, target: Pose, *, touches: frozenset[str], holds: Thing | None) -> FloatArray:
         """Return joint targets, one control period ahead, that bring the gripper to the target.
@@ -83,16 +88,19 @@ class ReactiveMotion:
             and not (obstacle in touches and mover != ARM)
             and obstacle != load
         ]
-        velocity = mink.solve_ik(
-            self._configuration,
-            [self._track, self._posture],
-            1.0 / CONTROL_HZ,
-            solver="daqp",
-            damping=1e-6,
-            limits=[*self._limits, *avoid],
-        )
-        arm = len(self._robot.arm_joints)
-        joints: FloatArray = self._simulation.command[:arm] + velocity[:arm] / CONTROL_HZ
+        command = self._simulation.command[: len(self._robot.arm_joints)]
+        try:
+            velocity = mink.solve_ik(
+                self._configuration,
+                [self._track, self._posture],
+                1.0 / CONTROL_HZ,
+                solver="daqp",
+                damping=1e-6,
+                limits=[*self._limits, *avoid],
+            )
+        except mink.NoSolutionFound:
+            return command.copy()  # hemmed in: whatever it did would bring it nearer to something
+        joints: FloatArray = command + velocity[: len(command)] / CONTROL_HZ
         return joints
 
     def _look(self, holds: Thing | None) -> None:
@@ -117,41 +125,45 @@ class ReactiveMotion:
         self._configuration.update(np.concatenate([self._simulation.command[:arm], fingers]))
 
 
-def _planning_model(robot: Robot, pieces: tuple[Piece, ...]) -> mujoco.MjModel:
+def _planning_model(scene: Scene) -> mujoco.MjModel:
     """Compile the arm among hulls: of every body an obstacle, of movable things a load too."""
-    spec = laboratory(VESSEL_VIEW)
+    spec, robot = laboratory(VESSEL_VIEW), scene.robot
     robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=ROBOT_BASE))
     grasp = spec.site(robot.grasp_site)
     hand = spec.body(robot.hand_body)
     in_hand = hand.add_body(name="in_hand", pos=grasp.pos, quat=grasp.quat)
-    for piece in pieces:
-        for body in _bodies_with_hulls(piece):
-            obstacle = spec.worldbody.add_body(name=_OBSTACLE + body.name, mocap=True)
-            _copy_hulls(body, obstacle, _OBSTACLE)
+    for piece in scene.pieces:
+        for body, hulls in _hulls_by_body(scene, piece).items():
+            name = scene.model.body(body).name
+            obstacle = spec.worldbody.add_body(name=_OBSTACLE + name, mocap=True)
+            _copy_hulls(scene, hulls, obstacle, _OBSTACLE)
             if piece.movable:
-                load = in_hand.add_body(name=_LOAD + body.name)
-                _copy_hulls(body, load, _LOAD)
+                _copy_hulls(scene, hulls, in_hand.add_body(name=_LOAD + name), _LOAD)
     return spec.compile()
 
 
-def _bodies_with_hulls(piece: Piece) -> list[mujoco.MjsBody]:
-    spec = mujoco.MjSpec()
-    spec.compiler.degree = False
-    piece.add_to(spec, spec.worldbody)
-    return [body for body in spec.bodies if any(g.group == HULL_GROUP for g in body.geoms)]
+def _hulls_by_body(scene: Scene, piece: Piece) -> dict[int, list[int]]:
+    """Return the bodies of a piece, each with the geoms that are its hulls."""
+    model = scene.model
+    root = model.body(piece.name).id
+    hulls: dict[int, list[int]] = {}
+    for geom in np.flatnonzero(model.geom_group == HULL_GROUP):
+        body = int(model.geom_bodyid[geom])
+        if root in ancestors(model, body):
+            hulls.setdefault(body, []).append(int(geom))
+    return hulls
 
 
-def _copy_hulls(body: mujoco.MjsBody, copy: mujoco.MjsBody, prefix: str) -> None:
-    """Copy the hulls of a body (primitives placed by `pos` and `quat`); the copies count."""
-    for hull in body.geoms:
-        if hull.group == HULL_GROUP:
-            copy.add_geom(
-                name=prefix + hull.name,
-                type=hull.type,
-                size=hull.size,
-                pos=hull.pos,
-                quat=hull.quat,
-            )
+def _copy_hulls(scene: Scene, hulls: list[int], body: mujoco.MjsBody, prefix: str) -> None:
+    """Copy the hulls (primitives placed by `pos` and `quat`) to a body; the copies count."""
+    for hull in (scene.model.geom(geom) for geom in hulls):
+        body.add_geom(
+            name=prefix + hull.name,
+            type=mujoco.mjtGeom(hull.type[0]),
+            size=hull.size,
+            pos=hull.pos,
+            quat=hull.quat,
+        )
 
 
 def _clearances(
@@ -171,6 +183,8 @@ def _clearances(
         (mover, obstacle): mink.CollisionAvoidanceLimit(
             model,
             [(movers[mover], obstacles[obstacle])],
+            gain=_GAIN,
+            bound_relaxation=-_RETREAT,
             minimum_distance_from_collisions=_MARGIN,
             collision_detection_distance=_HORIZON,
         )

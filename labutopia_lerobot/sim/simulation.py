@@ -46,19 +46,22 @@ class Simulation:
         self._switches = [switch for piece in scene.pieces for switch in piece.switches]
         self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
         self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
+        self._built = scene.model.body_pos.copy()
 
     def reset(self, layout: Mapping[Piece, Placement]) -> None:
         """Put the robot at home and the things where the layout says, and let them settle."""
         model, data = self.scene.model, self.data
         mujoco.mj_resetData(model, data)
         for piece, placement in layout.items():
-            position = np.array([placement.x, placement.y, BENCH_HEIGHT])
+            position = np.array([placement.x, placement.y, BENCH_HEIGHT + placement.height])
             quat_wxyz = Rotation.from_euler("z", placement.yaw).as_quat(scalar_first=True)
             if piece.movable:
                 data.joint(f"{piece.name}_free").qpos = np.concatenate([position, quat_wxyz])
             else:
                 model.body(piece.name).pos = position
                 model.body(piece.name).quat = quat_wxyz
+            for body, place in placement.swaps:
+                model.body(body).pos = self._built[model.body(place).id]
         data.qpos[self._arm] = self._home[:-1]
         data.qpos[self._fingers] = self._home[-1] / 2
         data.ctrl[:] = self._home

@@ -1,26 +1,16 @@
 """Grasp a vessel from the side and lift it."""
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
-import numpy as np
-
 from labutopia_lerobot.predicates import gripped
+from labutopia_lerobot.skills.posture import hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
 from labutopia_lerobot.world import Pose, Thing, World
 
 OPEN = 0.08
 """Fully open gripper [m] (Franka Hand data sheet: 80 mm stroke)."""
-
-APPROACH = math.radians(-60.0)
-"""Yaw of a horizontal grasp relative to the bearing from the robot [rad].
-
-Pointing straight ahead, a Panda's wrist cannot reach low and level (joint 6 ends at 3.75 rad);
-turned by 60 degrees all joints stay a fifth of their range from their ends over the whole start
-region.
-"""
 
 
 class Graspable(Thing, Protocol):
@@ -39,13 +29,15 @@ class Graspable(Thing, Protocol):
 
 @dataclass(frozen=True)
 class Pick:
-    """The seven phases of the paper ("Pick"), with the horizontal grasp of the original.
+    """The seven phases of the paper ("Pick"), with the sideways grasp of the original.
 
     Attributes:
         thing: What to pick up.
         lift: How far to raise it [m].
         standoff: Distance from which the last approach starts [m] (original: 0.1, before).
         squeeze: How much narrower than the thing the closed gripper is commanded [m].
+        depth: How far beyond the middle of the pads its axis lies [m]; keeps the widest beaker,
+            of 70 mm, off the palm.
     """
 
     thing: Graspable
@@ -53,6 +45,7 @@ class Pick:
     standoff: float = 0.10
     hover: float = 0.10
     squeeze: float = 0.012
+    depth: float = 0.004
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield hover, lower, reach, settle, close, lift and hold."""
@@ -80,14 +73,10 @@ class Pick:
         yield Phase("hold", lambda w: raised, shut, waited(0.1), thing, self.thing)
 
     def _grasp(self, world: World) -> Pose:
-        """Gripper pose at the grasp: horizontal, turned from the bearing of the thing."""
+        """Gripper pose at the grasp."""
         thing = world.pose(self.thing)
         centre = thing.position_w + self.thing.grip_height * thing.z_axis
-        dx, dy, _ = centre - world.robot_base.position_w
-        yaw = math.atan2(dy, dx) + APPROACH
-        forward = np.array([math.cos(yaw), math.sin(yaw), 0.0])
-        up = np.array([0.0, 0.0, 1.0])
-        return Pose(centre, np.column_stack([up, np.cross(forward, up), forward]))
+        return hand_at(world, centre).advanced(-self.depth)
 
     def _before(self, world: World) -> Pose:
         return self._grasp(world).advanced(-self.standoff)

@@ -1,0 +1,200 @@
+"""A bench-top drying oven: a heated box with a hinged door, a window and a bar handle."""
+
+import math
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.openable import Door, Handle
+from labutopia_lerobot.labware.solid import CYLINDER, Vector, add_look, add_part
+from labutopia_lerobot.layout import Switch
+
+_DEPTH, _WIDTH, _HEIGHT = 0.576, 0.741, 0.630
+"""Outer size [m] (original, DryingBox_01)."""
+_DOOR_WIDTH, _DOOR_HEIGHT, _DOOR_THICKNESS = 0.546, 0.594, 0.040
+"""Size of the door [m] (original, DryingBox_01; its thickness is ours)."""
+_HANDLE_LENGTH = 0.202
+"""Length of the bar [m] (original, DryingBox_01)."""
+_HANDLE_INSET = 0.050
+"""From the door's free edge to the bar [m]."""
+_FOOT = 0.018
+"""Height of the feet, on which door and box are level [m]."""
+_WALL = 0.040
+"""Insulated wall [m]."""
+
+_DOOR_MASS = 6.5
+"""Two skins of 0.8 mm steel (4.1 kg), a double pane of 4 mm glass (1.4 kg), frame and wool [kg]."""
+_WIDEST = math.radians(120.0)
+"""Where the hinge stops (original, DryingBox_01)."""
+_SEAL = math.radians(0.3)
+"""Angle at which the free edge stands 3 mm off, which the silicone seal still fills [rad]."""
+_FRICTION = 0.5
+"""Dry friction of hinge and seal [N m]: about 1 N at the handle, so that the door stays where it is
+let go of. The original has 0.1 for a door that weighs next to nothing."""
+_DAMPING = 1.0
+"""Grease in the hinge [N m s/rad]; ours: a door let go of at 0.5 m/s swings on for 17 degrees."""
+
+_QUARTER = math.sqrt(0.5)
+
+
+@dataclass(frozen=True)
+class DryingOven:
+    """A drying oven whose door is hinged on the left of who stands before it.
+
+    Its front faces -x of its own frame.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+        ajar: How far the door stands open at the start [rad].
+    """
+
+    name: str
+    ajar: float = 0.0
+
+    @property
+    def door(self) -> Door:
+        """The door."""
+        handle = Handle(f"{self.name}_handle", _HANDLE_LENGTH)
+        return Door(f"{self.name}_door", handle, widest=_WIDEST, closed_within=_SEAL)
+
+    @property
+    def bodies(self) -> frozenset[str]:
+        """Names of all its bodies."""
+        return frozenset({self.name, self.door.name, self.door.handle.name})
+
+    @property
+    def footprint_radius(self) -> float:
+        """Radius of the circle around its origin that it needs on the bench [m]."""
+        return math.hypot(_DEPTH, _WIDTH) / 2
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Its hinge."""
+        return (self.door.joint,)
+
+    @property
+    def switches(self) -> tuple[Switch, ...]:
+        """None that can be worked."""
+        return ()
+
+    @property
+    def movable(self) -> bool:
+        """It weighs 50 kg and stays where it is."""
+        return False
+
+    def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
+        """Build its body into a spec (angles in radians), at the origin of the parent.
+
+        Sites: frames of the door's joint and handle (see `Door`, `Handle`).
+
+        Returns:
+            The body; its origin is the centre of the base, z up.
+        """
+        self._add_materials(spec)
+        box = parent.add_body(name=self.name)
+        self._add_box(box)
+        hinge = (-_DEPTH / 2, _WIDTH / 2, _FOOT)
+        half = -self.ajar / 2
+        door = box.add_body(
+            name=self.door.name, pos=hinge, quat=(math.cos(half), 0, 0, math.sin(half))
+        )
+        # MuJoCo reads `ref` as the joint's position in the pose that is built, and starts there.
+        door.add_joint(
+            name=self.door.joint,
+            type=mujoco.mjtJoint.mjJNT_HINGE,
+            axis=(0, 0, -1),
+            range=(0.0, _WIDEST),
+            ref=self.ajar,
+            frictionloss=_FRICTION,
+            damping=_DAMPING,
+        )
+        box.add_site(name=self.door.joint, pos=hinge, quat=(0, 1, 0, 0))  # z axis down: it opens
+        self._add_door(door)
+        spec.add_exclude(bodyname1=box.name, bodyname2=door.name)
+        return box
+
+    def _add_materials(self, spec: mujoco.MjSpec) -> None:
+        for part, rgba, specular in (
+            ("shell", (0.94, 0.93, 0.90, 1.0), 0.2),
+            ("leaf", (0.74, 0.78, 0.82, 1.0), 0.3),
+            ("inside", (0.62, 0.65, 0.68, 1.0), 0.4),
+            ("trim", (0.13, 0.24, 0.42, 1.0), 0.2),
+            ("metal", (0.16, 0.17, 0.19, 1.0), 0.5),
+            ("window", (0.10, 0.14, 0.17, 0.55), 0.8),
+            ("display", (0.05, 0.06, 0.07, 1.0), 0.3),
+            ("digits", (0.95, 0.35, 0.15, 1.0), 0.0),
+        ):
+            name = f"{self.name}_{part}"
+            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.5)
+
+    def _add_box(self, body: mujoco.MjsBody) -> None:
+        """Add the hollow box behind the door and the control column to the right of it."""
+        x, y = _DEPTH / 2, _WIDTH / 2
+        bottom, top = _FOOT, _HEIGHT
+        middle, tall = (bottom + top) / 2, (top - bottom) / 2
+        right = y - _DOOR_WIDTH  # where the door ends and the control column begins
+        chamber, wide = (y + right) / 2, _DOOR_WIDTH / 2
+        column = (right - y) / 2
+        half = _WALL / 2
+        walls: dict[str, tuple[Vector, Vector]] = {
+            "column": ((x, (right + y) / 2, tall), (0.0, column, middle)),
+            "left": ((x, half, tall), (0.0, y - half, middle)),
+            "back": ((half, wide, tall), (x - half, chamber, middle)),
+            "floor": ((x, wide, half), (0.0, chamber, bottom + half)),
+            "roof": ((x, wide, half), (0.0, chamber, top - half)),
+        }
+        for wall, (size, pos) in walls.items():
+            add_part(body, f"{self.name}_{wall}", size, pos, f"{self.name}_shell")
+        shelf = (x - _WALL, wide - _WALL / 2, 0.003)
+        add_part(body, f"{self.name}_shelf", shelf, (0, chamber, middle), f"{self.name}_inside")
+        for foot, (side, end) in enumerate(((-1, -1), (-1, 1), (1, -1), (1, 1))):
+            pos = (side * 0.85 * x, end * 0.85 * y, _FOOT / 2)
+            size = (0.02, _FOOT / 2, 0.0)
+            add_look(
+                body, f"{self.name}_foot_{foot}", size, pos, f"{self.name}_trim", shape=CYLINDER
+            )
+        self._add_controls(body, -x, column)
+
+    def _add_controls(self, body: mujoco.MjsBody, front: float, column: float) -> None:
+        """Paint the control column: a display with digits, a knob and a main switch."""
+        for part, material, size, height in (
+            ("panel", "trim", (0.001, 0.075, 0.26), 0.32),
+            ("display", "display", (0.002, 0.055, 0.035), 0.49),
+            ("digits", "digits", (0.003, 0.030, 0.012), 0.49),
+            ("power", "display", (0.004, 0.015, 0.022), 0.15),
+        ):
+            pos = (front, column, height)
+            add_look(body, f"{self.name}_{part}", size, pos, f"{self.name}_{material}")
+        add_look(
+            body,
+            f"{self.name}_knob",
+            (0.028, 0.010, 0.0),
+            (front - 0.008, column, 0.33),
+            f"{self.name}_metal",
+            shape=CYLINDER,
+            quat=(_QUARTER, 0.0, _QUARTER, 0.0),
+        )
+
+    def _add_door(self, body: mujoco.MjsBody) -> None:
+        """Add the door: a frame around a window, in front of the box, and the bar on its right."""
+        x, wide, tall = -_DOOR_THICKNESS / 2, _DOOR_WIDTH / 2, _DOOR_HEIGHT / 2
+        edge = 0.11  # width of the frame around the window
+        frame: dict[str, tuple[Vector, Vector]] = {
+            "door_near": ((-x, edge / 2, tall), (x, -_DOOR_WIDTH + edge / 2, tall)),
+            "door_far": ((-x, edge / 2, tall), (x, -edge / 2, tall)),
+            "door_lower": ((-x, wide - edge, edge / 2), (x, -wide, edge / 2)),
+            "door_upper": ((-x, wide - edge, edge / 2), (x, -wide, 2 * tall - edge / 2)),
+        }
+        for part, (size, pos) in frame.items():
+            share = _DOOR_MASS / (len(frame) + 1)
+            add_part(body, f"{self.name}_{part}", size, pos, f"{self.name}_leaf", mass=share)
+        add_part(
+            body,
+            f"{self.name}_window",
+            (-0.6 * x, wide - edge, tall - edge),
+            (x, -wide, tall),
+            f"{self.name}_window",
+            mass=_DOOR_MASS / (len(frame) + 1),
+        )
+        spot = (-_DOOR_THICKNESS, -_DOOR_WIDTH + _HANDLE_INSET, tall)
+        self.door.handle.add_to(body, spot, f"{self.name}_metal", lying=False)

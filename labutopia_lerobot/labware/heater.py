@@ -1,0 +1,139 @@
+"""A hot plate: a low box with a ceramic top, and in front a deck with a push button and a lamp."""
+
+import math
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.push_button import PushButton
+from labutopia_lerobot.labware.solid import CYLINDER, Quaternion, Vector, add_look, add_part
+from labutopia_lerobot.labware.vessel import VISUAL_GROUP
+from labutopia_lerobot.layout import Switch
+
+_SIDE = 0.16
+"""Side of the square top [m]: a usual size of laboratory hot plates (original: not on record)."""
+_TOP = 0.060
+"""Height of the top above the bench [m]; low, so that the hand can set a beaker down sideways."""
+_PLATE = 0.008
+"""Thickness of the ceramic top [m]."""
+_DECK_DEPTH, _DECK_HEIGHT = 0.080, 0.042
+"""Depth and height of the deck in front of it [m]; the button ends below the top."""
+_BUTTON_X = -_SIDE / 2 - 0.045
+"""Where the button is [m]; 0.09 m from a beaker in the middle, so that a hand fits between."""
+_LAMP_Y = 0.045
+"""Where the lamp is, to the left of the button [m]."""
+_ZONE = 0.060
+"""Radius of the zone printed on the top, which gets hot [m]."""
+
+_GREEN = (0.10, 0.55, 0.20, 1.0)
+_DARK = (0.25, 0.08, 0.05, 1.0)  # the lamp when it is off
+_DOWN: Quaternion = (0.0, 1.0, 0.0, 0.0)  # z down; x away from who stands before it
+
+
+@dataclass(frozen=True)
+class Heater:
+    """A hot plate that faces -x of its own frame; its origin is below the middle of its top.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+
+    @property
+    def button(self) -> PushButton:
+        """What switches it on, and off again."""
+        return PushButton(f"{self.name}_button", _GREEN, radius=0.020)
+
+    @property
+    def switch(self) -> Switch:
+        """Whether it heats."""
+        button, lamp = self.button, f"{self.name}_lamp"
+        return Switch(f"{self.name}_switch", button.joint, button.travel, lamp)
+
+    @property
+    def top_height(self) -> float:
+        """Height of its top above its origin [m]."""
+        return _TOP
+
+    @property
+    def bodies(self) -> frozenset[str]:
+        """Names of all its bodies."""
+        return frozenset({self.name, self.button.name})
+
+    @property
+    def footprint_radius(self) -> float:
+        """Radius of the circle around its origin that it needs on the bench [m]."""
+        return math.hypot(_SIDE / 2 + _DECK_DEPTH, _SIDE / 2)
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The slide of its button."""
+        return (self.button.joint,)
+
+    @property
+    def switches(self) -> tuple[Switch, ...]:
+        """Its one switch."""
+        return (self.switch,)
+
+    @property
+    def movable(self) -> bool:
+        """It weighs 3 kg and stands on rubber feet."""
+        return False
+
+    def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
+        """Build its body into a spec (angles in radians), at the origin of the parent.
+
+        Sites: the frame of the button (see `PushButton`).
+
+        Returns:
+            The body.
+        """
+        for part, rgba, specular in (
+            ("shell", (0.20, 0.35, 0.50, 1.0), 0.2),
+            ("ceramic", (0.90, 0.90, 0.88, 1.0), 0.5),
+            ("print", (0.70, 0.70, 0.69, 1.0), 0.5),
+            ("metal", (0.66, 0.68, 0.70, 1.0), 0.6),
+        ):
+            name = f"{self.name}_{part}"
+            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.5)
+        body = parent.add_body(name=self.name)
+        half, low = _SIDE / 2, (_TOP - _PLATE) / 2
+        front = -half - _DECK_DEPTH / 2
+        boxes: dict[str, tuple[Vector, Vector, str]] = {
+            "housing": ((half, half, low), (0, 0, low), "shell"),
+            "plate": ((half, half, _PLATE / 2), (0, 0, _TOP - _PLATE / 2), "ceramic"),
+            "deck": (
+                (_DECK_DEPTH / 2, half, _DECK_HEIGHT / 2),
+                (front, 0, _DECK_HEIGHT / 2),
+                "shell",
+            ),
+        }
+        for part, (size, pos, material) in boxes.items():
+            add_part(body, f"{self.name}_{part}", size, pos, f"{self.name}_{material}")
+        zone = (_ZONE, 0.0003, 0.0)
+        top = (0.0, 0.0, _TOP)
+        add_look(body, f"{self.name}_zone", zone, top, f"{self.name}_print", shape=CYLINDER)
+        self._add_deck(spec, body)
+        return body
+
+    def _add_deck(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        """Add the button in its bezel and the lamp in its socket."""
+        button, metal = self.button, f"{self.name}_metal"
+        at_button = (_BUTTON_X, 0.0, _DECK_HEIGHT)
+        at_lamp = (_BUTTON_X, _LAMP_Y, _DECK_HEIGHT)
+        bezel, socket = (1.25 * button.radius, 0.002, 0.0), (0.013, 0.002, 0.0)
+        add_look(body, f"{self.name}_bezel", bezel, at_button, metal, shape=CYLINDER)
+        add_look(body, f"{self.name}_socket", socket, at_lamp, metal, shape=CYLINDER)
+        body.add_geom(
+            name=self.switch.lamp,
+            type=mujoco.mjtGeom.mjGEOM_ELLIPSOID,
+            size=(0.010, 0.010, 0.010),
+            pos=at_lamp,
+            rgba=_DARK,
+            group=VISUAL_GROUP,
+            contype=0,
+            conaffinity=0,
+            mass=0,
+        )
+        button.add_to(spec, body, at_button, _DOWN)

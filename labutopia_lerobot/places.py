@@ -1,0 +1,85 @@
+"""Places that a thing can be brought to: in the live world, relative to the robot or to a thing."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from labutopia_lerobot.world import BENCH, FloatArray, Thing, World
+
+
+class Destination(Protocol):
+    """A point, and the body that a thing standing there stands on."""
+
+    @property
+    def name(self) -> str:
+        """How it is called in the name of a fact."""
+        ...
+
+    @property
+    def support(self) -> str:
+        """Contact name of what a thing standing there stands on."""
+        ...
+
+    def position_w(self, world: World) -> FloatArray:
+        """Return where the centre of the base of the thing goes, shape (3,), metres, world."""
+        ...
+
+
+class Support(Thing, Protocol):
+    """A thing with a level top that a vessel can stand on."""
+
+    @property
+    def top_height(self) -> float:
+        """Height of the top above the origin [m]."""
+        ...
+
+
+@dataclass(frozen=True)
+class OnTop:
+    """The middle of the top of a thing."""
+
+    of: Support
+
+    @property
+    def name(self) -> str:
+        """Name of the thing."""
+        return self.of.name
+
+    @property
+    def support(self) -> str:
+        """Name of the thing."""
+        return self.of.name
+
+    def position_w(self, world: World) -> FloatArray:
+        """Return the middle of the top, shape (3,), metres, world frame."""
+        pose = world.pose(self.of)
+        return pose.position_w + self.of.top_height * pose.z_axis
+
+
+@dataclass(frozen=True)
+class OverBench:
+    """A point on the bench or above it, as the robot sees it.
+
+    Attributes:
+        name: How it is called in the name of a fact.
+        ahead: Distance straight ahead of the robot's base [m].
+        left: Distance to the left of that [m].
+        height: Height above the bench top [m].
+    """
+
+    name: str
+    ahead: float
+    left: float = 0.0
+    height: float = 0.0
+
+    @property
+    def support(self) -> str:
+        """The bench."""
+        return BENCH
+
+    def position_w(self, world: World) -> FloatArray:
+        """Return the point, shape (3,), metres, world frame."""
+        base = world.robot_base
+        x, y, _ = base.position_w + self.ahead * base.x_axis + self.left * base.y_axis
+        return np.array([x, y, world.bench_height + self.height])

@@ -1,0 +1,112 @@
+"""Facts about doors and drawers, and about the hand that moves them."""
+
+from typing import Protocol
+
+import numpy as np
+
+from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.vessels import gripped
+from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Thing, World
+
+
+class Bar(Thing, Protocol):
+    """A straight handle; the frame of its name lies in its middle, z along it."""
+
+    @property
+    def length(self) -> float:
+        """Length [m]."""
+        ...
+
+    @property
+    def diameter(self) -> float:
+        """Diameter [m]."""
+        ...
+
+
+class Openable(Thing, Protocol):
+    """A door or drawer on one joint."""
+
+    @property
+    def joint(self) -> str:
+        """Name of its hinge [rad] or slide [m]; 0 is closed."""
+        ...
+
+    @property
+    def closed_within(self) -> float:
+        """Joint position below which there is no gap [rad or m]."""
+        ...
+
+    def spell(self, position: float) -> str:
+        """Write a joint position [rad or m] with a unit."""
+        ...
+
+
+class Instrument(Thing, Protocol):
+    """A thing of several bodies."""
+
+    @property
+    def bodies(self) -> frozenset[str]:
+        """Names of all its bodies."""
+        ...
+
+
+def opened(part: Openable, *, to: float) -> Predicate:
+    """Door or drawer is open to a position of its joint [rad or m], or further."""
+    return Predicate(
+        f"{part.name} opened to {part.spell(to)}", lambda world: world.joint(part.joint) >= to
+    )
+
+
+def less_open(part: Openable, *, than: float) -> Predicate:
+    """Door or drawer is not open as far as a position of its joint [rad or m]."""
+    return Predicate(
+        f"{part.name} less open than {part.spell(than)}",
+        lambda world: world.joint(part.joint) < than,
+    )
+
+
+def closed(part: Openable) -> Predicate:
+    """Door or drawer is closed without a gap."""
+    return Predicate(
+        f"{part.name} closed", lambda world: world.joint(part.joint) < part.closed_within
+    )
+
+
+def grasped(bar: Bar) -> Predicate:
+    """Bar is between the pads: both touch it, it is where they are and keeps them apart.
+
+    A closed fist touches a bar with both pads too: it is shut, and ahead of the bar.
+    """
+    touched = gripped(bar)
+    return Predicate(
+        f"{bar.name} grasped",
+        lambda world: (
+            touched.holds(world)
+            and world.gripper_opening > bar.diameter / 2
+            and _distance(world, bar) < bar.diameter / 2
+        ),
+    )
+
+
+def clear_of(bar: Bar, *, by: float) -> Predicate:
+    """Point between the pads is further than `by` metres from the surface of a bar."""
+    return Predicate(f"hand {by:g} m clear of {bar.name}", lambda world: _distance(world, bar) > by)
+
+
+def collided(instrument: Instrument, *, sparing: Thing) -> Predicate:
+    """Arm or hand touches any body of an instrument but the one that it may touch."""
+    forbidden = instrument.bodies - {sparing.name}
+    return Predicate(
+        f"robot touches {instrument.name} beyond {sparing.name}",
+        lambda world: any(
+            world.touched_by(part) & forbidden for part in (ARM, HAND, LEFT_PAD, RIGHT_PAD)
+        ),
+    )
+
+
+def _distance(world: World, bar: Bar) -> float:
+    """Return how far the point between the pads is from the surface of a bar [m]."""
+    frame = world.frame(bar.name)
+    offset = world.gripper.position_w - frame.position_w
+    along = np.clip(offset @ frame.z_axis, -bar.length / 2, bar.length / 2)
+    return float(np.linalg.norm(offset - along * frame.z_axis) - bar.diameter / 2)

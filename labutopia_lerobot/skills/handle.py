@@ -1,0 +1,109 @@
+"""Moving a door or drawer by its handle.
+
+The phases of the paper's "Open" and "Close" (appendix, "Task Details") differ only in where they
+go: approach the handle, grip it, move along the joint, check that the target is reached and go on
+if not, pause, release, leave.
+"""
+
+import math
+from collections.abc import Iterator
+from typing import Protocol
+
+import numpy as np
+
+from labutopia_lerobot.predicates import grasped
+from labutopia_lerobot.predicates.openables import Bar, Openable
+from labutopia_lerobot.skills.skill import Condition, Phase, arrived, waited
+from labutopia_lerobot.world import Pose, World
+
+_RIGHT, _DOWN = math.radians(25.0), math.radians(20.0)
+"""Direction of the hand relative to straight into the door or drawer [rad].
+
+Level and straight ahead, a Panda's wrist cannot reach (see `pick.APPROACH`); like this its joints
+stay a tenth of their range from their ends over all start regions and a turn of the door by 60
+degrees, as random-restart inverse kinematics shows.
+"""
+
+_OPENING = 0.05
+"""Distance between the pads around a bar [m]: any wider, the outer finger would touch the door."""
+_SQUEEZE = 0.012
+"""How much narrower than the bar the closed gripper is commanded [m]: the full force."""
+_STANDOFF = 0.10
+"""Distance at which the last approach starts and the hand's retreat ends [m] (original: 0.08)."""
+_LEAD = 0.05
+"""How far ahead of the handle the hand is sent [m]: a chord of the arc that strays by 1 mm."""
+
+
+class Operable(Openable, Protocol):
+    """A door or drawer with a handle, whose frame has its x axis into the door or drawer."""
+
+    @property
+    def handle(self) -> Bar:
+        """What to hold it by."""
+        ...
+
+    def carried(self, pose: Pose, world: World, by: float) -> Pose:
+        """Return where something fixed to it gets when its joint moves on [rad or m]."""
+        ...
+
+
+def move_by_handle(part: Operable, world: World, to: float, reached: Condition) -> Iterator[Phase]:
+    """Yield approach, reach, settle, grip, move, pause, release and leave.
+
+    While it moves, the hand is carried along with the handle: along an arc about the hinge, with
+    its orientation turned by the same angle (spherical linear interpolation), or straight.
+
+    Args:
+        part: The door or drawer.
+        world: The world.
+        to: Joint position to move to [rad or m].
+        reached: When that is near enough.
+    """
+    handle = part.handle
+    touches = frozenset({handle.name})
+    shut = max(0.0, handle.diameter - _SQUEEZE)
+    held = grasped(handle)
+    yield Phase(
+        "approach", lambda w: _grasp(handle, w).advanced(-_STANDOFF), _OPENING, arrived(0.01, 0.1)
+    )
+    yield Phase("reach", lambda w: _grasp(handle, w), _OPENING, arrived(0.004), touches, speed=0.15)
+    here = _grasp(handle, world)
+    yield Phase("settle", lambda w: here, _OPENING, waited(0.2), touches)
+    yield Phase(
+        "grip",
+        lambda w: here,
+        shut,
+        lambda w, target, elapsed: elapsed > 0.3 and held.holds(w),
+        touches,
+        timeout_s=2.0,
+    )
+    in_hand = world.frame(handle.name).inverse() @ world.gripper
+
+    def onward(world: World) -> Pose:
+        """Where the hand would be once the joint has moved on, by `_LEAD` at most."""
+        bar = world.frame(handle.name)
+        way = to - world.joint(part.joint)
+        target = part.carried(bar, world, way)
+        distance = bar.distance_to(target)
+        if distance > _LEAD:
+            target = part.carried(bar, world, way * _LEAD / distance)
+        return target @ in_hand
+
+    yield Phase("move", onward, shut, reached, touches, speed=0.15, timeout_s=10.0)
+    yield Phase("pause", onward, shut, waited(0.3), touches)
+    there = onward(world)  # still against the stop: a hand that gave way would drag the bar along
+    yield Phase("release", lambda w: there, _OPENING, waited(0.5), touches)
+    away = there.advanced(-_STANDOFF)
+    yield Phase("leave", lambda w: away, _OPENING, arrived(0.01, 0.1), touches)
+
+
+def _grasp(handle: Bar, world: World) -> Pose:
+    """Gripper pose around the bar: from the left and above, the fingers closing across the bar."""
+    frame = world.frame(handle.name)
+    up = np.array([0.0, 0.0, 1.0])
+    right = np.cross(frame.x_axis, up)
+    level = math.cos(_RIGHT) * frame.x_axis + math.sin(_RIGHT) * right
+    forward = math.cos(_DOWN) * level - math.sin(_DOWN) * up
+    across = np.cross(forward, frame.z_axis)
+    across /= np.linalg.norm(across)
+    return Pose(frame.position_w, np.column_stack([np.cross(across, forward), across, forward]))

@@ -1,0 +1,55 @@
+"""Set down a held vessel and let it go."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from labutopia_lerobot.places import Destination
+from labutopia_lerobot.skills.pick import OPEN
+from labutopia_lerobot.skills.posture import upright_in_hand
+from labutopia_lerobot.skills.skill import Phase, arrived, carrier, waited
+from labutopia_lerobot.world import Pose, Thing, World
+
+
+@dataclass(frozen=True)
+class Place:
+    """The phases of the paper ("Place"): above, lower, align, pause, open, retract, done.
+
+    Attributes:
+        thing: What is in the hand.
+        on: Where its base goes.
+        hover: Height above that from which it is lowered [m] (original: 0.2).
+        align: Height above that at which it is lined up anew, before it touches down [m].
+        press: How far below that the touch-down aims, so that it surely comes [m].
+        retreat: How far the open hand draws back, along its own axis [m] (original: 0.15).
+    """
+
+    thing: Thing
+    on: Destination
+    hover: float = 0.10
+    align: float = 0.008
+    press: float = 0.004
+    retreat: float = 0.15
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        """Yield above, lower, align, settle, open, retract and done."""
+        thing, shut = self.thing, world.commanded_opening
+        support, own = frozenset({self.on.support}), frozenset({thing.name})
+        point = self.on.position_w(world)
+        carried = carrier(world, thing)
+        end = carried(upright_in_hand(world, thing, point))
+        above, near = end.moved(z=self.hover), end.moved(z=self.align)
+        far = arrived(within=0.015)
+        there = arrived(within=0.004)
+        yield Phase("above", lambda w: above, shut, far, own, thing)
+        yield Phase("lower", lambda w: near, shut, there, own | support, thing, speed=0.15)
+        below = carrier(world, thing)(upright_in_hand(world, thing, point)).moved(z=-self.press)
+        yield Phase("align", lambda w: below, shut, self._landed, own | support, thing, speed=0.03)
+        here = world.gripper
+        yield Phase("settle", lambda w: here, shut, waited(0.3), own | support, thing)
+        yield Phase("open", lambda w: here, OPEN, waited(0.5), own | support)
+        back = here.advanced(-self.retreat)
+        yield Phase("retract", lambda w: back, OPEN, far, own, speed=0.15)
+        yield Phase("done", lambda w: back, OPEN, waited(0.1), own)
+
+    def _landed(self, world: World, target: Pose, elapsed: float) -> bool:
+        return world.touching(self.thing.name, self.on.support)

@@ -1,0 +1,58 @@
+"""How the hand and what it holds are best turned: nearly level, off the bearing from the robot."""
+
+import math
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from labutopia_lerobot.world import FloatArray, Pose, Thing, World
+
+APPROACH = math.radians(-60.0)
+"""Yaw of the hand relative to the bearing from the robot [rad].
+
+Pointing straight ahead, a Panda's wrist cannot reach low and level (joint 6 ends at 3.75 rad);
+turned by 60 degrees all joints stay a fifth of their range from their ends over the whole start
+region.
+"""
+
+PITCH = math.radians(7.0)
+"""How far the hand points below the horizontal [rad].
+
+The wrist behind a level hand reaches 54 mm below it, too far for a beaker of 90 mm; with this it
+passes 15 mm above the bench, and the palm still fits below the beaker's lip.
+"""
+
+UP = np.array([0.0, 0.0, 1.0])
+
+
+def horizontal(direction: FloatArray) -> FloatArray:
+    """Return the horizontal part of a direction, shape (3,), as a unit vector."""
+    level: FloatArray = direction * (1.0, 1.0, 0.0)
+    return level / np.linalg.norm(level)
+
+
+def hand_at(world: World, point_w: FloatArray) -> Pose:
+    """Return the comfortable gripper pose at a point, shape (3,), metres, world frame."""
+    dx, dy, _ = point_w - world.robot_base.position_w
+    yaw = math.atan2(dy, dx) + APPROACH
+    level = math.cos(PITCH)
+    forward = np.array([level * math.cos(yaw), level * math.sin(yaw), -math.sin(PITCH)])
+    side = np.array([math.sin(yaw), -math.cos(yaw), 0.0])
+    return Pose(point_w, np.column_stack([np.cross(side, forward), side, forward]))
+
+
+def upright_in_hand(world: World, thing: Thing, point_w: FloatArray) -> Pose:
+    """Return the pose of a held thing that stands upright at a point with a comfortable hand.
+
+    Args:
+        world: Where the thing is in the hand now.
+        thing: What is held.
+        point_w: Where the centre of its base should be, shape (3,), metres, world frame.
+    """
+    now = world.pose(thing)
+    righted, _ = Rotation.align_vectors(UP, now.z_axis)
+    forward = righted.apply(world.gripper.z_axis)
+    wanted = hand_at(world, point_w).z_axis
+    yaw = math.atan2(wanted[1], wanted[0]) - math.atan2(forward[1], forward[0])
+    turned = Rotation.from_rotvec(yaw * UP) * righted
+    return Pose(point_w, turned.as_matrix() @ now.rotation_w)

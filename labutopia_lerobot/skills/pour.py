@@ -1,0 +1,118 @@
+"""Pour from the vessel in the hand into another."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from labutopia_lerobot.skills.posture import UP, hand_at, horizontal, upright_in_hand
+from labutopia_lerobot.skills.skill import Phase, Target, arrived, carrier, waited
+from labutopia_lerobot.world import FloatArray, Pose, Thing, World
+
+
+class Pourable(Thing, Protocol):
+    """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
+
+    @property
+    def height(self) -> float:
+        """Height of the lip above the base [m]."""
+        ...
+
+    @property
+    def mouth_radius(self) -> float:
+        """Inner radius of the mouth [m]."""
+        ...
+
+
+@dataclass(frozen=True)
+class Pour:
+    """The phases of the paper ("Pour"): start position, ready, tilt, pause, tilt back, stabilise.
+
+    The vessel tilts to the left of the hand about the point of its lip that the liquid leaves; that
+    point stays where it is, over the middle of the other vessel's mouth.
+
+    Attributes:
+        thing: What is in the hand.
+        into: What to pour into.
+        drop: Height of the lip above the other mouth [m] (original: 0.1 to 0.2): the hand, 0.2 m
+            wide, turns with the vessel and then reaches 0.09 m below the lip.
+        hover: How much higher the start position is [m].
+        angle: How far it is tilted [rad]: a little beyond the level, that a lip's bulge drains too.
+        pause_s: How long it is kept tilted [s].
+    """
+
+    thing: Pourable
+    into: Pourable
+    drop: float = 0.10
+    hover: float = 0.05
+    angle: float = math.radians(105.0)
+    pause_s: float = 1.0
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        """Yield start, ready, tilt, pause, tilt back and stabilise."""
+        thing, shut = self.thing, world.commanded_opening
+        own = frozenset({thing.name})
+        pivot = _Pivot.over(world, self.thing, world.frame(f"{self.into.name}_rim"), self.drop)
+        ready = carrier(world, thing)(pivot.tilted(0.0))
+        above = ready.moved(z=self.hover)
+        there = arrived(within=0.006)
+        yield Phase("start", lambda w: above, shut, arrived(within=0.015), own, thing)
+        yield Phase("ready", lambda w: ready, shut, there, own, thing)
+        tilting, turn_speed = pivot.towards(world, self.angle), 1.2
+        yield Phase("tilt", tilting, shut, there, own, thing, turn_speed=turn_speed)
+        yield Phase("pause", tilting, shut, waited(self.pause_s), own, thing)
+        back = pivot.towards(world, 0.0)
+        yield Phase("tilt_back", back, shut, there, own, thing, turn_speed=turn_speed)
+        yield Phase("stabilise", back, shut, waited(0.3), own, thing)
+
+
+@dataclass(frozen=True)
+class _Pivot:
+    """Turns a held vessel about a fixed point of its lip.
+
+    Attributes:
+        thing: The vessel.
+        upright: How it is turned when upright, shape (3, 3), world frame.
+        axis: Horizontal axis that the hand points along, shape (3,), world frame.
+        lip_w: The point, shape (3,), metres, world frame.
+    """
+
+    thing: Pourable
+    upright: FloatArray
+    axis: FloatArray
+    lip_w: FloatArray
+
+    @classmethod
+    def over(cls, world: World, thing: Pourable, mouth: Pose, drop: float) -> "_Pivot":
+        """Return the pivot above the middle of a mouth by a height [m]."""
+        axis = horizontal(hand_at(world, mouth.position_w).z_axis)
+        upright = upright_in_hand(world, thing, mouth.position_w).rotation_w
+        return cls(thing, upright, axis, mouth.position_w + drop * UP)
+
+    @property
+    def left(self) -> FloatArray:
+        """Horizontal direction to which the vessel tilts, shape (3,), world frame."""
+        return np.cross(UP, self.axis)
+
+    def tilted(self, angle: float) -> Pose:
+        """Return the pose of the vessel when it leans to the left by an angle [rad]."""
+        turn = Rotation.from_rotvec(-angle * self.axis)
+        lip = turn.apply(self.thing.mouth_radius * self.left + self.thing.height * UP)
+        return Pose(self.lip_w - lip, turn.as_matrix() @ self.upright)
+
+    def towards(self, world: World, angle: float, lead: float = 0.4) -> Target:
+        """Return the gripper pose a `lead` [rad] further on the way to an angle [rad].
+
+        Along the straight line to the last pose the lip would leave its place.
+        """
+        carried = carrier(world, self.thing)
+
+        def target(world: World) -> Pose:
+            z_axis = world.pose(self.thing).z_axis
+            lean = math.atan2(z_axis @ self.left, z_axis[2])
+            return carried(self.tilted(lean + float(np.clip(angle - lean, -lead, lead))))
+
+        return target

@@ -1,0 +1,50 @@
+"""Close drawer: push the open top drawer of a cabinet shut by its handle (paper, level 1, "Close").
+
+Ported from: config/level1_close_drawer.yaml, tasks/openclose_task.py,
+controllers/close_controller.py.
+"""
+
+import math
+
+from labutopia_lerobot.labware.cabinet import Cabinet
+from labutopia_lerobot.layout import OnBench
+from labutopia_lerobot.predicates import clear_of, closed, collided, grasped, less_open, opened
+from labutopia_lerobot.skills.close import Close
+from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.views import DOOR_VIEW
+
+AJAR = 0.15  # original: the handle travels by more than 0.13 m; pushed until 0.15 m
+BEGUN = AJAR - 0.005  # ours: further than a grip jolts a drawer
+YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
+
+
+def close_drawer() -> Task:
+    """Return the task."""
+    cabinet = Cabinet("cabinet", ajar=AJAR)
+    drawer = cabinet.top_drawer
+    return Task(
+        instruction="Close the top drawer of the cabinet.",
+        paraphrases=(
+            "Take the open drawer by its handle and push it shut.",
+            "Push the uppermost drawer back into the cabinet.",
+        ),
+        # Original: these x and y, no yaw.
+        start={cabinet: OnBench(x=(0.68, 0.78), y=(-0.05, 0.05), yaw=(-YAW, YAW))},
+        expert=(Close(drawer),),
+        substeps=(
+            Substep("gripped", (grasped(drawer.handle), opened(drawer, to=BEGUN))),
+            Substep(
+                "closed",
+                via=(less_open(drawer, than=BEGUN),),
+                keeping=(grasped(drawer.handle),),  # paper: "without slipping"
+                when=(closed(drawer),),
+            ),
+        ),
+        goal=(
+            closed(drawer),  # paper: "with no gaps"
+            clear_of(drawer.handle, by=0.04),  # original: gripper to handle more than 0.04 m
+        ),
+        never={"collided": collided(cabinet, sparing=drawer.handle)},
+        time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
+        view=DOOR_VIEW,
+    )

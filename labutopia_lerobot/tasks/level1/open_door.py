@@ -1,0 +1,50 @@
+"""Open door: pull the door of a drying oven open by its handle (paper, level 1, "Open Door").
+
+Ported from: config/level1_open_door.yaml, tasks/openclose_task.py,
+controllers/open_controller.py.
+"""
+
+import math
+
+from labutopia_lerobot.labware.drying_oven import DryingOven
+from labutopia_lerobot.layout import OnBench
+from labutopia_lerobot.predicates import clear_of, collided, grasped, less_open, opened
+from labutopia_lerobot.skills.open import Open
+from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.views import DOOR_VIEW
+
+OPEN_TO = math.radians(50)  # original: the arc that its expert pulls the door along
+BEGUN = math.radians(2)  # ours: further than a grip jolts a door
+YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
+
+
+def open_door() -> Task:
+    """Return the task."""
+    oven = DryingOven("oven")
+    door = oven.door
+    return Task(
+        instruction="Open the door of the drying oven.",
+        paraphrases=(
+            "Pull the drying oven's door open by its handle.",
+            "Take the handle of the oven and swing its door open.",
+        ),
+        # Original: these x and y, no yaw.
+        start={oven: OnBench(x=(0.70, 0.80), y=(0.05, 0.15), yaw=(-YAW, YAW))},
+        expert=(Open(door, to=math.radians(55)),),
+        substeps=(
+            Substep("gripped", (grasped(door.handle), less_open(door, than=BEGUN))),
+            Substep(
+                "opened",
+                via=(opened(door, to=BEGUN),),
+                keeping=(grasped(door.handle),),  # paper: "without slipping"
+                when=(opened(door, to=OPEN_TO),),
+            ),
+        ),
+        goal=(
+            opened(door, to=OPEN_TO),  # paper: "remaining open at the target angle"
+            clear_of(door.handle, by=0.04),  # original: gripper to handle more than 0.04 m
+        ),
+        never={"collided": collided(oven, sparing=door.handle)},
+        time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
+        view=DOOR_VIEW,
+    )

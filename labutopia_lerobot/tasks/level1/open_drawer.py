@@ -1,0 +1,50 @@
+"""Open drawer: pull the top drawer of a cabinet open by its handle (paper, level 1, "Open").
+
+Ported from: config/level1_open_drawer.yaml, tasks/openclose_task.py,
+controllers/open_controller.py.
+"""
+
+import math
+
+from labutopia_lerobot.labware.cabinet import Cabinet
+from labutopia_lerobot.layout import OnBench
+from labutopia_lerobot.predicates import clear_of, collided, grasped, less_open, opened
+from labutopia_lerobot.skills.open import Open
+from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.views import DOOR_VIEW
+
+OPEN_TO = 0.13  # original: handle moved by more than 0.13 m
+BEGUN = 0.005  # ours: further than a grip jolts a drawer
+YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
+
+
+def open_drawer() -> Task:
+    """Return the task."""
+    cabinet = Cabinet("cabinet")
+    drawer = cabinet.top_drawer
+    return Task(
+        instruction="Open the top drawer of the cabinet.",
+        paraphrases=(
+            "Pull the uppermost drawer out by its handle.",
+            "Take the handle of the top drawer and pull it open.",
+        ),
+        # Original: these x and y, no yaw.
+        start={cabinet: OnBench(x=(0.70, 0.77), y=(-0.05, 0.05), yaw=(-YAW, YAW))},
+        expert=(Open(drawer, to=0.15),),
+        substeps=(
+            Substep("gripped", (grasped(drawer.handle), less_open(drawer, than=BEGUN))),
+            Substep(
+                "opened",
+                via=(opened(drawer, to=BEGUN),),
+                keeping=(grasped(drawer.handle),),  # paper: "without slipping"
+                when=(opened(drawer, to=OPEN_TO),),
+            ),
+        ),
+        goal=(
+            opened(drawer, to=OPEN_TO),
+            clear_of(drawer.handle, by=0.04),  # original: gripper to handle more than 0.04 m
+        ),
+        never={"collided": collided(cabinet, sparing=drawer.handle)},
+        time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
+        view=DOOR_VIEW,
+    )

@@ -1,0 +1,218 @@
+"""Adversarial cases of opening and closing, played in the real simulation: nearly is not enough."""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.skills.close import Close
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.skills.handle import Operable, move_by_handle
+from labutopia_lerobot.skills.open import Open
+from labutopia_lerobot.skills.skill import Phase, Skill, arrived, waited
+from labutopia_lerobot.world import Pose
+
+OPENING = ("level1/open_door", "level1/open_drawer")
+CLOSING = ("level1/close_door", "level1/close_drawer")
+
+
+@pytest.fixture(scope="module")
+def envs() -> Callable[[str], LabEnv]:
+    made: dict[str, LabEnv] = {}
+    return lambda task: made.setdefault(task, LabEnv(task, obs="state"))
+
+
+def part_of(env: LabEnv) -> Operable:
+    return env.definition.expert[0].part
+
+
+def play(env: LabEnv, *skills: Skill, spoil=lambda expert, action: action):
+    """Play skills, by default the expert's, with their actions spoilt; return the last info."""
+    env.reset(seed=5)
+    expert = Expert(skills or env.definition.expert, env.world, env.motion)
+    expert.start()
+    over = False
+    while not over:
+        _, _, terminated, truncated, info = env.step(spoil(expert, expert.act()))
+        over = terminated or truncated
+    return info
+
+
+@dataclass(frozen=True)
+class MoveTo:
+    """Move a door or drawer by its handle to a position of its joint, wherever that is."""
+
+    part: Operable
+    to: float
+
+    def phases(self, world) -> Iterator[Phase]:
+        near = 0.02 * abs(self.to - world.joint(self.part.joint))
+        yield from move_by_handle(
+            self.part, world, self.to, lambda w, *_: abs(w.joint(self.part.joint) - self.to) < near
+        )
+
+
+@dataclass(frozen=True)
+class Push:
+    """Push a closed fist against the handle, along the way of the door or drawer."""
+
+    part: Operable
+
+    def phases(self, world) -> Iterator[Phase]:
+        bar = frozenset({self.part.handle.name})
+        approach = next(move_by_handle(self.part, world, 0.0, waited(0.0)))
+        yield replace(approach, opening=0.0)
+        near = world.gripper.advanced(0.083)
+        yield Phase("touch", lambda w: near, 0.0, arrived(0.005), touches=bar)
+        fist = world.frame(self.part.handle.name).inverse() @ near
+
+        def onward(world) -> Pose:
+            return self.part.carried(world.frame(self.part.handle.name) @ fist, world, -0.1)
+
+        yield Phase("push", onward, 0.0, waited(5.0), touches=bar)
+
+
+@dataclass(frozen=True)
+class Ram:
+    """Drive the hand into the front, beyond the end of the bar."""
+
+    part: Operable
+    bodies: frozenset[str]
+
+    def phases(self, world) -> Iterator[Phase]:
+        yield next(move_by_handle(self.part, world, 0.0, waited(0.0)))
+        bar = world.frame(self.part.handle.name)
+        spot = bar.position_w + 0.14 * bar.z_axis + 0.08 * bar.x_axis
+        beside = Pose(spot, world.gripper.rotation_w)
+        yield Phase("ram", lambda w: beside, 0.05, waited(5.0), touches=self.bodies)
+
+
+@dataclass(frozen=True)
+class Only:
+    """Some of the phases of a skill."""
+
+    skill: Skill
+    names: tuple[str, ...]
+
+    def phases(self, world) -> Iterator[Phase]:
+        return (phase for phase in self.skill.phases(world) if phase.name in self.names)
+
+
+def let_go_half_way(env: LabEnv):
+    """Return a spoiler that opens the fingers once the joint is half-way to where it should be."""
+    joint = part_of(env).joint
+    start = env.world.joint(joint)
+    skill = env.definition.expert[0]
+    half = (start + getattr(skill, "to", 0.0)) / 2
+
+    def spoil(expert, action):
+        if expert.label.endswith("/move") and (env.world.joint(joint) - half) * (start - half) < 0:
+            action[-1] = 0.05
+        return action
+
+    return spoil
+
+
+@pytest.mark.parametrize("task", [*OPENING, *CLOSING, "level2/operate_drawer"])
+def test_the_unspoilt_expert_succeeds(envs, task):
+    assert play(envs(task))["outcome"] == "success"
+
+
+@pytest.mark.parametrize(("task", "short"), [(OPENING[0], math.radians(48)), (OPENING[1], 0.12)])
+def test_not_quite_open_is_not_open(envs, task, short):
+    env = envs(task)
+    info = play(env, MoveTo(part_of(env), short))
+    assert info["outcome"] == "interrupted"  # let go too early
+    assert np.isfinite(info["substeps"]["gripped"])
+    assert not np.isfinite(info["substeps"]["opened"])
+
+
+@pytest.mark.parametrize(("task", "gap"), [(CLOSING[0], math.radians(1)), (CLOSING[1], 0.004)])
+def test_left_ajar_is_not_closed(envs, task, gap):
+    env = envs(task)
+    info = play(env, MoveTo(part_of(env), gap))
+    assert info["outcome"] == "interrupted"  # let go too early
+    assert np.isfinite(info["substeps"]["gripped"])
+    assert not np.isfinite(info["substeps"]["closed"])
+
+
+@pytest.mark.parametrize("task", CLOSING)
+def test_what_something_else_shut_cannot_be_closed_any_more(envs, task):
+    env = envs(task)
+    part = part_of(env)
+
+    def knocked(expert, action):
+        if env.world.time < 1.0:
+            env.simulation.data.joint(part.joint).qvel = -1.0
+        return action
+
+    info = play(env, spoil=knocked)
+    assert env.world.joint(part.joint) < part.closed_within
+    assert info["outcome"] == "timeout"
+    assert not np.isfinite(info["substeps"]["gripped"])
+
+
+def test_a_door_pushed_shut_with_a_fist_has_not_been_gripped(envs):
+    env = envs("level1/close_door")
+    part = part_of(env)
+    info = play(env, Push(part))
+    assert env.world.joint(part.joint) < part.closed_within
+    assert info["outcome"] == "timeout"
+    assert not np.isfinite(info["substeps"]["gripped"])
+
+
+@pytest.mark.parametrize("task", [*OPENING, *CLOSING])
+def test_a_grip_that_is_lost_half_way_ends_the_episode(envs, task):
+    env = envs(task)
+    env.reset(seed=5)
+    info = play(env, spoil=let_go_half_way(env))
+    assert info["outcome"] in ("interrupted", "collided")
+    assert np.isfinite(info["substeps"]["gripped"])
+
+
+@pytest.mark.parametrize("task", [*OPENING, *CLOSING])
+def test_a_hand_that_stays_around_the_handle_has_not_finished(envs, task):
+    env = envs(task)
+    until = ("approach", "reach", "settle", "grip", "move", "pause", "release")
+    info = play(env, Only(env.definition.expert[0], until))
+    assert info["outcome"] == "timeout"
+    assert all(np.isfinite(time) for time in info["substeps"].values())
+    assert not info["ever_success"]
+
+
+@pytest.mark.parametrize("task", OPENING)
+def test_what_is_closed_again_at_once_does_not_stay_open(envs, task):
+    env = envs(task)
+    part = part_of(env)
+    info = play(env, *env.definition.expert, Close(part))
+    assert info["ever_success"]
+    assert info["outcome"] == "timeout"
+
+
+@pytest.mark.parametrize("task", [*OPENING, *CLOSING])
+def test_the_hand_may_not_touch_anything_but_the_handle(envs, task):
+    env = envs(task)
+    (instrument,) = env.definition.start
+    assert play(env, Ram(part_of(env), instrument.bodies))["outcome"] == "collided"
+
+
+def test_a_drawer_that_is_only_opened_has_not_been_operated(envs):
+    env = envs("level2/operate_drawer")
+    info = play(env, Open(part_of(env), to=0.15))
+    assert info["outcome"] == "timeout"
+    assert np.isfinite(info["substeps"]["released"])
+    assert not np.isfinite(info["substeps"]["gripped_again"])
+
+
+def test_a_drawer_moved_out_and_in_without_letting_go_has_not_been_operated(envs):
+    env = envs("level2/operate_drawer")
+    part = part_of(env)
+    out = Only(Open(part, to=0.15), ("approach", "reach", "settle", "grip", "move", "pause"))
+    back = Only(Close(part), ("move", "pause", "release", "leave"))
+    info = play(env, out, back)
+    assert info["outcome"] == "timeout"
+    assert env.world.joint(part.joint) < part.closed_within
+    assert not np.isfinite(info["substeps"]["released"])

@@ -1,0 +1,146 @@
+"""Adversarial cases of `level2/heat_beaker`, played in the real simulation."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.places import OnTop
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.skills.pick import Pick
+from labutopia_lerobot.skills.place import Place
+from labutopia_lerobot.skills.press import Press
+from labutopia_lerobot.skills.skill import Phase, arrived, waited
+
+
+@pytest.fixture(scope="module")
+def env() -> LabEnv:
+    return LabEnv("level2/heat_beaker", obs="state")
+
+
+@dataclass(frozen=True)
+class OffCentre(OnTop):
+    """A place to the left of the middle of a thing's top [m]."""
+
+    left: float = 0.0
+
+    def position_w(self, world):
+        return super().position_w(world) + self.left * world.pose(self.of).y_axis
+
+
+@dataclass(frozen=True)
+class Strike:
+    """Move the hand level from its place to a thing's lip and on, whatever it touches."""
+
+    thing: object
+    touches: frozenset[str]
+
+    def phases(self, world):
+        lip = world.frame(f"{self.thing.name}_rim").position_w
+        here = world.gripper
+        start = here.moved(z=lip[2] + 0.005 - here.position_w[2])
+        there = start.moved(*(1.3 * (lip - start.position_w) * (1, 1, 0)))
+        yield Phase("rise", lambda w: start, 0.0, arrived(within=0.01), self.touches)
+        yield Phase("strike", lambda w: there, 0.0, waited(2.0), self.touches)
+
+
+def play(env: LabEnv, *skills, spoil=None):
+    """Play skills with their actions spoilt; return the last info."""
+    expert = Expert(skills, env.world, env.motion)
+    expert.start()
+    over = False
+    while not over:
+        action = expert.act()
+        if spoil is not None:
+            spoil(expert, action)
+        _, _, terminated, truncated, info = env.step(action)
+        over = terminated or truncated
+    return info
+
+
+def start(env: LabEnv):
+    env.reset(seed=5)
+    return tuple(env.definition.start)
+
+
+def test_the_unspoilt_expert_succeeds_and_the_lamp_is_lit(env):
+    beaker, heater = start(env)
+    info = play(env, *env.definition.expert)
+    assert info["outcome"] == "success"
+    lamp = env.simulation.scene.model.geom(heater.switch.lamp)
+    assert np.allclose(lamp.rgba, heater.switch.lit)
+
+
+def test_a_beaker_carried_nineteen_centimetres_high_is_not_picked(env):
+    beaker, heater = start(env)
+    place, press = Place(beaker, OnTop(heater), hover=0.02), Press(heater.button, hold=0.3)
+    info = play(env, Pick(beaker, lift=0.19), place, press)
+    assert info["outcome"] == "timeout"
+    assert env.world.switched_on(heater.switch.name)
+    assert info["substeps"]["lifted"] == np.inf
+
+
+def test_a_button_that_is_half_way_in_switches_nothing_on(env):
+    beaker, heater = start(env)
+    pick, place, _ = env.definition.expert
+    info = play(env, pick, place, Press(heater.button, hold=0.3, beyond=-0.001))
+    assert info["outcome"] == "timeout"
+    assert np.isfinite(info["substeps"]["placed"])
+    assert info["substeps"]["pressed"] == np.inf
+
+
+def test_a_heater_switched_on_before_the_beaker_comes_does_not_count(env):
+    beaker, heater = start(env)
+    pick, place, press = env.definition.expert
+    info = play(env, press, pick, place)
+    assert info["outcome"] == "timeout"
+    assert env.world.switched_on(heater.switch.name)
+    assert not info["ever_success"]
+
+
+def test_a_button_pressed_twice_switches_the_heater_off_again(env):
+    beaker, heater = start(env)
+    pick, place, press = env.definition.expert
+    info = play(env, pick, place, press, press)
+    assert info["outcome"] == "timeout"
+    assert not info["facts"]["heater_switch on"]
+
+
+def test_a_finger_that_stays_on_the_button_is_not_gone(env):
+    beaker, heater = start(env)
+    pick, place, _ = env.definition.expert
+    info = play(env, pick, place, Press(heater.button, hold=60.0))
+    assert info["outcome"] == "timeout"
+    assert np.isfinite(info["substeps"]["pressed"])
+    assert not info["ever_success"]
+
+
+def test_a_beaker_that_overhangs_the_plate_is_not_on_it(env):
+    beaker, heater = start(env)
+    pick, _, press = env.definition.expert
+    info = play(env, pick, Place(beaker, OffCentre(heater, left=0.056)), press)
+    assert info["outcome"] == "timeout"
+    assert env.world.switched_on(heater.switch.name)
+    assert info["substeps"]["placed"] == np.inf
+
+
+def test_a_beaker_struck_at_its_lip_is_knocked_over(env):
+    beaker, heater = start(env)
+    everything = frozenset({beaker.name, "bench"}) | heater.bodies
+    pick, place, press = env.definition.expert
+    info = play(env, pick, place, press, Strike(beaker, everything))
+    assert np.isfinite(info["substeps"]["pressed"])
+    assert info["outcome"] == "knocked_over"
+
+
+def test_a_hand_on_the_plate_has_collided(env):
+    beaker, heater = start(env)
+
+    def bow(expert, action):
+        if expert.label == "place/done":
+            action[5] += 0.6
+
+    pick, *_ = env.definition.expert
+    info = play(env, pick, Place(beaker, OnTop(heater), retreat=0.03), spoil=bow)
+    assert info["outcome"] == "collided"

@@ -1,0 +1,116 @@
+"""Adversarial cases of pouring, played in the real simulation: nearly is not enough."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.places import OverBench
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.skills.pick import OPEN, Pick
+from labutopia_lerobot.skills.shake import Shake
+
+
+@pytest.fixture(scope="module")
+def env() -> LabEnv:
+    return LabEnv("level1/pour", obs="state")
+
+
+@pytest.fixture(scope="module")
+def whole() -> LabEnv:
+    return LabEnv("level2/pour_liquid", obs="state")
+
+
+def play(env: LabEnv, *skills, spoil: Callable[[Expert, np.ndarray], None] | None = None):
+    """Play skills from a reset, with their actions spoilt; return the last info."""
+    env.reset(seed=5)
+    expert = Expert(skills, env.world, env.motion)
+    expert.start()
+    over = False
+    while not over:
+        action = expert.act()
+        if spoil is not None:
+            spoil(expert, action)
+        _, _, terminated, truncated, info = env.step(action)
+        over = terminated or truncated
+    return info
+
+
+def test_the_unspoilt_skill_succeeds(env):
+    assert play(env, *env.definition.expert)["outcome"] == "success"
+
+
+def test_a_beaker_tilted_to_the_level_has_not_been_poured_out(env):
+    (pour,) = env.definition.expert
+    info = play(env, replace(pour, angle=math.radians(90)))
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["poured"] == np.inf
+
+
+def test_a_beaker_tilted_beside_the_other_spills(env):
+    beaker, _ = env.definition.start
+    away = OverBench("away", ahead=0.65, left=0.1, height=0.25)
+    info = play(env, Shake(beaker, at=away, angle=math.radians(60), cycles=1))
+    assert info["outcome"] == "spilled"
+
+
+def test_a_beaker_left_tilted_is_not_upright_again(env):
+    (pour,) = env.definition.expert
+    info = play(env, replace(pour, pause_s=60.0))
+    assert info["outcome"] == "timeout"
+    assert np.isfinite(info["substeps"]["poured"])
+    assert info["substeps"]["righted"] == np.inf
+
+
+def test_a_beaker_held_aslant_afterwards_is_not_upright(env):
+    def slant(expert, action):
+        if expert.label == "pour/stabilise":
+            action[6] += 0.26
+
+    (pour,) = env.definition.expert
+    info = play(env, replace(pour, drop=0.2), spoil=slant)  # high enough to clear the other
+    assert info["outcome"] == "timeout"
+    assert np.isfinite(info["substeps"]["poured"])
+    assert not info["facts"]["beaker upright within 10 deg"]
+
+
+def test_a_beaker_let_go_afterwards_is_dropped(env):
+    def let_go(expert, action):
+        if expert.label == "pour/tilt_back" and env.world.pose(beaker).tilt < 0.3:
+            action[-1] = OPEN
+
+    beaker, _ = env.definition.start
+    assert play(env, *env.definition.expert, spoil=let_go)["outcome"] in {"dropped", "collided"}
+
+
+def test_a_target_that_is_run_into_has_been_struck(env):
+    def lean_on(expert, action):
+        if expert.label == "pour/ready":
+            action[1] += 0.3
+
+    info = play(env, *env.definition.expert, spoil=lean_on)
+    assert info["outcome"] == "collided"
+
+
+def test_a_beaker_lifted_nineteen_centimetres_is_not_picked(whole):
+    pick, *rest = whole.definition.expert
+    info = play(whole, Pick(pick.thing, lift=0.19), *rest)
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["gripped"] > 0
+    assert info["substeps"]["lifted"] == np.inf
+
+
+def test_a_beaker_that_stays_in_the_hand_has_not_been_set_down(whole):
+    pick, _, place = whole.definition.expert
+
+    def keep_shut(expert, action):
+        if expert.label.startswith("place"):
+            action[-1] = pick.thing.grip_width - pick.squeeze
+
+    info = play(whole, *whole.definition.expert[:2], replace(place, retreat=0.0), spoil=keep_shut)
+    assert info["outcome"] == "timeout"
+    assert info["facts"]["beaker standing on bench"]
+    assert info["substeps"]["released"] == np.inf

@@ -1,0 +1,120 @@
+"""Adversarial cases of shaking, played in the real simulation: nearly is not enough."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.skills.pick import OPEN, Pick
+from labutopia_lerobot.skills.shake import Shake
+
+
+@pytest.fixture(scope="module")
+def env() -> LabEnv:
+    return LabEnv("level1/shake", obs="state")
+
+
+def play(env: LabEnv, *skills, spoil: Callable[[Expert, np.ndarray], None] | None = None):
+    """Play skills from a reset, with their actions spoilt; return the last info."""
+    env.reset(seed=5)
+    expert = Expert(skills, env.world, env.motion)
+    expert.start()
+    over = False
+    while not over:
+        action = expert.act()
+        if spoil is not None:
+            spoil(expert, action)
+        _, _, terminated, truncated, info = env.step(action)
+        over = terminated or truncated
+    return info
+
+
+def shake(env: LabEnv) -> Shake:
+    return env.definition.expert[-1]
+
+
+def test_the_unspoilt_skill_succeeds(env):
+    assert play(env, shake(env))["outcome"] == "success"
+
+
+def test_two_cycles_are_not_three(env):
+    info = play(env, replace(shake(env), cycles=2))
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["shaken"] == np.inf
+
+
+def test_tilts_of_twelve_degrees_do_not_count(env):
+    info = play(env, replace(shake(env), angle=math.radians(12)))
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["shaken"] == np.inf
+
+
+def test_tilts_to_one_side_only_do_not_count(env):
+    def only_left(expert, action):
+        if expert.label == "shake/right":
+            action[6] = upright[-1]
+        elif expert.label == "shake/pause":
+            upright.append(action[6])
+
+    upright: list[float] = []
+    info = play(env, shake(env), spoil=only_left)
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["shaken"] == np.inf
+
+
+def test_a_tilt_of_fifty_degrees_spills(env):
+    assert play(env, replace(shake(env), angle=math.radians(50)))["outcome"] == "spilled"
+
+
+def test_a_beaker_let_go_between_two_tilts_is_no_shake(env):
+    def let_go(expert, action):
+        if expert.label == "shake/right":
+            action[-1] = OPEN
+
+    assert play(env, shake(env), spoil=let_go)["outcome"] in {"interrupted", "dropped"}
+
+
+def test_a_beaker_let_go_after_one_and_a_half_seconds_is_dropped(env):
+    begun: list[float] = []
+
+    def let_go(expert, action):
+        if expert.label == "shake/stabilise":
+            begun.append(env.world.time)
+            if env.world.time - begun[0] > 1.5:
+                action[-1] = OPEN
+
+    info = play(env, shake(env), spoil=let_go)
+    assert info["ever_success"]
+    assert info["outcome"] == "dropped"
+
+
+def test_a_beaker_brought_elsewhere_is_not_back_at_the_start(env):
+    honest = shake(env)
+    elsewhere = replace(honest.at, left=0.1)
+    info = play(env, honest, replace(honest, at=elsewhere, cycles=0))
+    assert info["outcome"] == "timeout"
+    assert np.isfinite(info["substeps"]["returned"])
+    assert info["facts"]["beaker gripped"]
+
+
+def test_a_beaker_held_aslant_at_the_end_is_not_back_at_the_start(env):
+    def slant(expert, action):
+        if expert.label == "shake/stabilise":
+            action[6] += 0.15
+
+    info = play(env, shake(env), spoil=slant)
+    assert info["outcome"] == "timeout"
+    assert not info["facts"]["beaker upright within 5 deg"]
+
+
+def test_a_beaker_lifted_nineteen_centimetres_is_not_picked():
+    env = LabEnv("level2/shake_beaker", obs="state")
+    honest = shake(env)
+    low = replace(honest, at=replace(honest.at, height=0.19))
+    info = play(env, Pick(honest.thing, lift=0.19), low)
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["lifted"] == np.inf
