@@ -62,6 +62,7 @@ def compile_scene(pieces: Iterable[Piece], robot: Robot, view: View) -> Scene:
     # The image buffer of the largest picture that can be asked for.
     spec.visual.global_.offwidth = 1920
     spec.visual.global_.offheight = 1080
+    spec.stat.extent = 1.0  # so that the clipping planes are in metres
     spec.visual.map.znear = 0.01
     spec.visual.map.zfar = 20.0
 

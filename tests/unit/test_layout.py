@@ -54,5 +54,5 @@ def test_a_thing_out_of_reach_is_an_error_that_says_how_far():
 
 
 def test_a_thing_off_the_bench_is_an_error_that_says_where():
-    with pytest.raises(ImpossibleStartError, match="off the bench at x=-0.3"):
+    with pytest.raises(ImpossibleStartError, match=r"off the bench at x=-0\.3"):
         require_possible({LEFT: OnBench(x=(-0.3, 0.1), y=(0.0, 0.0))}, WORKSPACE)
