@@ -5,8 +5,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 PACKAGES := $(VENV)/.packages-installed
 OPENGL := $(VENV)/.opengl-works
-# One file's tests share fixtures such as recorded datasets, so a file stays with one process.
-PYTEST := $(BIN)/pytest --numprocesses=auto --maxprocesses=4 --dist=loadfile
+# Tests that share fixtures, such as recorded datasets, stay in one process (tests/conftest.py).
+PYTEST := $(BIN)/pytest --numprocesses=auto --maxprocesses=4 --dist=loadgroup
 
 DEMO := outputs/demo
 

@@ -137,6 +137,18 @@ def test_the_expert_wins_at_least_nine_of_ten(env):
     assert outcomes.count("success") >= 9, outcomes
 
 
+def test_the_expert_touches_only_what_its_phases_list(env):
+    for seed in range(110, 113):
+        env.reset(seed=seed)
+        script = env.expert()
+        script.start()
+        over = False
+        while not over:
+            _, _, terminated, truncated, _ = env.step(script.act())
+            over = terminated or truncated
+        assert not script.unexpected
+
+
 def test_expert_commands_are_never_clipped_and_sub_steps_latch_in_order(env):
     info = play(env, expert, seed=100)[-1][1]
     assert info["clipped_actions"] == 0

@@ -65,7 +65,7 @@ def start(env: LabEnv):
 
 
 def test_the_unspoilt_expert_succeeds_and_the_lamp_is_lit(env):
-    beaker, heater = start(env)
+    _, heater = start(env)
     info = play(env, *env.definition.expert)
     assert info["outcome"] == "success"
     lamp = env.simulation.scene.model.geom(heater.switch.lamp)
@@ -82,7 +82,7 @@ def test_a_beaker_carried_nineteen_centimetres_high_is_not_picked(env):
 
 
 def test_a_button_that_is_half_way_in_switches_nothing_on(env):
-    beaker, heater = start(env)
+    _, heater = start(env)
     pick, place, _ = env.definition.expert
     info = play(env, pick, place, Press(heater.button, hold=0.3, beyond=-0.001))
     assert info["outcome"] == "timeout"
@@ -91,7 +91,7 @@ def test_a_button_that_is_half_way_in_switches_nothing_on(env):
 
 
 def test_a_heater_switched_on_before_the_beaker_comes_does_not_count(env):
-    beaker, heater = start(env)
+    _, heater = start(env)
     pick, place, press = env.definition.expert
     info = play(env, press, pick, place)
     assert info["outcome"] == "timeout"
@@ -100,7 +100,7 @@ def test_a_heater_switched_on_before_the_beaker_comes_does_not_count(env):
 
 
 def test_a_button_pressed_twice_switches_the_heater_off_again(env):
-    beaker, heater = start(env)
+    start(env)
     pick, place, press = env.definition.expert
     info = play(env, pick, place, press, press)
     assert info["outcome"] == "timeout"
@@ -108,7 +108,7 @@ def test_a_button_pressed_twice_switches_the_heater_off_again(env):
 
 
 def test_a_finger_that_stays_on_the_button_is_not_gone(env):
-    beaker, heater = start(env)
+    _, heater = start(env)
     pick, place, _ = env.definition.expert
     info = play(env, pick, place, Press(heater.button, hold=60.0))
     assert info["outcome"] == "timeout"
