@@ -1,7 +1,7 @@
 """Where things stand at the start of an episode."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
@@ -105,12 +105,54 @@ class OnBench:
     height: tuple[float, float] = (0.0, 0.0)
     shuffled: tuple[str, ...] = ()
 
-    def sample(self, rng: np.random.Generator) -> Placement:
-        """Draw one placement."""
+    def sample(self, rng: np.random.Generator, placed: Mapping[Piece, Placement]) -> Placement:
+        """Draw one placement, wherever other things are."""
         x, y, yaw = (rng.uniform(*bounds) for bounds in (self.x, self.y, self.yaw))
         height = rng.uniform(*self.height)
         places = [self.shuffled[index] for index in rng.permutation(len(self.shuffled))]
         return Placement(x, y, yaw, height, tuple(zip(self.shuffled, places, strict=True)))
+
+
+@dataclass(frozen=True)
+class Inside:
+    """In a place of another thing, such as a rack, wherever that thing stands.
+
+    Attributes:
+        holder: The other thing; it comes earlier in the task's start.
+        at: Origin of the held thing in the holder's frame [m].
+    """
+
+    holder: Piece
+    at: tuple[float, float, float]
+
+    @property
+    def shuffled(self) -> tuple[str, ...]:
+        """Nothing is dealt out."""
+        return ()
+
+    def sample(self, rng: np.random.Generator, placed: Mapping[Piece, Placement]) -> Placement:
+        """Draw one placement: a random yaw in the holder's place.
+
+        Raises:
+            ImpossibleStartError: If the holder has not been placed before.
+        """
+        if self.holder not in placed:
+            raise ImpossibleStartError(
+                f"'{self.holder.name}' holds something: put it into the start, before that"
+            )
+        holder = placed[self.holder]
+        x, y, z = self.at
+        cosine, sine = math.cos(holder.yaw), math.sin(holder.yaw)
+        return Placement(
+            holder.x + cosine * x - sine * y,
+            holder.y + sine * x + cosine * y,
+            rng.uniform(-math.pi, math.pi),
+            holder.height + z,
+        )
+
+
+type Start = OnBench | Inside
+"""Where a thing stands at the start, as a distribution."""
 
 
 @dataclass(frozen=True)
@@ -134,7 +176,7 @@ class ImpossibleStartError(UserError, ValueError):
     """A start that cannot be; the message names the things and their regions."""
 
 
-def require_possible(start: Mapping[Piece, OnBench], workspace: Workspace) -> None:
+def require_possible(start: Mapping[Piece, Start], workspace: Workspace) -> None:
     """Make sure, before anything is compiled, that things can stand where a task wants them.
 
     Everything must be on the bench, what the robot is to move must be within its reach, and some
@@ -143,7 +185,9 @@ def require_possible(start: Mapping[Piece, OnBench], workspace: Workspace) -> No
     Raises:
         ImpossibleStartError: If that is not so.
     """
-    for piece, region in start.items():
+    sample_layout(start, np.random.default_rng(0))
+    for piece in start:
+        region = _region_on_bench(piece, start)
         corners = [(x, y) for x in region.x for y in region.y]
         for x, y in corners:
             on_bench = (
@@ -160,20 +204,20 @@ def require_possible(start: Mapping[Piece, OnBench], workspace: Workspace) -> No
                     f"{piece.name} would be out of reach at x={x:g}, y={y:g}: {region}. That is "
                     f"{distance:.2f} m from the robot, whose hand gets {workspace.reach:g} m far"
                 )
-    sample_layout(start, np.random.default_rng(0))
 
 
-def sample_layout(
-    start: Mapping[Piece, OnBench], rng: np.random.Generator
-) -> dict[Piece, Placement]:
-    """Draw a placement for every thing so that no two are nearer than `CLEARANCE`.
+def sample_layout(start: Mapping[Piece, Start], rng: np.random.Generator) -> dict[Piece, Placement]:
+    """Draw a placement for every thing so that no two on the bench are nearer than `CLEARANCE`.
 
     Raises:
         ImpossibleStartError: If no such layout is found, naming the things and their regions.
     """
+    on_bench = [piece for piece, region in start.items() if not isinstance(region, Inside)]
     for _ in range(_TRIES):
-        layout = {piece: region.sample(rng) for piece, region in start.items()}
-        if not _overlapping(layout):
+        layout: dict[Piece, Placement] = {}
+        for piece, region in start.items():
+            layout[piece] = region.sample(rng, layout)
+        if not _overlapping(on_bench, layout):
             return layout
     regions = "; ".join(f"{piece.name}: {region}" for piece, region in start.items())
     raise ImpossibleStartError(
@@ -181,8 +225,14 @@ def sample_layout(
     )
 
 
-def _overlapping(layout: Mapping[Piece, Placement]) -> bool:
-    placed = list(layout.items())
+def _region_on_bench(piece: Piece, start: Mapping[Piece, Start]) -> OnBench:
+    """Return where a thing, or what holds it, stands."""
+    region = start[piece]
+    return _region_on_bench(region.holder, start) if isinstance(region, Inside) else region
+
+
+def _overlapping(pieces: Sequence[Piece], layout: Mapping[Piece, Placement]) -> bool:
+    placed = [(piece, layout[piece]) for piece in pieces]
     return any(
         math.hypot(a.x - b.x, a.y - b.y)
         < first.footprint_radius + second.footprint_radius + CLEARANCE

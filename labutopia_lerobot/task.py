@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from labutopia_lerobot.layout import OnBench, Piece
+from labutopia_lerobot.layout import Piece, Start
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.views import VESSEL_VIEW, View
@@ -54,7 +54,7 @@ class Task:
     """
 
     instruction: str
-    start: Mapping[Piece, OnBench]
+    start: Mapping[Piece, Start]
     expert: tuple[Skill, ...]
     substeps: tuple[Substep, ...]
     goal: tuple[Predicate, ...]

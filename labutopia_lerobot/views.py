@@ -46,6 +46,13 @@ WIDE_VESSEL_VIEW = View(
 )
 """The same from a focal length of 5, as in the original's tasks with two things side by side."""
 
+WIDEST_VESSEL_VIEW = View(
+    front=CameraPose((2.0, 0.0, 2.0), (-0.866, 0.0, -0.45), _UP, 30.0),
+    top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 38.0),
+)
+"""The same from a focal length of 4, as in the original's stirring tasks; the camera in front looks
+2 degrees higher, for the hand of a lifted rod."""
+
 DOOR_VIEW = View(
     front=CameraPose((-0.7, 1.4, 1.4), (0.548, -0.807, -0.222), _UP, 55.3),
     top=CameraPose((-1.0, -0.1, 3.6), (0.423, 0.0, -0.906), _FORWARD, 29.3),

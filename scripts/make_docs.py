@@ -15,6 +15,7 @@ from PIL import Image
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.result import RESULT
+from labutopia_lerobot.layout import Inside
 from labutopia_lerobot.registry import load_task, task_files
 
 ROOT = Path(__file__).parents[1]
@@ -50,6 +51,7 @@ def main() -> None:
     _, _, after = rest.partition(END)
     table = "\n".join(task_table(summaries))
     (ROOT / "README.md").write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
+    (DOCS / "starts.md").write_text("\n".join(start_table()) + "\n")
     (DOCS / "failures.md").write_text("\n".join(failure_table(summaries)) + "\n")
 
 
@@ -85,6 +87,31 @@ def task_table(summaries: dict[str, dict[str, Any]]) -> list[str]:
                 f"{line['mean_seconds_to_success']:.1f} s",
             ]
         lines.append(f"| `{task_id}` | {instruction} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def start_table() -> list[str]:
+    """Return where everything starts, in Markdown."""
+    lines = [
+        "# Where things start",
+        "",
+        "Uniform over these ranges, world frame; the robot stands at x = -0.4 m and looks along",
+        "x. What stands free is spread over the paper's 15 cm x 15 cm and turned by any yaw.",
+        "Narrower: instruments stand where the original's do, over its ranges, and turn by a few",
+        "degrees only, since further round the arm could not take their handles and buttons.",
+        "",
+        "| task | thing | x [m] | y [m] | yaw [deg] |",
+        "| --- | --- | --- | --- | --- |",
+    ]
+    for task_id in task_files():
+        for piece, region in load_task(task_id).start.items():
+            if isinstance(region, Inside):
+                lines.append(f"| `{task_id}` | {piece.name} | in {region.holder.name} | | any |")
+                continue
+            x, y = (f"{low:.2f} to {high:.2f}" for low, high in (region.x, region.y))
+            low, high = np.degrees(region.yaw)
+            cells = (f"`{task_id}`", piece.name, x, y, f"{low:.0f} to {high:.0f}")
+            lines.append(f"| {' | '.join(cells)} |")
     return lines
 
 

@@ -14,14 +14,14 @@ _ROLL = math.radians(45.0)
 """How far the front leans back, and a pressing hand to the right about its own axis [rad].
 
 A Panda cannot point a level hand straight ahead (joint 6 ends at 3.75 rad). Like this, on a panel
-turned by 15 to 35 degrees to face the robot's left, its joints stay an eighth of their range from
-their ends wherever a button is in `level1/press`.
+turned by 15 to 35 degrees to face the robot's left, its joints stay 12 % of their range from their
+ends over 100 starts of `level1/press`.
 """
 
 _WIDTH, _HEIGHT, _DEPTH = 0.36, 0.13, 0.05
 """Size of the box behind the front [m]."""
 _SPACING = 0.12
-"""Between two buttons [m]; more than the 0.10 m between those of the original at least."""
+"""Between two buttons [m] (original: 0.05 to 0.29, drawn one by one)."""
 _POST_RADIUS, _POST_LENGTH = 0.018, 0.50
 """Of the post, which goes down through the bench top, whatever the panel's height [m]."""
 
@@ -31,6 +31,7 @@ _COLORS = {
     "blue": (0.08, 0.25, 0.70, 1.0),
 }
 _SLOTS = (-_SPACING, 0.0, _SPACING)
+_LEANING: Quaternion = (math.cos(_SLANT / 2), 0.0, math.sin(_SLANT / 2), 0.0)
 _SINE, _COSINE = (half(_ROLL / 2) * math.sqrt(0.5) for half in (math.sin, math.cos))
 _INTO_FRONT: Quaternion = (-_SINE, _COSINE, -_SINE, _COSINE)
 """z along the head's x, into the front; x up along the front, then turned by the roll."""
@@ -105,7 +106,7 @@ class ButtonPanel:
             f"{self.name}_metal",
             shape=CYLINDER,
         )
-        head = body.add_body(name=self.head, quat=(math.cos(_SLANT / 2), 0, math.sin(_SLANT / 2), 0))
+        head = body.add_body(name=self.head, quat=_LEANING)
         size = (_DEPTH / 2, _WIDTH / 2, _HEIGHT / 2)
         add_part(head, f"{self.name}_box", size, (_DEPTH / 2, 0, 0), f"{self.name}_shell")
         plate = (0.001, _WIDTH / 2 - 0.008, _HEIGHT / 2 - 0.008)

@@ -19,7 +19,9 @@ from labutopia_lerobot.predicates.openables import (
 )
 from labutopia_lerobot.predicates.placing import near, released, standing_on, struck, withdrawn
 from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.stirring import dipped, moving, off_axis, on_side, over_mouth
 from labutopia_lerobot.predicates.tilting import (
+    Pourable,
     lip_over,
     spilled,
     tilted,
@@ -36,11 +38,13 @@ from labutopia_lerobot.predicates.vessels import (
 )
 
 __all__ = [
+    "Pourable",
     "Predicate",
     "aligned",
     "clear_of",
     "closed",
     "collided",
+    "dipped",
     "falling",
     "fingered",
     "fingers_clear_of",
@@ -50,8 +54,12 @@ __all__ = [
     "less_open",
     "lifted",
     "lip_over",
+    "moving",
     "near",
+    "off_axis",
+    "on_side",
     "opened",
+    "over_mouth",
     "pressed",
     "pushed",
     "released",

@@ -12,6 +12,11 @@ class Pourable(Thing, Protocol):
     """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
 
     @property
+    def height(self) -> float:
+        """Height of the lip above the base [m]."""
+        ...
+
+    @property
     def mouth_radius(self) -> float:
         """Inner radius of the mouth [m]."""
         ...

@@ -19,13 +19,12 @@ from labutopia_lerobot.world import Pose, World
 _RIGHT, _DOWN = math.radians(25.0), math.radians(20.0)
 """Direction of the hand relative to straight into the door or drawer [rad].
 
-Level and straight ahead, a Panda's wrist cannot reach (see `pick.APPROACH`); like this its joints
-stay a tenth of their range from their ends over all start regions and a turn of the door by 60
-degrees, as random-restart inverse kinematics shows.
+Level and straight ahead, a Panda's wrist cannot reach (see `pick.APPROACH`); like this no joint
+comes nearer to its ends than 8 % of its range, measured over a hundred runs of the four tasks.
 """
 
 _OPENING = 0.05
-"""Distance between the pads around a bar [m]: any wider, the outer finger would touch the door."""
+"""Distance between the pads around a bar [m]: keeps the outer finger 2 cm off the door."""
 _SQUEEZE = 0.012
 """How much narrower than the bar the closed gripper is commanded [m]: the full force."""
 _STANDOFF = 0.10

@@ -7,7 +7,7 @@ from typing import Protocol
 from labutopia_lerobot.predicates import gripped
 from labutopia_lerobot.skills.posture import hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
-from labutopia_lerobot.world import Pose, Thing, World
+from labutopia_lerobot.world import BENCH, Pose, Thing, World
 
 OPEN = 0.08
 """Fully open gripper [m] (Franka Hand data sheet: 80 mm stroke)."""
@@ -34,6 +34,7 @@ class Pick:
     Attributes:
         thing: What to pick up.
         lift: How far to raise it [m].
+        support: What it stands on or in, and touches while it is lifted.
         standoff: Distance from which the last approach starts [m] (original: 0.1, before).
         squeeze: How much narrower than the thing the closed gripper is commanded [m].
         depth: How far beyond the middle of the pads its axis lies [m]; keeps the widest beaker,
@@ -42,6 +43,7 @@ class Pick:
 
     thing: Graspable
     lift: float
+    support: str = BENCH
     standoff: float = 0.10
     hover: float = 0.10
     squeeze: float = 0.012
@@ -50,7 +52,7 @@ class Pick:
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield hover, lower, reach, settle, close, lift and hold."""
         thing = frozenset({self.thing.name})
-        shut = self.thing.grip_width - self.squeeze
+        shut = max(0.0, self.thing.grip_width - self.squeeze)
         held = gripped(self.thing)
         away = arrived(within=0.015, within_rad=0.1)
         there = arrived(within=0.004)
@@ -68,7 +70,7 @@ class Pick:
             timeout_s=2.0,
         )
         raised = here.moved(z=self.lift)
-        carrying = thing | {"bench"}
+        carrying = thing | {self.support}
         yield Phase("lift", lambda w: raised, shut, there, carrying, self.thing, speed=0.2)
         yield Phase("hold", lambda w: raised, shut, waited(0.1), thing, self.thing)
 

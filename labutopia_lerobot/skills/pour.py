@@ -3,28 +3,14 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.predicates import Pourable
 from labutopia_lerobot.skills.posture import UP, hand_at, horizontal, upright_in_hand
 from labutopia_lerobot.skills.skill import Phase, Target, arrived, carrier, waited
-from labutopia_lerobot.world import FloatArray, Pose, Thing, World
-
-
-class Pourable(Thing, Protocol):
-    """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
-
-    @property
-    def height(self) -> float:
-        """Height of the lip above the base [m]."""
-        ...
-
-    @property
-    def mouth_radius(self) -> float:
-        """Inner radius of the mouth [m]."""
-        ...
+from labutopia_lerobot.world import FloatArray, Pose, World
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ def test_things_that_share_a_region_never_overlap():
 def test_placements_fill_their_region():
     region = OnBench(x=(0.2, 0.35), y=(-0.075, 0.075))
     rng = np.random.default_rng(0)
-    drawn = [region.sample(rng) for _ in range(1000)]
+    drawn = [region.sample(rng, {}) for _ in range(1000)]
     for values, (low, high) in (
         ([p.x for p in drawn], region.x),
         ([p.y for p in drawn], region.y),

@@ -1,0 +1,90 @@
+"""Stir in a vessel with the rod in the hand."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+from labutopia_lerobot.skills.posture import UP, upright_in_hand
+from labutopia_lerobot.skills.skill import Phase, Target, arrived, carrier, waited
+from labutopia_lerobot.world import Pose, Thing, World
+
+
+class Stirrable(Thing, Protocol):
+    """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
+
+    @property
+    def height(self) -> float:
+        """Height of the mouth above the base [m]."""
+        ...
+
+    @property
+    def mouth_radius(self) -> float:
+        """Inner radius of the mouth [m]."""
+        ...
+
+
+@dataclass(frozen=True)
+class Stir:
+    """The phases of the paper ("Stir"): lift, go over, insert, circle, retract, hold.
+
+    The tip circles counterclockwise, seen from above, about the axis of the vessel.
+
+    Attributes:
+        rod: What is in the hand; the origin of its frame is its tip.
+        vessel: Where to stir.
+        turns: How often the tip goes round.
+        radius: Radius of the circle as a share of the mouth's (original: 9 mm of 28 mm).
+        turn_s: How long one turn takes [s] (original: 3.5).
+        bottom_gap: Height of the tip above the base of the vessel while stirring [m].
+        rise: How far the rod is lifted at first [m].
+        clearance: Height of the tip above the mouth at the end [m].
+    """
+
+    rod: Thing
+    vessel: Stirrable
+    turns: float = 5.0
+    radius: float = 1 / 3
+    turn_s: float = 2.0
+    bottom_gap: float = 0.02
+    rise: float = 0.02
+    clearance: float = 0.10
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        """Yield lift, over, insert, circle, retract and hold."""
+        rod, shut = self.rod, world.commanded_opening
+        own = frozenset({rod.name})
+        inside = own | {self.vessel.name}  # to the planner a vessel is solid
+        there = arrived(within=0.004)
+        raised = world.gripper.moved(z=self.rise)
+        yield Phase("lift", lambda w: raised, shut, there, own, rod)
+        above = self._tip_at(world, height=world.pose(rod).position_w[2])
+        yield Phase("over", above, shut, there, own, rod)
+        mouth = world.frame(f"{self.vessel.name}_rim").position_w[2]
+        deep = mouth - self.vessel.height + self.bottom_gap
+        yield Phase("insert", self._tip_at(world, deep), shut, there, inside, rod, speed=0.12)
+        circling = self._tip_circling(world, deep)
+        done = waited(self.turns * self.turn_s)
+        timeout_s = 2 * self.turns * self.turn_s
+        yield Phase("circle", circling, shut, done, inside, rod, timeout_s=timeout_s)
+        out = self._tip_at(world, mouth + self.clearance)
+        yield Phase("retract", out, shut, there, inside, rod, speed=0.12)
+        yield Phase("hold", out, shut, waited(0.1), own, rod)
+
+    def _tip_at(self, world: World, height: float) -> Target:
+        """Return the gripper pose with the tip on the vessel's axis, `height` [m] up the world."""
+        point = world.frame(f"{self.vessel.name}_rim").position_w * (1, 1, 0) + height * UP
+        hand = carrier(world, self.rod)(upright_in_hand(world, self.rod, point))
+        return lambda w: hand
+
+    def _tip_circling(self, world: World, height: float) -> Target:
+        """Return the gripper pose with the tip on the circle, which moves on with the time."""
+        middle, began = self._tip_at(world, height)(world), world.time
+        radius = self.radius * self.vessel.mouth_radius
+        ahead, left = radius * world.robot_base.x_axis, radius * world.robot_base.y_axis
+
+        def target(world: World) -> Pose:
+            angle = 2 * math.pi * (world.time - began) / self.turn_s
+            return middle.moved(*(math.cos(angle) * ahead + math.sin(angle) * left))
+
+        return target

@@ -1,0 +1,156 @@
+"""Adversarial cases of stirring, played in the real simulation: nearly is not enough."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.skills.pick import OPEN
+from labutopia_lerobot.skills.stir import Stir
+
+Spoil = Callable[[Expert, np.ndarray], None]
+
+
+@pytest.fixture(scope="module")
+def env() -> LabEnv:
+    return LabEnv("level1/stir", obs="state")
+
+
+@pytest.fixture(scope="module")
+def from_the_rack() -> LabEnv:
+    return LabEnv("level2/stir_glassrod", obs="state")
+
+
+def play(env: LabEnv, *skills, spoil: Spoil | None = None):
+    """Play skills from a reset, with their actions spoilt; return the last info."""
+    env.reset(seed=5)
+    expert = Expert(skills or env.definition.expert, env.world, env.motion)
+    expert.start()
+    over = False
+    while not over:
+        action = expert.act()
+        if spoil is not None:
+            spoil(expert, action)
+        _, _, terminated, truncated, info = env.step(action)
+        over = terminated or truncated
+    return info
+
+
+def stir(env: LabEnv) -> Stir:
+    return env.definition.expert[-1]
+
+
+def after(env: LabEnv, label: str, seconds: float, do: Callable[[np.ndarray], None]) -> Spoil:
+    """Spoil the actions from some time after the beginning of a phase."""
+    begun: list[float] = []
+
+    def spoil(expert, action):
+        if expert.label == label:
+            begun.append(env.world.time)
+        if begun and env.world.time - begun[0] > seconds:
+            do(action)
+
+    return spoil
+
+
+def let_go(action: np.ndarray) -> None:
+    action[-1] = OPEN
+
+
+def test_the_unspoilt_skill_succeeds(env):
+    assert play(env)["outcome"] == "success"
+
+
+def test_four_turns_are_not_five(env):
+    info = play(env, replace(stir(env), turns=4.0))
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["stirred"] == np.inf
+
+
+def test_five_turns_clockwise_do_not_count(env):
+    info = play(env, replace(stir(env), turns=-5.0, turn_s=-2.0))
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["stirred"] == np.inf
+
+
+def test_a_rod_that_turns_about_the_axis_of_the_beaker_does_not_stir(env):
+    info = play(env, replace(stir(env), radius=0.1))
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["stirred"] == np.inf
+
+
+def test_a_rod_that_stops_half_way_is_interrupted(env):
+    stopped: list[np.ndarray] = []
+
+    def stop(action):
+        stopped.append(action.copy())
+        action[:] = stopped[0]
+
+    info = play(env, spoil=after(env, "stir/circle", 5.0, stop))
+    assert info["outcome"] == "interrupted"
+    assert np.isfinite(info["substeps"]["inserted"])
+
+
+def test_a_rod_four_centimetres_deep_is_not_inserted(env):
+    info = play(env, replace(stir(env), bottom_gap=0.05))
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["inserted"] == np.inf
+
+
+def test_a_rod_set_down_on_the_bottom_collides(env):
+    assert play(env, replace(stir(env), bottom_gap=0.0))["outcome"] == "collided"
+
+
+def test_a_rod_that_scrapes_along_the_wall_collides(env):
+    assert play(env, replace(stir(env), radius=0.85))["outcome"] == "collided"
+
+
+def test_a_rod_let_go_in_the_beaker_fails(env):
+    info = play(env, spoil=after(env, "stir/circle", 5.0, let_go))
+    assert info["outcome"] in {"interrupted", "dropped", "collided"}
+
+
+def test_a_rod_four_centimetres_above_the_beaker_is_not_withdrawn(env):
+    info = play(env, replace(stir(env), clearance=0.04))
+    assert info["outcome"] == "timeout"
+    assert np.isfinite(info["substeps"]["stirred"])
+    assert info["substeps"]["withdrawn"] == np.inf
+
+
+def test_a_rod_let_go_after_one_and_a_half_seconds_is_dropped(env):
+    info = play(env, spoil=after(env, "stir/hold", 1.5, let_go))
+    assert info["ever_success"]
+    assert info["outcome"] == "dropped"
+
+
+def test_a_rod_carried_away_from_the_beaker_is_not_held_over_it(env):
+    def aside(action):
+        action[0] += 0.15
+
+    info = play(env, spoil=after(env, "stir/hold", 0.0, aside))
+    assert info["outcome"] == "timeout"
+    assert np.isfinite(info["substeps"]["withdrawn"])
+    assert info["facts"]["glass_rod gripped"]
+
+
+def test_the_unspoilt_skills_succeed_from_the_rack(from_the_rack):
+    assert play(from_the_rack)["outcome"] == "success"
+
+
+def test_a_rod_lifted_nineteen_centimetres_is_not_lifted(from_the_rack):
+    pick, honest = from_the_rack.definition.expert
+    info = play(from_the_rack, replace(pick, lift=0.19), replace(honest, rise=0.0))
+    assert info["outcome"] == "timeout"
+    assert np.isfinite(info["substeps"]["gripped"])
+    assert info["substeps"]["lifted"] == np.inf
+
+
+def test_a_hand_that_comes_too_low_strikes_the_rack(from_the_rack):
+    def low(action):
+        action[1] += 0.15
+
+    info = play(from_the_rack, spoil=after(from_the_rack, "pick/reach", 0.0, low))
+    assert info["outcome"] == "rack_struck"
