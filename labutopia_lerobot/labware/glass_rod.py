@@ -16,8 +16,8 @@ from labutopia_lerobot.labware.vessel import (
 from labutopia_lerobot.layout import Switch
 
 LENGTH = 0.25
-"""Length [m]. Original: 0.2, of which a rack of 0.193 m leaves no room for the fingers. Rods are sold
-from 0.1 to 0.4 m ("Glass rod", Wikipedia)."""
+"""Length [m]. Original: 0.2, too short for fingers above a rack of 0.193 m; rods are usually 0.1 to
+0.4 m long ("Glass rod", Wikipedia)."""
 
 DIAMETER = 0.006
 """Diameter [m] (original; rods of this length are 5 to 7 mm thick)."""

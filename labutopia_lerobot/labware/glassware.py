@@ -1,7 +1,8 @@
-"""Beakers and Erlenmeyer flasks in the sizes of LabUtopia's glassware.
+"""Beakers, flasks and a graduated cylinder in the sizes of LabUtopia's glassware.
 
-Outer dimensions are those of the original's assets. The nominal volume is the largest of the series
-of ISO 3819 (beakers) or ISO 1773 (conical flasks) that fills at most 90 % of the brimful capacity.
+Outer dimensions are those of the original's assets, where on record. The nominal volume of what
+measures roughly is the largest of the series of ISO 3819 (beakers), ISO 1773 (conical flasks) or
+ISO 4788 (graduated cylinders) that fills at most 90 % of the brimful capacity.
 """
 
 from collections.abc import Mapping
@@ -55,6 +56,37 @@ def beaker(name: str, size: str = "250 ml") -> Vessel:
     base, body, lip, height = _look_up(size, _BEAKERS, "beaker")
     outer = ((base - _HEEL, 0.0), (base, _BOTTOM), (body, height - (lip - body)), (lip, height))
     return Vessel(name, Profile(outer, _WALL, _BOTTOM), 0.5 * height)
+
+
+def graduated_cylinder(name: str) -> Vessel:
+    """Return a 250 ml graduated cylinder on a broad glass foot, to be gripped around its tube.
+
+    The original's graduated_cylinder_03: foot of 117 mm, 272 mm high, tube from 38 to 56 mm wide,
+    of which ours has the mean below a lip of the greatest width.
+
+    Args:
+        name: Name of the body; prefix of all its elements.
+    """
+    foot, foot_height, tube, lip, height = 0.0585, 0.012, 0.0235, 0.0280, 0.2720
+    below_lip = (tube, height - (lip - tube))
+    outer = ((foot - _HEEL, 0.0), (foot, _BOTTOM), (tube, foot_height), below_lip, (lip, height))
+    return Vessel(name, Profile(outer, _WALL, bottom=foot_height), 0.5 * height)
+
+
+def volumetric_flask(name: str) -> Vessel:
+    """Return a pear-shaped 250 ml volumetric flask, to be gripped by its neck.
+
+    The original's dimensions are not on record. Ours holds its volume up to a mark in the neck, as
+    ISO 1042 demands, 38 mm above the shoulder.
+
+    Args:
+        name: Name of the body; prefix of all its elements.
+    """
+    base, body, neck, shoulder, height = 0.0270, 0.0375, 0.0095, 0.1000, 0.2200
+    pear = ((body, 0.0220), (body, 0.0460), (neck, shoulder))
+    outer = ((base - _HEEL, 0.0), (base, _BOTTOM), *pear, (neck, height))
+    grip_height = (shoulder + height) / 2
+    return Vessel(name, Profile(outer, _WALL, _BOTTOM), grip_height, one_mark=250e-6)
 
 
 def _look_up[Size](size: str, sizes: Mapping[str, Size], kind: str) -> Size:

@@ -7,7 +7,7 @@ from itertools import pairwise
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.mesh import Mesh, bead, join, revolve
+from labutopia_lerobot.labware.mesh import SEGMENTS, Mesh, bead, join, revolve
 from labutopia_lerobot.labware.profile import MassProperties, Point, Profile
 from labutopia_lerobot.layout import Switch
 
@@ -50,11 +50,13 @@ class Vessel:
         name: Name of the body; prefix of the names of all its elements.
         profile: The wall's half cross-section.
         grip_height: Height above the base at which a gripper closes [m].
+        one_mark: Volume that the only graduation, a ring, marks [m^3]; None for a scale.
     """
 
     name: str
     profile: Profile
     grip_height: float
+    one_mark: float | None = None
 
     @property
     def grip_width(self) -> float:
@@ -168,17 +170,21 @@ class Vessel:
             )
 
     def _scale(self) -> Mesh:
-        """Return the printing as one mesh: graduation marks in front, a label at the back."""
+        """Return the printing as one mesh: the graduation, and a label at the back."""
         profile = self.profile
-        step = next(ml for ml in (10, 20, 25, 50, 100, 200, 500) if self.capacity < 10 * ml)
-        levels = np.arange(step, 0.85 * self.capacity, step) * 1e-6
-        strips = [(profile.fill_height(level), 0.0012, 0.0, 0.5) for level in levels]
+        if self.one_mark is not None:
+            strips = [(profile.fill_height(self.one_mark), 0.0012, 0.0, 2 * np.pi)]
+        else:
+            step = next(ml for ml in (10, 20, 25, 50, 100, 200, 500) if self.capacity < 10 * ml)
+            levels = np.arange(step, 0.85 * self.capacity, step) * 1e-6
+            strips = [(profile.fill_height(level), 0.0012, 0.0, 0.5) for level in levels]
         strips.append((0.3 * self.height, 0.16 * self.height, np.pi, 0.9))
         patches = []
         for middle, tall, azimuth, wide in strips:
             heights = (middle - tall / 2, middle + tall / 2)
             edge = [(profile.outer_radius(height) + 2e-4, height) for height in heights]
-            patches.append(revolve(edge, 5, azimuth - wide / 2, wide))
+            segments = max(5, round(SEGMENTS * wide / (2 * np.pi)))
+            patches.append(revolve(edge, segments, azimuth - wide / 2, wide))
         return join(*patches)
 
     def _add_base(self, body: mujoco.MjsBody) -> None:

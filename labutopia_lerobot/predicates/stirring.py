@@ -1,4 +1,4 @@
-"""Facts about a rod that stirs in a vessel; `<vessel>_rim` is the frame in the middle of a mouth."""
+"""Facts about a rod that stirs in a vessel."""
 
 from typing import Literal, Protocol
 
@@ -19,7 +19,7 @@ _SIDES: dict[Side, tuple[float, float]] = {
 
 
 class Open(Thing, Protocol):
-    """A vessel with a round mouth."""
+    """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
 
     @property
     def mouth_radius(self) -> float:

@@ -36,7 +36,8 @@ class Pick:
         lift: How far to raise it [m].
         support: What it stands on or in, and touches while it is lifted.
         standoff: Distance from which the last approach starts [m] (original: 0.1, before).
-        squeeze: How much narrower than the thing the closed gripper is commanded [m].
+        squeeze: How much narrower than the thing the closed gripper is commanded [m]; at most half
+            of its width, so that a thin rod is held gently.
         depth: How far beyond the middle of the pads its axis lies [m]; keeps the widest beaker,
             of 70 mm, off the palm.
     """
@@ -52,7 +53,7 @@ class Pick:
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield hover, lower, reach, settle, close, lift and hold."""
         thing = frozenset({self.thing.name})
-        shut = max(0.0, self.thing.grip_width - self.squeeze)
+        shut = self.thing.grip_width - min(self.squeeze, 0.5 * self.thing.grip_width)
         held = gripped(self.thing)
         away = arrived(within=0.015, within_rad=0.1)
         there = arrived(within=0.004)

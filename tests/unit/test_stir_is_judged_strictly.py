@@ -66,13 +66,13 @@ def test_the_unspoilt_skill_succeeds(env):
 
 def test_four_turns_are_not_five(env):
     info = play(env, replace(stir(env), turns=4.0))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "interrupted"  # the rod comes out too early
     assert info["substeps"]["stirred"] == np.inf
 
 
 def test_five_turns_clockwise_do_not_count(env):
     info = play(env, replace(stir(env), turns=-5.0, turn_s=-2.0))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "interrupted"  # the rod comes out too early
     assert info["substeps"]["stirred"] == np.inf
 
 
@@ -100,8 +100,21 @@ def test_a_rod_four_centimetres_deep_is_not_inserted(env):
     assert info["substeps"]["inserted"] == np.inf
 
 
-def test_a_rod_set_down_on_the_bottom_collides(env):
-    assert play(env, replace(stir(env), bottom_gap=0.0))["outcome"] == "collided"
+def test_a_rod_that_circles_above_the_beaker_does_not_stir(env):
+    info = play(env, replace(stir(env), bottom_gap=0.12))
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["inserted"] == np.inf
+
+
+def test_a_rod_pushed_onto_the_bottom_collides(env):
+    def press(action):
+        action[1] += 0.035  # at the shoulder: 23 mm lower
+
+    middle = replace(stir(env), radius=0.0)
+    info = play(env, middle, spoil=after(env, "stir/circle", 0.0, press))
+    tip = env.world.frame("beaker_rim").inverse() @ env.world.pose(middle.rod)
+    assert info["outcome"] == "collided"
+    assert np.hypot(*tip.position_w[:2]) < middle.vessel.mouth_radius / 2  # nowhere near the wall
 
 
 def test_a_rod_that_scrapes_along_the_wall_collides(env):

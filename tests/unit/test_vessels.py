@@ -6,20 +6,34 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware import Profile, Vessel, beaker, erlenmeyer_flask
+from labutopia_lerobot.labware import (
+    Profile,
+    Vessel,
+    beaker,
+    erlenmeyer_flask,
+    graduated_cylinder,
+    volumetric_flask,
+)
 from labutopia_lerobot.labware.profile import BOROSILICATE_DENSITY
 from labutopia_lerobot.labware.vessel import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
 FLASK_SIZES = ("300 ml", "500 ml", "1000 ml")
 BEAKER_SIZES = ("150 ml", "250 ml", "800 ml")
 VESSELS = [
+    graduated_cylinder("vessel"),
+    volumetric_flask("vessel"),
     *(erlenmeyer_flask("vessel", size) for size in FLASK_SIZES),
     *(beaker("vessel", size) for size in BEAKER_SIZES),
 ]
 every_vessel = pytest.mark.parametrize(
     "vessel",
     VESSELS,
-    ids=[*(f"flask {s}" for s in FLASK_SIZES), *(f"beaker {s}" for s in BEAKER_SIZES)],
+    ids=[
+        "graduated cylinder",
+        "volumetric flask",
+        *(f"flask {s}" for s in FLASK_SIZES),
+        *(f"beaker {s}" for s in BEAKER_SIZES),
+    ],
 )
 
 
@@ -130,6 +144,17 @@ def test_the_nominal_volume_is_the_largest_that_leaves_a_tenth_of_the_vessel_emp
     for size in sizes:
         fitting = [volume for volume in series if volume <= 0.9 * make("vessel", size).capacity]
         assert size == f"{max(fitting)} ml"
+
+
+def test_a_graduated_cylinder_for_250_ml_is_the_largest_that_leaves_a_tenth_of_it_empty():
+    assert 250 <= 0.9 * graduated_cylinder("vessel").capacity < 500  # ISO 4788's next
+
+
+def test_a_volumetric_flask_is_full_in_the_middle_half_of_its_neck():
+    flask = volumetric_flask("vessel")
+    mark = flask.profile.fill_height(250e-6)
+    assert 0.100 + 0.030 < mark < 0.220 - 0.030
+    assert flask.profile.inner_radius(mark) == pytest.approx(flask.grip_width / 2 - 0.0018)
 
 
 @every_vessel
@@ -296,7 +321,7 @@ def test_a_vessel_tips_at_the_angle_of_its_centre_of_mass_over_the_edge_of_its_b
     assert settle_from_tilt(vessel, 1.07 * tipping) > math.radians(60)
 
 
-@pytest.mark.parametrize("vessel", VESSELS[:5], ids=str)
+@pytest.mark.parametrize("vessel", VESSELS[:-1], ids=str)
 def test_what_is_to_be_picked_fits_the_gripper(vessel):
     franka_hand_stroke = 0.08
     assert vessel.grip_width < franka_hand_stroke

@@ -49,8 +49,8 @@ def stir_glassrod() -> Task:
             "counterclockwise, and take it out."
         ),
         paraphrases=(
-            "Pick the glass rod out of the test tube rack, stir five circles counterclockwise in the "
-            "beaker and lift it out again.",
+            "Pick the glass rod out of the rack, stir five circles counterclockwise in the beaker "
+            "and lift it out again.",
             "Fetch the stirring rod and stir the beaker's contents: five turns counterclockwise, "
             "then withdraw it.",
         ),
