@@ -64,6 +64,17 @@ def test_the_unspoilt_skill_succeeds(env):
     assert play(env)["outcome"] == "success"
 
 
+def test_the_rod_neither_slips_nor_spins_in_the_grip(env):
+    in_hand = []
+
+    def watch(expert, action):
+        in_hand.append(env.world.gripper.inverse() @ env.world.pose(stir(env).rod))
+
+    play(env, spoil=watch)
+    assert max(pose.distance_to(in_hand[0]) for pose in in_hand) < 0.002
+    assert max(pose.angle_to(in_hand[0]) for pose in in_hand) < np.radians(1.0)
+
+
 def test_four_turns_are_not_five(env):
     info = play(env, replace(stir(env), turns=4.0))
     assert info["outcome"] == "interrupted"  # the rod comes out too early
