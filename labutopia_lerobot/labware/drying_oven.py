@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.openable import Door, Handle
-from labutopia_lerobot.labware.solid import CYLINDER, Vector, add_look, add_part
+from labutopia_lerobot.labware.solid import CYLINDER, Vector, add_feet, add_look, add_part
 from labutopia_lerobot.layout import Switch
 
 _DEPTH, _WIDTH, _HEIGHT = 0.576, 0.741, 0.630
@@ -94,23 +94,10 @@ class DryingOven:
         box = parent.add_body(name=self.name)
         self._add_box(box)
         hinge = (-_DEPTH / 2, _WIDTH / 2, _FOOT)
-        half = -self.ajar / 2
-        door = box.add_body(
-            name=self.door.name, pos=hinge, quat=(math.cos(half), 0, 0, math.sin(half))
+        door = self.door.add_to(
+            spec, box, hinge, ajar=self.ajar, friction=_FRICTION, damping=_DAMPING
         )
-        # MuJoCo reads `ref` as the joint's position in the pose that is built, and starts there.
-        door.add_joint(
-            name=self.door.joint,
-            type=mujoco.mjtJoint.mjJNT_HINGE,
-            axis=(0, 0, -1),
-            range=(0.0, _WIDEST),
-            ref=self.ajar,
-            frictionloss=_FRICTION,
-            damping=_DAMPING,
-        )
-        box.add_site(name=self.door.joint, pos=hinge, quat=(0, 1, 0, 0))  # z axis down: it opens
         self._add_door(door)
-        spec.add_exclude(bodyname1=box.name, bodyname2=door.name)
         return box
 
     def _add_materials(self, spec: mujoco.MjSpec) -> None:
@@ -147,12 +134,7 @@ class DryingOven:
             add_part(body, f"{self.name}_{wall}", size, pos, f"{self.name}_shell")
         shelf = (x - _WALL, wide - _WALL / 2, 0.003)
         add_part(body, f"{self.name}_shelf", shelf, (0, chamber, middle), f"{self.name}_inside")
-        for foot, (side, end) in enumerate(((-1, -1), (-1, 1), (1, -1), (1, 1))):
-            pos = (side * 0.85 * x, end * 0.85 * y, _FOOT / 2)
-            size = (0.02, _FOOT / 2, 0.0)
-            add_look(
-                body, f"{self.name}_foot_{foot}", size, pos, f"{self.name}_trim", shape=CYLINDER
-            )
+        add_feet(body, self.name, (x, y), _FOOT, f"{self.name}_trim")
         self._add_controls(body, -x, column)
 
     def _add_controls(self, body: mujoco.MjsBody, front: float, column: float) -> None:

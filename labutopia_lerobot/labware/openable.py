@@ -87,6 +87,45 @@ class Door:
         """Name of its hinge [rad]; 0 is closed."""
         return f"{self.name}_hinge"
 
+    def add_to(
+        self,
+        spec: mujoco.MjSpec,
+        box: mujoco.MjsBody,
+        pos: Vector,
+        *,
+        ajar: float,
+        friction: float,
+        damping: float,
+    ) -> mujoco.MjsBody:
+        """Hang its body, still empty, on the left edge of a box whose front faces -x.
+
+        Args:
+            spec: What the box is in (angles in radians).
+            box: What it closes; the two do not collide.
+            pos: Lower end of the hinge [m].
+            ajar: How far it stands open at the start [rad].
+            friction: Dry friction of hinge and seal [N m].
+            damping: Of the hinge [N m s/rad].
+
+        Returns:
+            The body; its origin is at `pos`, the closed door lies along its -y.
+        """
+        half = -ajar / 2
+        body = box.add_body(name=self.name, pos=pos, quat=(math.cos(half), 0, 0, math.sin(half)))
+        # MuJoCo reads `ref` as the joint's position in the pose that is built, and starts there.
+        body.add_joint(
+            name=self.joint,
+            type=mujoco.mjtJoint.mjJNT_HINGE,
+            axis=(0, 0, -1),
+            range=(0.0, self.widest),
+            ref=ajar,
+            frictionloss=friction,
+            damping=damping,
+        )
+        box.add_site(name=self.joint, pos=pos, quat=(0, 1, 0, 0))  # z axis down: it opens
+        spec.add_exclude(bodyname1=box.name, bodyname2=self.name)
+        return body
+
     def spell(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return f"{math.degrees(position):.3g} deg"

@@ -75,3 +75,22 @@ def add_look(
         conaffinity=0,
         mass=mass,
     )
+
+
+def add_feet(
+    body: mujoco.MjsBody, name: str, base: tuple[float, float], height: float, material: str
+) -> None:
+    """Add four round feet to be seen, `<name>_foot_0` to `_3`, near the corners of a base.
+
+    Args:
+        body: What stands on them.
+        name: Prefix of the geoms.
+        base: Half depth and half width of the base, whose centre is the body's origin [m].
+        height: From the bench to the base [m].
+        material: Name of a material of the spec.
+    """
+    x, y = base
+    for foot, (side, end) in enumerate(((-1, -1), (-1, 1), (1, -1), (1, 1))):
+        pos = (side * 0.85 * x, end * 0.85 * y, height / 2)
+        size = (0.02, height / 2, 0.0)
+        add_look(body, f"{name}_foot_{foot}", size, pos, material, shape=CYLINDER)
