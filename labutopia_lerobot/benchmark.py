@@ -22,6 +22,7 @@ from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.liquids.solver import LIQUID_HZ
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 from labutopia_lerobot.worker_process import become_worker
@@ -30,7 +31,10 @@ POLICY_CAMERAS = ("front", "top")
 """What the paper's ACT and Diffusion Policy look through ("Model Input And Output")."""
 
 _RIGID = "level1/pick"
-_PACKAGES = ("lerobot_env_labutopia", "mujoco", "mink", "numpy", "lerobot")
+_LIQUID = "level1/pour"
+"""100 ml of water in 1,000 particles, in the hand, in the air and in the other beaker."""
+
+_PACKAGES = ("lerobot_env_labutopia", "mujoco", "mink", "numba", "numpy", "lerobot")
 
 
 class _Silent:
@@ -47,7 +51,7 @@ class _Silent:
 
 
 def measure(tasks: Sequence[str], seconds: float, episodes: int) -> dict[str, Any]:
-    """Measure everything that can be measured; what cannot be yet is None.
+    """Measure everything.
 
     Args:
         tasks: Tasks whose demonstrations per hour are asked for.
@@ -64,12 +68,13 @@ def measure(tasks: Sequence[str], seconds: float, episodes: int) -> dict[str, An
         _record(task, "state", episodes)
         demonstrations[task] = round(3600 * episodes / (time.perf_counter() - start))
     return {
-        "no_camera_fps": _fps((), 1, seconds),
-        "no_camera_fps_all_cores": _fps((), cores, seconds),
-        "rigid_2cam_fps": _fps(POLICY_CAMERAS, 1, seconds),
-        "rigid_2cam_fps_all_cores": _fps(POLICY_CAMERAS, cores, seconds),
-        "liquid_2cam_fps": None,
-        "liquid_2cam_fps_all_cores": None,
+        "no_camera_fps": _fps(_RIGID, (), 1, seconds),
+        "no_camera_fps_all_cores": _fps(_RIGID, (), cores, seconds),
+        "rigid_2cam_fps": _fps(_RIGID, POLICY_CAMERAS, 1, seconds),
+        "rigid_2cam_fps_all_cores": _fps(_RIGID, POLICY_CAMERAS, cores, seconds),
+        "liquid_2cam_fps": _fps(_LIQUID, POLICY_CAMERAS, 1, seconds),
+        "liquid_2cam_fps_all_cores": _fps(_LIQUID, POLICY_CAMERAS, cores, seconds),
+        "liquid_solver_real_time": round(_solver_speed(seconds), 2),
         "record_3cam_fps": round(recording_fps, 1),
         "demos_per_hour": demonstrations,
         "renderer": _renderer(),
@@ -83,21 +88,21 @@ def all_tasks() -> list[str]:
     return list(task_files())
 
 
-def _fps(cameras: tuple[str, ...], processes: int, seconds: float) -> float:
+def _fps(task: str, cameras: tuple[str, ...], processes: int, seconds: float) -> float:
     """Return the frames per second of so many environments, one process each, together."""
     context = multiprocessing.get_context("spawn")
     with context.Manager() as manager:
         gate = manager.Barrier(processes)
         with ProcessPoolExecutor(processes, mp_context=context) as pool:
-            rates = [pool.submit(_replay, cameras, seconds, gate) for _ in range(processes)]
+            rates = [pool.submit(_replay, task, cameras, seconds, gate) for _ in range(processes)]
             return round(sum(rate.result() for rate in rates), 1)
 
 
-def _replay(cameras: tuple[str, ...], seconds: float, gate: Any) -> float:
+def _replay(task: str, cameras: tuple[str, ...], seconds: float, gate: Any) -> float:
     """Replay an expert episode again and again; return the frames per second of the steps."""
     become_worker(signal.SIG_DFL)
-    actions = _expert_actions()
-    env = LabEnv(_RIGID, cameras=cameras) if cameras else LabEnv(_RIGID, obs="state")
+    actions = _expert_actions(task)
+    env = LabEnv(task, cameras=cameras) if cameras else LabEnv(task, obs="state")
     env.reset(seed=0)
     env.step(actions[0])
     gate.wait()
@@ -113,8 +118,21 @@ def _replay(cameras: tuple[str, ...], seconds: float, gate: Any) -> float:
     return frames / elapsed
 
 
-def _expert_actions() -> list[NDArray[np.float32]]:
-    env = LabEnv(_RIGID, obs="state")
+def _solver_speed(seconds: float) -> float:
+    """Return how many seconds of liquid the solver alone computes in one, on one core."""
+    env = LabEnv(_LIQUID, obs="state")
+    env.reset(seed=0)
+    liquid = env.simulation.liquid
+    assert liquid is not None  # the task has contents
+    start, steps = time.perf_counter(), 0
+    while time.perf_counter() - start < seconds:
+        liquid.step()
+        steps += 1
+    return steps / LIQUID_HZ / (time.perf_counter() - start)
+
+
+def _expert_actions(task: str) -> list[NDArray[np.float32]]:
+    env = LabEnv(task, obs="state")
     env.reset(seed=0)
     expert = env.expert()
     expert.start()

@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 from labutopia_lerobot.action_filter import ActionFilter
 from labutopia_lerobot.features import CAMERAS, IMAGE_SIZE, Feature, observation_features
 from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
-from labutopia_lerobot.options import SPLITS, require_choices
+from labutopia_lerobot.liquids.filling import Fillable, require_fillable
+from labutopia_lerobot.liquids.liquid import PARTICLES
+from labutopia_lerobot.options import LIQUID, SPLITS, require_choices
 from labutopia_lerobot.progress import DIVERGED, SUCCESS, TIMEOUT, Progress
 from labutopia_lerobot.registry import load_task
 from labutopia_lerobot.robots.panda import PANDA
@@ -23,7 +25,7 @@ from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
-from labutopia_lerobot.world import CONTROL_HZ, FloatArray
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Volumes
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
@@ -59,11 +61,14 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         height: Height of the pictures [pixels].
         split: `train` or `id`.
         tasks_dir: A further folder of tasks.
+        liquid: `on`; with `off` vessels are empty, and pouring and spilling are judged by tilts.
+        particles: In how many particles the liquid of a task is divided.
 
     Raises:
         UnknownOptionError: If an argument is not one of its choices.
         UnknownTaskError: If there is no such task.
         ImpossibleStartError: If things cannot stand where the task wants them.
+        ImpossibleFillingError: If vessels cannot hold what the task puts into them.
     """
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": CONTROL_HZ}  # noqa: RUF012 (Gymnasium)
@@ -77,12 +82,16 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         height: int = IMAGE_SIZE,
         split: str = "id",
         tasks_dir: str | Path | None = None,
+        liquid: str = "on",
+        particles: int = PARTICLES,
         render_mode: str = "rgb_array",
     ) -> None:
         require_choices("split", [split], SPLITS)
+        require_choices("liquid", [liquid], LIQUID)
         require_choices("render_mode", [render_mode], self.metadata["render_modes"])
         self.task_id = task
-        self.definition = load_task(task, tasks_dir)
+        self.definition = load_task(task, tasks_dir, liquid)
+        require_fillable(self.definition.contents, self.definition.start)
         require_possible(self.definition.start, _WORKSPACE)
         features = observation_features(lambda: self.definition, obs, cameras, width, height)
         self.task = self.task_description = self.definition.instruction
@@ -90,6 +99,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.obs_kind, self.cameras, self.split = obs, tuple(cameras), split
         self.render_mode = render_mode
         self._size = (width, height)
+        self._particles = particles
         self._renderer: Renderer | None = None
         self._simulation: Simulation | None = None
         self._motion: ReactiveMotion | None = None
@@ -102,7 +112,9 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """The simulation, compiled at first use."""
         if self._simulation is None:
             task = self.definition
-            self._simulation = Simulation(compile_scene(task.start, PANDA, task.view))
+            self._simulation = Simulation(
+                compile_scene(task.start, PANDA, task.view, task.contents, self._particles)
+            )
             self.world = SimulatedWorld(self._simulation)
             self.progress = Progress(self.definition)
             self._filter = ActionFilter(PANDA)
@@ -116,7 +128,9 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             NoOpenGLError: If there is no working OpenGL.
         """
         if self._renderer is None:
-            self._renderer = Renderer(self.simulation.scene.model, *self._size)
+            scene = self.simulation.scene
+            liquids = [] if scene.liquid is None else [scene.liquid]
+            self._renderer = Renderer(scene.model, *self._size, liquids)
         return self._renderer
 
     def expert(self) -> Expert:
@@ -148,6 +162,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
                 f"The prelude of {self.task_id} failed {_PRELUDE_TRIES} times with seed {self.seed}"
             )
         self.prelude_failures = attempt
+        self.simulation.fill(rng)
         self._filter.start(self.simulation.command)
         self.simulation.start_clock()
         self.progress.start()
@@ -187,6 +202,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """Return the present picture of the first camera, shape (height, width, 3)."""
         if self._frame is None:
             camera = self.cameras[0]
+            self.simulation.draw_liquid()
             self._frame = self.renderer.color(self.simulation.data, camera)
         return self._frame
 
@@ -215,6 +231,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             self._frame = None
             observation["environment_state"] = self.environment_state()
         else:
+            self.simulation.draw_liquid()
             observation["pixels"] = {
                 camera: self.renderer.color(simulation.data, camera) for camera in self.cameras
             }
@@ -230,6 +247,9 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             joints = np.array([self.world.joint(name) for name in piece.joints])
             shuffled = [(to_base @ self.world.frame(name)).position_w for name in region.shuffled]
             parts += [pose_b.position_w, pose_b.x_axis, pose_b.y_axis, joints, *shuffled]
+            if self.world.liquid is not None and isinstance(piece, Fillable):
+                volume = self.world.liquid.inside[piece.name]
+                parts.append(np.array([piece.profile.depth(volume)]))
         state: NDArray[np.float32] = np.concatenate(parts).astype(np.float32)
         return state
 
@@ -242,12 +262,22 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             "outcome": progress.outcome,
             "facts": {name: bool(holds) for name, holds in progress.facts.items()},
             "substeps": {name: np.inf if time is None else time for name, time in latched},
+            **_millilitres(self.world.liquid),
             "seed": self.seed,
             "prelude_failures": self.prelude_failures,
             "applied_action": self._filter.applied.copy(),
             "clipped_actions": self._filter.clipped,
             "nonfinite_actions": self._filter.nonfinite,
         }
+
+
+def _millilitres(liquid: Volumes | None) -> dict[str, float]:
+    """Return where the liquid is [ml]; not a number where none is simulated."""
+    if liquid is None:
+        return dict.fromkeys(("ml_poured", "ml_spilled", "ml_retained"), np.nan)
+    volumes = (liquid.poured, liquid.spilled, liquid.retained)
+    names = ("ml_poured", "ml_spilled", "ml_retained")
+    return {name: 1e6 * volume for name, volume in zip(names, volumes, strict=True)}
 
 
 def _observation_space(features: dict[str, Feature]) -> spaces.Dict:

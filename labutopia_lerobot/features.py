@@ -7,6 +7,7 @@ from what is here, so that keys, shapes and order cannot diverge. Imports neithe
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from labutopia_lerobot.liquids.filling import Fillable
 from labutopia_lerobot.options import UnknownOptionError, require_choices
 from labutopia_lerobot.task import Task
 
@@ -101,6 +102,7 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
     there: the continuous representation of rotations (Zhou et al. 2019, "On the Continuity of
     Rotation Representations in Neural Networks"), since quaternions jump. Then the position of each
     of its hinges [rad] and slides [m], and the place [m] of each of its parts that is shuffled.
+    Where there is liquid: how deep it would be in each vessel [m], were that upright.
     """
     return tuple(
         name
@@ -109,5 +111,6 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
             *(f"{piece.name}.{part}" for part in _POSE_NAMES),
             *piece.joints,
             *(f"{body}.{axis}" for body in region.shuffled for axis in "xyz"),
+            *([f"{piece.name}.fill"] if task.contents and isinstance(piece, Fillable) else []),
         )
     )

@@ -11,7 +11,7 @@ from lerobot.envs.configs import EnvConfig
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.features import ACTION, CAMERAS, IMAGE_SIZE, Feature, observation_features
-from labutopia_lerobot.options import SPLITS, UnknownOptionError, require_choices
+from labutopia_lerobot.options import LIQUID, SPLITS, UnknownOptionError, require_choices
 from labutopia_lerobot.registry import load_task, require_task, tasks_of_levels
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -35,6 +35,7 @@ class LabUtopiaEnvConfig(EnvConfig):
         width: Width of the pictures [pixels].
         height: Height of the pictures [pixels].
         tasks_dir: A further folder of tasks.
+        liquid: `on`, or `off` for empty vessels.
 
     `features` and `features_map` follow from these; what they are given is not used.
 
@@ -50,10 +51,12 @@ class LabUtopiaEnvConfig(EnvConfig):
     width: int = IMAGE_SIZE
     height: int = IMAGE_SIZE
     tasks_dir: str | None = None
+    liquid: str = "on"
 
     def __post_init__(self) -> None:
         try:
             require_choices("split", [self.split], SPLITS)
+            require_choices("liquid", [self.liquid], LIQUID)
             require_choices("fps", [self.fps], [CONTROL_HZ])
             observed = self._observed()
         except UserError as error:
@@ -94,6 +97,7 @@ class LabUtopiaEnvConfig(EnvConfig):
             "height": self.height,
             "split": self.split,
             "tasks_dir": self.tasks_dir,
+            "liquid": self.liquid,
         }
 
     def create_envs(
@@ -114,7 +118,7 @@ class LabUtopiaEnvConfig(EnvConfig):
         """Declare what is observed, which must be the same in every task."""
         first, *others = (
             observation_features(
-                partial(load_task, task_id, self.tasks_dir),
+                partial(load_task, task_id, self.tasks_dir, self.liquid),
                 self.obs,
                 self.cameras,
                 self.width,

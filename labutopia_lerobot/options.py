@@ -7,6 +7,9 @@ from labutopia_lerobot.errors import UserError
 SPLITS = ("train", "id")
 """Same distribution, different seeds: demonstrations come from `train`, scores from `id`."""
 
+LIQUID = ("on", "off")
+"""Whether what the task's vessels hold is simulated."""
+
 
 class UnknownOptionError(UserError, ValueError):
     """An argument of the environment that is not one of its choices; the message lists them."""

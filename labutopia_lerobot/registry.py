@@ -1,5 +1,9 @@
 """Finding tasks: `level1/pick` is the function `pick` in the file `level1/pick.py`.
 
+Tasks that the paper does not have lie in `beyond` below their level: `level1/beyond/squeeze.py` is
+`level1/squeeze`. They have ids as all others, but `level=1` means the tasks of the paper, and in
+listings they come after those.
+
 There is nothing to register. A folder that holds `level1` ... `level5` is a task folder: the one in
 this package, those that installed distributions name under the entry point `labutopia.tasks` (a
 package with such folders), and those that the user names with `tasks_dir`.
@@ -21,6 +25,8 @@ if TYPE_CHECKING:
     from labutopia_lerobot.task import Task
 
 LEVELS = (1, 2, 3, 4, 5)
+BEYOND = "beyond"
+"""Name of the folders of tasks that the paper does not have."""
 ENTRY_POINT_GROUP = "labutopia.tasks"
 _PACKAGED = Path(__file__).parent / "tasks"
 
@@ -30,7 +36,7 @@ class UnknownTaskError(UserError, ValueError):
 
 
 def task_files(tasks_dir: str | Path | None = None) -> dict[str, Path]:
-    """Return every task id with its file, in order of level and name.
+    """Return every task id with its file, in order of level and name; those of the paper first.
 
     Args:
         tasks_dir: A further folder that holds `level1` ... `level5`.
@@ -44,23 +50,35 @@ def task_files(tasks_dir: str | Path | None = None) -> dict[str, Path]:
         )
     files: dict[str, Path] = {}
     for folder in _folders(tasks_dir):
-        found = {f"{path.parent.name}/{path.stem}": path for path in _modules_in(folder)}
-        for task_id in found.keys() & files.keys():
-            raise UnknownTaskError(
-                f"Task '{task_id}' exists twice: {files[task_id]} and {found[task_id]}. Rename one."
-            )
-        files |= found
-    return dict(sorted(files.items()))
+        for path in _modules_in(folder):
+            level = path.parent.parent if path.parent.name == BEYOND else path.parent
+            task_id = f"{level.name}/{path.stem}"
+            if task_id in files:
+                raise UnknownTaskError(
+                    f"Task '{task_id}' exists twice: {files[task_id]} and {path}. Rename one."
+                )
+            files[task_id] = path
+    return dict(sorted(files.items(), key=lambda item: (item[1].parent.name == BEYOND, item[0])))
+
+
+def is_beyond_paper(task_id: str, tasks_dir: str | Path | None = None) -> bool:
+    """Tell whether a task is none of the paper's.
+
+    Raises:
+        UnknownTaskError: If there is no such task.
+    """
+    return require_task(task_id, tasks_dir).parent.name == BEYOND
 
 
 def tasks_of_levels(levels: Iterable[int], tasks_dir: str | Path | None = None) -> list[str]:
-    """Return the ids of every task of the levels.
+    """Return the ids of every task of the levels, without those beyond the paper.
 
     Raises:
         UnknownTaskError: If a level does not exist or has no task yet.
     """
     chosen: list[str] = []
-    known = task_files(tasks_dir)
+    files = task_files(tasks_dir)
+    known = [task_id for task_id, path in files.items() if path.parent.name != BEYOND]
     for level in levels:
         of_level = [task_id for task_id in known if task_id.startswith(f"level{level}/")]
         if not of_level:
@@ -96,6 +114,8 @@ def choose_tasks(
     of_levels = tasks_of_levels(levels, tasks_dir)
     if task is None:
         return of_levels
+    prefixes = tuple(f"level{level}/" for level in levels)
+    of_levels = [task_id for task_id in task_files(tasks_dir) if task_id.startswith(prefixes)]
     chosen = [task_id for task_id in of_levels if task in (task_id, task_id.split("/")[1])]
     if not chosen:
         raise UnknownTaskError(f"No task '{task}' in these levels: {', '.join(of_levels)}")
@@ -116,13 +136,14 @@ def require_task(task_id: str, tasks_dir: str | Path | None = None) -> Path:
     return files[task_id]
 
 
-def load_task(task_id: str, tasks_dir: str | Path | None = None) -> "Task":
-    """Return the task with this id.
+def load_task(task_id: str, tasks_dir: str | Path | None = None, liquid: str = "on") -> "Task":
+    """Return the task with this id; with `liquid="off"`, its vessels are empty.
 
     Raises:
         UnknownTaskError: If there is none; the message lists the tasks and the nearest match.
     """
-    return _build(task_id, require_task(task_id, tasks_dir))
+    task = _build(task_id, require_task(task_id, tasks_dir))
+    return task if liquid == "on" else task.without_liquid()
 
 
 @cache
@@ -140,7 +161,8 @@ def _build(task_id: str, path: Path) -> "Task":
 
 def _import(task_id: str, path: Path) -> ModuleType:
     if path.is_relative_to(_PACKAGED):
-        return importlib.import_module(f"labutopia_lerobot.tasks.{task_id.replace('/', '.')}")
+        dotted = ".".join(path.relative_to(_PACKAGED).with_suffix("").parts)
+        return importlib.import_module(f"labutopia_lerobot.tasks.{dotted}")
     name = f"labutopia_user_tasks.{task_id.replace('/', '.')}"
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None:
@@ -165,6 +187,7 @@ def _modules_in(folder: Path) -> list[Path]:
     return [
         path
         for level in LEVELS
-        for path in sorted((folder / f"level{level}").glob("*.py"))
+        for part in (f"level{level}", f"level{level}/{BEYOND}")
+        for path in sorted((folder / part).glob("*.py"))
         if not path.stem.startswith("_")
     ]

@@ -1,9 +1,10 @@
 """A task is a value: what stands where, what the expert does, what counts as success."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 from labutopia_lerobot.layout import Piece, Start
+from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.views import VESSEL_VIEW, View
@@ -49,6 +50,7 @@ class Task:
         goal: What must hold together for `HOLD_S` after the last sub-step.
         never: Outcome that ends the episode -> the fact that must not occur.
         time_limit_s: Simulated time after which the episode is over [s].
+        contents: What vessels hold; they are filled when the prelude is over.
         view: Where the two fixed cameras are.
         paraphrases: Other ways to say the instruction.
     """
@@ -61,6 +63,7 @@ class Task:
     never: Mapping[str, Predicate]
     time_limit_s: float
     prelude: tuple[Skill, ...] = ()
+    contents: Mapping[Piece, Filling] = field(default_factory=dict)
     view: View = VESSEL_VIEW
     paraphrases: tuple[str, ...] = ()
 
@@ -68,6 +71,10 @@ class Task:
     def max_steps(self) -> int:
         """Control steps of an episode at most."""
         return round(self.time_limit_s * CONTROL_HZ)
+
+    def without_liquid(self) -> "Task":
+        """Return the same task with empty vessels: what is poured or spilled is judged by tilts."""
+        return replace(self, contents={})
 
     @property
     def facts(self) -> dict[str, Predicate]:

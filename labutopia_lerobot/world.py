@@ -1,5 +1,6 @@
 """What predicates and skills may see of the simulation: a read-only view."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -101,6 +102,33 @@ class Pose:
         return float(np.arccos(np.clip(cosine, -1.0, 1.0)))
 
 
+@dataclass(frozen=True)
+class Volumes:
+    """Where the liquid of a scene is; what is in no vessel and on nothing is on its way.
+
+    Attributes:
+        total: All of it [m^3].
+        inside: In each vessel, by its name [m^3].
+        spilled: On the bench, or on anything else that is no vessel [m^3].
+        sources: Names of the vessels that held it when the episode began.
+    """
+
+    total: float
+    inside: Mapping[str, float]
+    spilled: float
+    sources: frozenset[str]
+
+    @property
+    def retained(self) -> float:
+        """In the vessels that held it when the episode began [m^3]."""
+        return sum(self.inside[name] for name in self.sources)
+
+    @property
+    def poured(self) -> float:
+        """In other vessels than at the beginning [m^3]."""
+        return sum(volume for name, volume in self.inside.items() if name not in self.sources)
+
+
 class World(Protocol):
     """Getters only: nothing that holds a `World` can change the simulation.
 
@@ -162,6 +190,15 @@ class World(Protocol):
 
     def switched_on(self, name: str) -> bool:
         """Tell whether a named switch is on."""
+        ...
+
+    def displaced(self, thing: Thing) -> float:
+        """Return the volume of liquid squeezed out of a bottle since the episode began [m^3]."""
+        ...
+
+    @property
+    def liquid(self) -> Volumes | None:
+        """Where the liquid is; None where none is simulated."""
         ...
 
     def touching(self, first: str, second: str) -> bool:

@@ -13,7 +13,7 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.options import SPLITS
+from labutopia_lerobot.options import LIQUID, SPLITS
 from labutopia_lerobot.video import write_video
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -26,6 +26,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--split", choices=SPLITS, default="id")
     parser.add_argument("--tasks-dir", type=Path, help="a further folder of tasks")
+    parser.add_argument("--liquid", choices=LIQUID, default="on")
     parser.add_argument("--size", type=int, default=512, help="picture size when headless [pixels]")
     parser.add_argument("--out", type=Path, default=Path(), help="folder for the files")
     parser.add_argument("--headless", action="store_true", help="write files even with a display")
@@ -39,6 +40,7 @@ def main() -> None:
         height=size,
         split=arguments.split,
         tasks_dir=arguments.tasks_dir,
+        liquid=arguments.liquid,
     )
     if headless:
         _write_files(env, arguments.seed, arguments.out)

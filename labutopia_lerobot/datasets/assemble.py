@@ -51,7 +51,7 @@ class DatasetAssembler:
         disable_progress_bars()  # LeRobot maps every episode through `datasets`, one bar each
         av.logging.set_libav_level(av.logging.ERROR)  # LeRobot lets FFmpeg chat on the terminal
         self._config, self._work, self._root = config, work, root
-        self._task = load_task(config.task, config.tasks_dir)
+        self._task = load_task(config.task, config.tasks_dir, config.liquid)
         self._meta = _AnnotatedMetadata.create(
             repo_id=config.repo_id,
             fps=CONTROL_HZ,

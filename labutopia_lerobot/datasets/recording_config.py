@@ -15,7 +15,7 @@ from labutopia_lerobot.features import CAMERAS, IMAGE_SIZE
 SPLIT = "train"
 """Demonstrations are drawn from the training values with the training seeds, always."""
 
-_PACKAGES = ("lerobot_env_labutopia", "mujoco", "mink", "daqp", "numpy", "av", "lerobot")
+_PACKAGES = ("lerobot_env_labutopia", "mujoco", "mink", "daqp", "numba", "numpy", "av", "lerobot")
 """Another version of any of these may give another dataset."""
 
 
@@ -39,6 +39,7 @@ class RecordingConfig:
         cameras: Which cameras to film with `obs=pixels`.
         width: Width of the pictures [pixels].
         height: Height of the pictures [pixels].
+        liquid: `on`, or `off` for empty vessels.
     """
 
     task: str = MISSING
@@ -52,6 +53,7 @@ class RecordingConfig:
     cameras: list[str] = field(default_factory=lambda: list(CAMERAS))
     width: int = IMAGE_SIZE
     height: int = IMAGE_SIZE
+    liquid: str = "on"
 
     def __post_init__(self) -> None:
         self.root = self.root or f"outputs/datasets/{self.task}"
@@ -96,6 +98,7 @@ class RecordingConfig:
             height=self.height,
             split=SPLIT,
             tasks_dir=self.tasks_dir,
+            liquid=self.liquid,
         )
 
     @property

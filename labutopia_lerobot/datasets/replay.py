@@ -59,7 +59,13 @@ def replay(root: Path, episodes: int | None = None) -> Iterator[Replay]:
     if not (root / RECORDING).exists():
         raise ForeignDatasetError(f"{root} has no {RECORDING}: labutopia-record did not make it")
     config = read_json(root, RECORDING)["config"]
-    env = LabEnv(config["task"], obs="state", split=config["split"], tasks_dir=config["tasks_dir"])
+    env = LabEnv(
+        config["task"],
+        obs="state",
+        split=config["split"],
+        tasks_dir=config["tasks_dir"],
+        liquid=config["liquid"],
+    )
     table = read_frames(root)
     actions = column(table, ACTION.key)
     keys = state_keys(config["obs"])

@@ -69,6 +69,7 @@ def open_checkpoint(
     obs: str | None = None,
     device: str | None = None,
     tasks_dir: str | None = None,
+    liquid: str = "on",
 ) -> Checkpoint:
     """Find the checkpoint for a task and make sure that it can play it.
 
@@ -80,6 +81,7 @@ def open_checkpoint(
         obs: What it must have been trained on, `pixels` or `state`, or None for either.
         device: Device of torch, or None for CUDA where there is one.
         tasks_dir: A further folder of tasks.
+        liquid: `on` or `off`; the privileged state tells how full vessels are where it is on.
 
     Raises:
         CheckpointError: If there is none, or it cannot play the task.
@@ -98,7 +100,7 @@ def open_checkpoint(
     pictures = {key: shape for key, shape in inputs.items() if key.startswith(_IMAGES)}
     _require_obs(folder, "pixels" if pictures else "state", obs)
     if not pictures:
-        names = environment_state_names(load_task(task_id, tasks_dir))
+        names = environment_state_names(load_task(task_id, tasks_dir, liquid))
         _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
         return Checkpoint(folder, device, "state", CAMERAS, IMAGE_SIZE, IMAGE_SIZE)
     if _PRIVILEGED in inputs:

@@ -10,7 +10,7 @@ from omegaconf import MISSING
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.features import OBSERVATION_KINDS
-from labutopia_lerobot.options import SPLITS, require_choices
+from labutopia_lerobot.options import LIQUID, SPLITS, require_choices
 from labutopia_lerobot.registry import choose_tasks, levels_with_tasks
 
 
@@ -48,6 +48,7 @@ class EvaluationConfig:
         workers: Processes that play; the result does not depend on it.
         videos: How many successes and how many failures to film, per task and split.
         tasks_dir: A further folder of tasks.
+        liquid: `on`, or `off` for empty vessels: pouring and spilling are then judged by tilts.
         out: Folder of the result.
     """
 
@@ -61,6 +62,7 @@ class EvaluationConfig:
     workers: int = field(default_factory=lambda: len(os.sched_getaffinity(0)))
     videos: int = 2
     tasks_dir: str | None = None
+    liquid: str = "on"
     out: str = MISSING
 
     @property
@@ -90,6 +92,7 @@ class EvaluationConfig:
                     f"{name}={getattr(self, name)} is too small: {name} is at least {least}"
                 )
         require_choices("split", self.splits, SPLITS)
+        require_choices("liquid", [self.liquid], LIQUID)
         if self.obs is not None:
             require_choices("obs", [self.obs], OBSERVATION_KINDS)
 

@@ -50,10 +50,18 @@ def _pairing(config: EvaluationConfig, task: str, split: str) -> Pairing:
             )
         maker = REFERENCE_POLICIES[policy.name]
         obs = config.obs or "state"
-        return Pairing(task, split, policy.name, maker, obs, tasks_dir=config.tasks_dir)
+        return Pairing(
+            task,
+            split,
+            policy.name,
+            maker,
+            obs,
+            tasks_dir=config.tasks_dir,
+            liquid=config.liquid,
+        )
     path = Path(policy.path or f"outputs/train/{policy.name}")
     checkpoint = open_checkpoint(
-        path, policy.name, task, config.obs, policy.device, config.tasks_dir
+        path, policy.name, task, config.obs, policy.device, config.tasks_dir, config.liquid
     )
     return Pairing(
         task,
@@ -65,4 +73,5 @@ def _pairing(config: EvaluationConfig, task: str, split: str) -> Pairing:
         checkpoint.width,
         checkpoint.height,
         config.tasks_dir,
+        config.liquid,
     )

@@ -69,7 +69,11 @@ def film(episode: Episode, file: Path) -> None:
 
 def _env(pairing: Pairing) -> LabEnv:
     return LabEnv(
-        pairing.task, cameras=(_CAMERA,), split=pairing.split, tasks_dir=pairing.tasks_dir
+        pairing.task,
+        cameras=(_CAMERA,),
+        split=pairing.split,
+        tasks_dir=pairing.tasks_dir,
+        liquid=pairing.liquid,
     )
 
 

@@ -19,7 +19,16 @@ ROWS = "rows.jsonl"
 
 RESULT = "result.json"
 
-_PACKAGES = ("lerobot_env_labutopia", "lerobot", "torch", "mujoco", "mink", "daqp", "numpy")
+_PACKAGES = (
+    "lerobot_env_labutopia",
+    "lerobot",
+    "torch",
+    "mujoco",
+    "mink",
+    "daqp",
+    "numba",
+    "numpy",
+)
 """Another version of any of these may give another result."""
 
 

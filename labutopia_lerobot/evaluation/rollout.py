@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.env import Info, LabEnv
 from labutopia_lerobot.evaluation.policies import Policy, PolicyMaker
 from labutopia_lerobot.features import CAMERAS, IMAGE_SIZE
+from labutopia_lerobot.registry import load_task
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -31,6 +32,7 @@ class Pairing:
         width: Width of the pictures [pixels].
         height: Height of the pictures [pixels].
         tasks_dir: A further folder of tasks.
+        liquid: `on`, or `off` for empty vessels.
     """
 
     task: str
@@ -42,11 +44,19 @@ class Pairing:
     width: int = IMAGE_SIZE
     height: int = IMAGE_SIZE
     tasks_dir: str | None = None
+    liquid: str = "on"
 
     def make_env(self) -> LabEnv:
         """Return the environment that the policy plays in; nothing is compiled yet."""
         return LabEnv(
-            self.task, self.obs, self.cameras, self.width, self.height, self.split, self.tasks_dir
+            self.task,
+            self.obs,
+            self.cameras,
+            self.width,
+            self.height,
+            self.split,
+            self.tasks_dir,
+            self.liquid,
         )
 
 
@@ -68,8 +78,10 @@ class Row:
         seconds: The same in simulated time [s].
         substeps: Sub-step -> time at which it latched [s], or None.
         facts: Every predicate of the task, as it was at the end.
-        ml_poured: Liquid that arrived where it should [ml], or None where none is simulated.
-        ml_spilled: Liquid that was lost [ml], or None where none is simulated.
+        liquid: `on` or `off`; None for a task whose vessels are empty anyway.
+        ml_poured: Liquid at the end in other vessels than at the start [ml]; None without liquid.
+        ml_spilled: Liquid on the bench, or on something else that is no vessel [ml].
+        ml_retained: Liquid where it was at the start [ml].
         clipped_actions: Actions beyond a limit of position or velocity.
         nonfinite_actions: Actions with an infinite or undefined element.
     """
@@ -87,8 +99,10 @@ class Row:
     seconds: float
     substeps: dict[str, float | None]
     facts: dict[str, bool]
+    liquid: str | None
     ml_poured: float | None
     ml_spilled: float | None
+    ml_retained: float | None
     clipped_actions: int
     nonfinite_actions: int
 
@@ -155,8 +169,14 @@ def _row(pairing: Pairing, seed: int, steps: int, info: Info) -> Row:
             for name, time in latched.items()
         },
         facts=info["facts"],
-        ml_poured=info.get("ml_poured"),
-        ml_spilled=info.get("ml_spilled"),
+        liquid=pairing.liquid if load_task(pairing.task, pairing.tasks_dir).contents else None,
+        ml_poured=_millilitres(info["ml_poured"]),
+        ml_spilled=_millilitres(info["ml_spilled"]),
+        ml_retained=_millilitres(info["ml_retained"]),
         clipped_actions=info["clipped_actions"],
         nonfinite_actions=info["nonfinite_actions"],
     )
+
+
+def _millilitres(volume: float) -> float | None:
+    return round(float(volume), 3) if np.isfinite(volume) else None

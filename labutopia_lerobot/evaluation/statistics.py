@@ -23,6 +23,7 @@ class Summary:
         policy: What the policy is called.
         play: How sequences were played.
         obs: `pixels` or `state`.
+        liquid: `on` or `off`; None for a task whose vessels are empty anyway.
         n: Episodes.
         successes: Episodes in which the goal held for as long as it must.
         rate: Share of the successes.
@@ -38,6 +39,7 @@ class Summary:
     policy: str
     play: str
     obs: str
+    liquid: str | None
     n: int
     successes: int
     rate: float
@@ -64,9 +66,12 @@ def wilson95(successes: int, n: int) -> tuple[float, float]:
 
 
 def summarise(rows: Sequence[Row]) -> list[Summary]:
-    """Return one summary per task, split, policy, play and obs, in the order of the rows."""
-    groups = groupby(rows, key=lambda row: (row.task, row.split, row.policy, row.play, row.obs))
-    return [_summary(list(group)) for _, group in groups]
+    """Return one summary per task, split, policy, play, obs and liquid, in order."""
+    return [_summary(list(group)) for _, group in groupby(rows, key=_conditions)]
+
+
+def _conditions(row: Row) -> tuple[str | None, ...]:
+    return row.task, row.split, row.policy, row.play, row.obs, row.liquid
 
 
 def _summary(rows: Sequence[Row]) -> Summary:
@@ -78,6 +83,7 @@ def _summary(rows: Sequence[Row]) -> Summary:
         policy=first.policy,
         play=first.play,
         obs=first.obs,
+        liquid=first.liquid,
         n=n,
         successes=len(successes),
         rate=len(successes) / n,

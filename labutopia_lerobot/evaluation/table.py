@@ -17,7 +17,9 @@ _CAPTION = (
     "of the successes. Sub-steps: reached in their order, share of all episodes."
 )
 _STATE_MARK = ", state"
+_EMPTY_MARK = ", liquid=off"
 _STATE_CAPTION = " State: the policy is told the poses of all things and sees no pictures."
+_EMPTY_CAPTION = " Liquid=off: vessels are empty, pouring and spilling are told from tilts."
 _MEAN_CAPTION = " Mean: each task of the level counts the same."
 
 
@@ -33,11 +35,15 @@ def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
     policies = list(dict.fromkeys(map(_policy, summaries)))
     splits = list(dict.fromkeys(summary.split for summary in summaries))
     varying = {"Policy": len(policies) > 1, "Split": len(splits) > 1}
-    state = any(policy.endswith(_STATE_MARK) for policy in policies)
+    state = any(_STATE_MARK in policy for policy in policies)
+    empty = any(_EMPTY_MARK in policy for policy in policies)
     common = policies * (len(policies) == 1) + [f"split {splits[0]}"] * (len(splits) == 1)
     table = Table(
         title=", ".join(common) or None,
-        caption=_CAPTION + _STATE_CAPTION * state + _MEAN_CAPTION * level_means,
+        caption=_CAPTION
+        + _STATE_CAPTION * state
+        + _EMPTY_CAPTION * empty
+        + _MEAN_CAPTION * level_means,
         caption_justify="left",
         box=box.SIMPLE_HEAD,
         padding=(0, 1, 0, 0),
@@ -67,9 +73,10 @@ def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
 
 
 def _policy(summary: Summary) -> str:
-    """Return the policy's name, marked if it was trained on privileged state."""
+    """Return the policy's name, marked if it is told the state, or if vessels were empty."""
     privileged = summary.obs == "state" and summary.policy not in REFERENCE_POLICIES
-    return summary.policy + _STATE_MARK * privileged
+    empty = summary.liquid == "off"
+    return summary.policy + _STATE_MARK * privileged + _EMPTY_MARK * empty
 
 
 def _cells(summary: Summary) -> list[str]:

@@ -102,6 +102,10 @@ class Profile:
         frusta = np.pi / 3 * (r[:-1] ** 2 + r[:-1] * r[1:] + r[1:] ** 2) * np.diff(heights)
         return float(np.interp(volume, np.cumsum([0.0, *frusta]), heights))
 
+    def depth(self, volume: float) -> float:
+        """Return how deep a `volume` [m^3] of liquid is when the vessel stands upright [m]."""
+        return self.fill_height(min(volume, self.capacity_below(self.height))) - self.bottom
+
     def mass_properties(self, density: float = BOROSILICATE_DENSITY) -> MassProperties:
         """Return mass, centre of mass and principal inertia of the wall at `density` [kg/m^3]."""
         solid = density * (_moments(self.outer) - _moments(self.inner))

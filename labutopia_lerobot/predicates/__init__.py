@@ -9,6 +9,7 @@ from labutopia_lerobot.predicates.buttons import (
     switched_on,
     touched,
 )
+from labutopia_lerobot.predicates.liquids import poured, spilled
 from labutopia_lerobot.predicates.openables import (
     clear_of,
     closed,
@@ -19,11 +20,11 @@ from labutopia_lerobot.predicates.openables import (
 )
 from labutopia_lerobot.predicates.placing import near, released, standing_on, struck, withdrawn
 from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.squeezing import dispensed, spout_over
 from labutopia_lerobot.predicates.stirring import dipped, moving, off_axis, on_side, over_mouth
 from labutopia_lerobot.predicates.tilting import (
     Pourable,
     lip_over,
-    spilled,
     tilted,
     tilted_left,
     tilted_right,
@@ -45,6 +46,7 @@ __all__ = [
     "closed",
     "collided",
     "dipped",
+    "dispensed",
     "falling",
     "fingered",
     "fingers_clear_of",
@@ -60,10 +62,12 @@ __all__ = [
     "on_side",
     "opened",
     "over_mouth",
+    "poured",
     "pressed",
     "pushed",
     "released",
     "spilled",
+    "spout_over",
     "standing_on",
     "steady",
     "struck",

@@ -1,4 +1,4 @@
-"""Facts about tilting a held vessel: shaking, pouring, spilling."""
+"""Facts about tilting a held vessel."""
 
 from typing import Protocol
 
@@ -53,15 +53,6 @@ def lip_over(vessel: Pourable, target: Pourable) -> Predicate:
     """Lowest point of the vessel's lip is above the mouth of the target, inside its edge."""
     return Predicate(
         f"{vessel.name} lip over {target.name}", lambda world: _lip_over(world, vessel, target)
-    )
-
-
-def spilled(vessel: Pourable, target: Pourable, *, beyond_deg: float) -> Predicate:
-    """Vessel leans more than `beyond_deg` degrees while its lip is not over the target's mouth."""
-    limit = np.radians(beyond_deg)
-    return Predicate(
-        f"{vessel.name} spilled",
-        lambda world: world.pose(vessel).tilt > limit and not _lip_over(world, vessel, target),
     )
 
 

@@ -1,10 +1,16 @@
-"""Pictures of a simulation: colour, metric depth, segmentation."""
+"""Pictures of a simulation: colour, metric depth, segmentation.
+
+Depth and segmentation take liquids and glass for what they are, surfaces: neither looks through.
+"""
+
+from collections.abc import Sequence
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.liquids.drawing import SKIN_GROUP, LiquidDrawing
 
 _CURE = (
     "No picture without OpenGL. On a headless Linux machine type\n"
@@ -24,12 +30,19 @@ class Renderer:
         model: What to draw.
         width: Width of every picture [pixels].
         height: Height of every picture [pixels].
+        liquids: The liquids in the model; pictures show the surfaces that they have extracted last.
 
     Raises:
         NoOpenGLError: If no OpenGL context can be had.
     """
 
-    def __init__(self, model: mujoco.MjModel, width: int, height: int) -> None:
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        width: int,
+        height: int,
+        liquids: Sequence[LiquidDrawing] = (),
+    ) -> None:
         try:
             self._renderer = mujoco.Renderer(model, height=height, width=width)
         except Exception as error:  # every backend raises a type of its own
@@ -37,10 +50,12 @@ class Renderer:
         self._options = mujoco.MjvOption()
         self._options.geomgroup[3:] = 0  # collision geometry and planner hulls stay unseen
         self._options.sitegroup[:] = 0
+        self._options.skingroup[SKIN_GROUP] = 0  # liquids draw themselves
+        self._liquids = tuple(liquids)
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
-        self._renderer.update_scene(data, camera, self._options)
+        self._update(data, camera)
         picture: NDArray[np.uint8] = self._renderer.render()
         return picture
 
@@ -48,23 +63,39 @@ class Renderer:
         """Return the distance along the optical axis [m], shape (height, width)."""
         self._renderer.enable_depth_rendering()
         try:
-            self._renderer.update_scene(data, camera, self._options)
+            self._update(data, camera)
             picture: NDArray[np.float32] = self._renderer.render()
         finally:
             self._renderer.disable_depth_rendering()
         return picture
 
     def segmentation(self, data: mujoco.MjData, camera: str) -> NDArray[np.int32]:
-        """Return the body id of every pixel, shape (height, width); -1 where there is none."""
+        """Return the body id of every pixel, shape (height, width); -1 where there is none.
+
+        A liquid has a body of its own, of its name; what is soft counts as the thing it is part of.
+        """
         self._renderer.enable_segmentation_rendering()
         try:
-            self._renderer.update_scene(data, camera, self._options)
-            geoms = self._renderer.render()[..., 0].astype(np.int32)
+            self._update(data, camera)
+            objects, kinds = np.moveaxis(self._renderer.render(), -1, 0)
         finally:
             self._renderer.disable_segmentation_rendering()
-        bodies = np.append(self._renderer.model.geom_bodyid, -1).astype(np.int32)
-        segments: NDArray[np.int32] = bodies[geoms]
+        model = self._renderer.model
+        body_of = {
+            mujoco.mjtObj.mjOBJ_GEOM: model.geom_bodyid,
+            mujoco.mjtObj.mjOBJ_SKIN: model.skin_bonebodyid[model.skin_boneadr],
+            mujoco.mjtObj.mjOBJ_FLEX: model.body_rootid[model.flex_vertbodyid[model.flex_vertadr]],
+        }
+        segments: NDArray[np.int32] = np.full(objects.shape, -1, np.int32)
+        for kind, bodies in body_of.items():
+            segments[kinds == kind] = bodies[objects[kinds == kind]]
         return segments
+
+    def _update(self, data: mujoco.MjData, camera: str) -> None:
+        """Fill the scene with what there is to see."""
+        self._renderer.update_scene(data, camera, self._options)
+        for liquid in self._liquids:
+            liquid.draw(self._renderer.scene, self._renderer.model)
 
     def close(self) -> None:
         """Give the OpenGL context back."""

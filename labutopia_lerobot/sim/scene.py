@@ -1,13 +1,17 @@
 """Compiling a task into one MuJoCo model: room, robot, labware."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.liquids.drawing import LiquidDrawing
+from labutopia_lerobot.liquids.filling import Filling
+from labutopia_lerobot.liquids.liquid import PARTICLES
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory
 from labutopia_lerobot.views import View
@@ -33,7 +37,11 @@ class Scene:
         robot: The robot in it.
         pieces: The labware in it.
         groups: Names that contacts are reported under.
-        group_of_geom: Index into `groups` of every geom, shape (ngeom,).
+        group_of_geom: Index into `groups` of every geom, and after them of every flex, which is
+            named after the thing that it belongs to; shape (ngeom + nflex,).
+        contents: What vessels hold at the start.
+        particles: In how many particles that is divided.
+        liquid: How it is drawn, or None where there is none.
     """
 
     model: mujoco.MjModel
@@ -41,9 +49,18 @@ class Scene:
     pieces: tuple[Piece, ...]
     groups: tuple[str, ...]
     group_of_geom: NDArray[np.intp]
+    contents: Mapping[Piece, Filling]
+    particles: int
+    liquid: LiquidDrawing | None
 
 
-def compile_scene(pieces: Iterable[Piece], robot: Robot, view: View) -> Scene:
+def compile_scene(
+    pieces: Iterable[Piece],
+    robot: Robot,
+    view: View,
+    contents: Mapping[Piece, Filling] | None = None,
+    particles: int = PARTICLES,
+) -> Scene:
     """Put the robot and the pieces into the laboratory and compile.
 
     Pieces stand at the world's origin; a reset puts them where the layout says.
@@ -71,17 +88,35 @@ def compile_scene(pieces: Iterable[Piece], robot: Robot, view: View) -> Scene:
         body = piece.add_to(spec, spec.worldbody)
         if piece.movable:
             body.add_freejoint(name=f"{piece.name}_free")
-    # Two numbers per switch: whether it is on, and whether its button is in.
-    spec.nuserdata = 2 * sum(len(piece.switches) for piece in pieces)
+    if spec.flexes:
+        # The only integrator that is implicit in position: explicit ones need steps far below a
+        # millisecond for elastic bodies, implicitfast refuses them, of which this is a sibling
+        # (MuJoCo documentation, "Integrators", "Deformables").
+        spec.option.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
+    # Two numbers per switch: whether it is on, and whether its button is in. After them, two per
+    # bottle that can be squeezed (see `Displacement`).
+    bottles = sum(isinstance(piece, WashBottle) for piece in pieces)
+    spec.nuserdata = 2 * (sum(len(piece.switches) for piece in pieces) + bottles)
+    contents = contents or {}
+    liquid = _drawing(spec, contents, particles) if contents else None
     model = spec.compile()
     groups, group_of_geom = _contact_groups(model, robot)
-    return Scene(model, robot, pieces, groups, group_of_geom)
+    return Scene(model, robot, pieces, groups, group_of_geom, contents, particles, liquid)
+
+
+def _drawing(
+    spec: mujoco.MjSpec, contents: Mapping[Piece, Filling], particles: int
+) -> LiquidDrawing:
+    volume = sum(filling.volume for filling in contents.values()) / particles
+    filling = next(iter(contents.values()))
+    rgba = filling.substance.rgba
+    return LiquidDrawing.add_to(spec, filling.of, rgba, volume ** (1 / 3), particles)
 
 
 def _contact_groups(
     model: mujoco.MjModel, robot: Robot
 ) -> tuple[tuple[str, ...], NDArray[np.intp]]:
-    """Name each geom after its body, or the part of the robot that it belongs to."""
+    """Name each geom after its body or its part of the robot, each flex after its root body."""
     hand = model.body(robot.hand_body).id
     base = model.body(robot.base_body).id
     names = []
@@ -98,6 +133,8 @@ def _contact_groups(
             names.append(ARM)
         else:
             names.append(model.body(body).name)
+    for first in model.flex_vertadr:
+        names.append(model.body(model.body_rootid[model.flex_vertbodyid[first]]).name)
     groups = tuple(dict.fromkeys([LEFT_PAD, RIGHT_PAD, HAND, ARM, *names]))
     return groups, np.array([groups.index(name) for name in names], dtype=np.intp)
 

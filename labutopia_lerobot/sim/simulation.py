@@ -7,12 +7,19 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Piece, Placement
+from labutopia_lerobot.liquids.filling import Fillable, Filling
+from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.solver import LIQUID_HZ
+from labutopia_lerobot.liquids.surface import VesselPose
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
+from labutopia_lerobot.sim.displacement import Displacement
 from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 _SUBSTEPS = PHYSICS_HZ // CONTROL_HZ
+_LIQUID_PERIOD = PHYSICS_HZ // LIQUID_HZ
 _SETTLE_STEPS = CONTROL_HZ // 3
 """Control steps before the episode begins, in which things come to rest on the bench."""
 
@@ -30,6 +37,8 @@ class Simulation:
         scene: What was compiled.
         data: MuJoCo's state; positions and contacts in it always belong to the present moment.
         command: Joint targets [rad] and gripper opening [m] in force, shape (8,).
+        liquid: The liquid, or None where there is none.
+        volumes: Where it is, as of the last control step.
         touched: Groups that touched since the previous control step, shape (groups, groups).
     """
 
@@ -45,6 +54,13 @@ class Simulation:
         self._fingers = [scene.model.joint(name).qposadr[0] for name in robot.finger_joints]
         self._switches = [switch for piece in scene.pieces for switch in piece.switches]
         self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
+        self._displacements = {
+            piece.name: Displacement(scene.model, piece)
+            for piece in scene.pieces
+            if isinstance(piece, WashBottle)
+        }
+        self.liquid = _liquid(scene, self.data) if scene.contents else None
+        self.volumes = None if self.liquid is None else self.liquid.volumes()
         self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
         self._built = scene.model.body_pos.copy()
 
@@ -52,6 +68,8 @@ class Simulation:
         """Put the robot at home and the things where the layout says, and let them settle."""
         model, data = self.scene.model, self.data
         mujoco.mj_resetData(model, data)
+        if self.liquid is not None:
+            self.liquid.empty()
         for piece, placement in layout.items():
             position = np.array([placement.x, placement.y, BENCH_HEIGHT + placement.height])
             quat_wxyz = Rotation.from_euler("z", placement.yaw).as_quat(scalar_first=True)
@@ -71,9 +89,22 @@ class Simulation:
             self.step(self._home)
         self.start_clock()
 
+    def fill(self, rng: np.random.Generator) -> None:
+        """Fill the vessels where they are, and hold still until all has come to rest."""
+        if self.liquid is not None:
+            contents = self.scene.contents.items()
+            vessels: dict[Fillable, Filling] = {
+                piece: held for piece, held in contents if isinstance(piece, Fillable)
+            }
+            self.liquid.fill(vessels, rng)
+            for _ in range(_SETTLE_STEPS):
+                self.step(self.command)
+
     def start_clock(self) -> None:
         """Make now the beginning of the episode."""
         self.data.time = 0.0
+        for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
+            displacement.start(state, self.data)
 
     def step(self, command: FloatArray) -> None:
         """Advance by one control period.
@@ -88,21 +119,29 @@ class Simulation:
         group_of_geom = self.scene.group_of_geom
         self.touched[:] = False
         start, change = self.command, command - self.command
-        for part in self._ramp:
+        for substep, part in enumerate(self._ramp, start=1):
             data.ctrl[:] = start + part * change
             # The two halves of mj_step, turned round: so that positions are never one step old.
             mujoco.mj_step2(model, data)
             mujoco.mj_step1(model, data)
             if data.ncon:
-                first, second = group_of_geom[contact.geom].T
+                soft = self.scene.model.ngeom + contact.flex  # no geom, but a flex, has touched
+                touching = np.where(contact.geom < 0, soft, contact.geom)
+                first, second = group_of_geom[touching].T
                 self.touched[first, second] = True
+            if self.liquid is not None and substep % _LIQUID_PERIOD == 0:
+                self.liquid.step()
+        if self.liquid is not None:
+            self.volumes = self.liquid.volumes()
         self._work_switches()
+        for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
+            displacement.update(state, data)
         self.touched |= self.touched.T
         self.command = np.array(command)
 
     def _work_switches(self) -> None:
         """Toggle what has been pressed since the last control step, and light the lamps."""
-        states = self.data.userdata.reshape(-1, 2)
+        states = self.data.userdata.reshape(-1, 2)[: len(self._switches)]
         for switch, dark, state in zip(self._switches, self._dark, states, strict=True):
             pressed = self.data.joint(switch.button).qpos[0] > switch.travel
             on = bool(state[0]) != (pressed and not state[1])
@@ -115,8 +154,20 @@ class Simulation:
         return bool(self.data.userdata[2 * index])
 
     @property
+    def _displaced(self) -> FloatArray:
+        """State of the displacements, in the order of the bottles, shape (bottles, 2), a view."""
+        states: FloatArray = self.data.userdata.reshape(-1, 2)[len(self._switches) :]
+        return states
+
+    def displaced(self, name: str) -> float:
+        """Return the volume of liquid that has been squeezed out of a bottle [m^3]."""
+        return float(self._displaced[list(self._displacements).index(name), 1])
+
+    @property
     def diverged(self) -> bool:
         """Whether the integration has failed (MuJoCo found a bad position or acceleration)."""
+        if self.liquid is not None and self.liquid.diverged:
+            return True
         return any(self.data.warning[kind].number for kind in _DIVERGENCE)
 
     @property
@@ -130,9 +181,46 @@ class Simulation:
         """Measured distance between the pads [m]."""
         return float(self.data.qpos[self._fingers].sum())
 
+    def draw_liquid(self) -> None:
+        """Find the surface of the liquid, once for all pictures of this moment."""
+        if self.liquid is not None and self.scene.liquid is not None:
+            vessels = [
+                VesselPose(vessel.profile, *self._frame(vessel.name))
+                for vessel in self.liquid.vessels
+            ]
+            self.scene.liquid.extract(self.liquid.positions, vessels, BENCH_HEIGHT)
+
+    def _frame(self, name: str) -> tuple[FloatArray, FloatArray]:
+        body = self.data.body(name)
+        return body.xpos, body.xmat.reshape(3, 3)
+
     def state(self) -> FloatArray:
         """Return a copy of the full physics state, from which it continues bit for bit."""
         kind = mujoco.mjtState.mjSTATE_INTEGRATION
         state = np.empty(mujoco.mj_stateSize(self.scene.model, kind))
         mujoco.mj_getState(self.scene.model, self.data, state, kind)
+        if self.liquid is not None:
+            state = np.concatenate([state, self.liquid.state()])
         return state
+
+    def restore(self, state: FloatArray) -> None:
+        """Go back to what `state` returned in this episode, whatever has happened since.
+
+        Contacts of the previous control step are forgotten.
+        """
+        model, data, kind = self.scene.model, self.data, mujoco.mjtState.mjSTATE_INTEGRATION
+        size = mujoco.mj_stateSize(model, kind)
+        mujoco.mj_setState(model, data, state[:size], kind)
+        mujoco.mj_step1(model, data)
+        self.command = data.ctrl.copy()
+        if self.liquid is not None:
+            self.liquid.restore(state[size:])
+            self.volumes = self.liquid.volumes()
+
+
+def _liquid(scene: Scene, data: mujoco.MjData) -> Liquid:
+    """Return all that the contents of a scene are, still empty."""
+    vessels = [piece for piece in scene.pieces if isinstance(piece, Fillable)]
+    fillings = list(scene.contents.values())
+    together = Filling(sum(filling.ml for filling in fillings), fillings[0].of)
+    return Liquid(scene.model, data, vessels, together, scene.particles)

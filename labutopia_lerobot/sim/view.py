@@ -5,7 +5,7 @@ import numpy as np
 
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT, ROBOT_BASE
 from labutopia_lerobot.sim.simulation import Simulation
-from labutopia_lerobot.world import FloatArray, Pose, Thing
+from labutopia_lerobot.world import FloatArray, Pose, Thing, Volumes
 
 
 class SimulatedWorld:
@@ -77,6 +77,15 @@ class SimulatedWorld:
     def switched_on(self, name: str) -> bool:
         """Tell whether a named switch is on."""
         return self._simulation.switched_on(name)
+
+    def displaced(self, thing: Thing) -> float:
+        """Return the volume of liquid that has been squeezed out of a bottle [m^3]."""
+        return self._simulation.displaced(thing.name)
+
+    @property
+    def liquid(self) -> Volumes | None:
+        """Where the liquid is; None where none is simulated."""
+        return self._simulation.volumes
 
     def touching(self, first: str, second: str) -> bool:
         """Tell whether the two touched since the last control step."""

@@ -27,6 +27,9 @@ class Pour:
             wide, turns with the vessel and then reaches 0.09 m below the lip.
         hover: How much higher the start position is [m].
         angle: How far it is tilted [rad]: a little beyond the level, that a lip's bulge drains too.
+        short: How far before the middle of the other mouth the lip is [m]: liquid leaves it with
+            some speed, and flies about that far on its way down.
+        turn_speed: How fast it is tilted [rad/s]; faster, liquid shoots over the other vessel.
         pause_s: How long it is kept tilted [s].
     """
 
@@ -35,23 +38,27 @@ class Pour:
     drop: float = 0.10
     hover: float = 0.05
     angle: float = math.radians(105.0)
+    short: float = 0.025
+    turn_speed: float = 0.7
     pause_s: float = 1.0
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield start, ready, tilt, pause, tilt back and stabilise."""
         thing, shut = self.thing, world.commanded_opening
         own = frozenset({thing.name})
-        pivot = _Pivot.over(world, self.thing, world.frame(f"{self.into.name}_rim"), self.drop)
+        pivot = _Pivot.over(
+            world, self.thing, world.frame(f"{self.into.name}_rim"), self.drop, self.short
+        )
         ready = carrier(world, thing)(pivot.tilted(0.0))
         above = ready.moved(z=self.hover)
         there = arrived(within=0.006)
         yield Phase("start", lambda w: above, shut, arrived(within=0.015), own, thing)
         yield Phase("ready", lambda w: ready, shut, there, own, thing)
-        tilting, turn_speed = pivot.towards(world, self.angle), 1.2
-        yield Phase("tilt", tilting, shut, there, own, thing, turn_speed=turn_speed)
+        tilting = pivot.towards(world, self.angle)
+        yield Phase("tilt", tilting, shut, there, own, thing, turn_speed=self.turn_speed)
         yield Phase("pause", tilting, shut, waited(self.pause_s), own, thing)
         back = pivot.towards(world, 0.0)
-        yield Phase("tilt_back", back, shut, there, own, thing, turn_speed=turn_speed)
+        yield Phase("tilt_back", back, shut, there, own, thing, turn_speed=1.2)
         yield Phase("stabilise", back, shut, waited(0.3), own, thing)
 
 
@@ -72,11 +79,14 @@ class _Pivot:
     lip_w: FloatArray
 
     @classmethod
-    def over(cls, world: World, thing: Pourable, mouth: Pose, drop: float) -> "_Pivot":
-        """Return the pivot above the middle of a mouth by a height [m]."""
+    def over(
+        cls, world: World, thing: Pourable, mouth: Pose, drop: float, short: float
+    ) -> "_Pivot":
+        """Return the pivot above a mouth by a height [m], and short of its middle [m]."""
         axis = horizontal(hand_at(world, mouth.position_w).z_axis)
         upright = upright_in_hand(world, thing, mouth.position_w).rotation_w
-        return cls(thing, upright, axis, mouth.position_w + drop * UP)
+        left = np.cross(UP, axis)
+        return cls(thing, upright, axis, mouth.position_w + drop * UP - short * left)
 
     @property
     def left(self) -> FloatArray:

@@ -20,6 +20,11 @@ def env() -> LabEnv:
 
 
 @pytest.fixture(scope="module")
+def empty() -> LabEnv:
+    return LabEnv("level1/pour", obs="state", liquid="off")
+
+
+@pytest.fixture(scope="module")
 def whole() -> LabEnv:
     return LabEnv("level2/pour_liquid", obs="state")
 
@@ -39,22 +44,53 @@ def play(env: LabEnv, *skills, spoil: Callable[[Expert, np.ndarray], None] | Non
     return info
 
 
-def test_the_unspoilt_skill_succeeds(env):
-    assert play(env, *env.definition.expert)["outcome"] == "success"
+def test_the_unspoilt_skill_pours_everything_and_spills_next_to_nothing(env):
+    info = play(env, *env.definition.expert)
+    assert info["outcome"] == "success"
+    assert info["ml_poured"] >= 95
+    assert info["ml_spilled"] <= 1
+    assert info["ml_poured"] + info["ml_spilled"] + info["ml_retained"] == pytest.approx(100)
 
 
-def test_a_beaker_tilted_to_the_level_has_not_been_poured_out(env):
+def test_a_beaker_half_poured_out_has_not_been_poured_out(env):
     (pour,) = env.definition.expert
-    info = play(env, replace(pour, angle=math.radians(90)))
+    info = play(env, replace(pour, angle=math.radians(72)))
     assert info["outcome"] == "timeout"
+    assert 10 < info["ml_poured"] < 80
     assert info["substeps"]["poured"] == np.inf
 
 
-def test_a_beaker_tilted_beside_the_other_spills(env):
+def test_a_beaker_emptied_beside_the_other_spills(env):
     beaker, _ = env.definition.start
     away = OverBench("away", ahead=0.65, left=0.1, height=0.25)
-    info = play(env, Shake(beaker, at=away, angle=math.radians(60), cycles=1))
+    info = play(env, Shake(beaker, at=away, angle=math.radians(90), cycles=1))
     assert info["outcome"] == "spilled"
+    assert info["ml_spilled"] > 5
+
+
+def test_pouring_past_the_mouth_spills(env):
+    (pour,) = env.definition.expert
+    info = play(env, replace(pour, short=-0.05, turn_speed=1.2))
+    assert info["outcome"] == "spilled"
+
+
+def test_without_liquid_a_beaker_tilted_to_the_level_has_not_been_poured_out(empty):
+    (pour,) = empty.definition.expert
+    info = play(empty, replace(pour, angle=math.radians(90)))
+    assert info["outcome"] == "timeout"
+    assert info["substeps"]["poured"] == np.inf
+    assert np.isnan(info["ml_poured"])
+
+
+def test_without_liquid_a_beaker_tilted_beside_the_other_spills(empty):
+    beaker, _ = empty.definition.start
+    away = OverBench("away", ahead=0.65, left=0.1, height=0.25)
+    info = play(empty, Shake(beaker, at=away, angle=math.radians(60), cycles=1))
+    assert info["outcome"] == "spilled"
+
+
+def test_without_liquid_the_unspoilt_skill_succeeds_too(empty):
+    assert play(empty, *empty.definition.expert)["outcome"] == "success"
 
 
 def test_a_beaker_left_tilted_is_not_upright_again(env):

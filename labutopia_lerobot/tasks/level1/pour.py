@@ -5,15 +5,16 @@ Ported from: config/level1_pour.yaml, tasks/pickpour_task.py, controllers/pour_c
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
+from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import (
     falling,
     gripped,
     lifted,
     lip_over,
+    poured,
     spilled,
     steady,
     struck,
-    tilted,
     upright,
 )
 from labutopia_lerobot.skills.pick import Pick
@@ -39,8 +40,8 @@ def pour() -> Task:
         prelude=(Pick(vessel, lift=0.25),),
         expert=(Pour(vessel, into=target),),
         substeps=(
-            # Original: 50 deg. Ours: beyond the level nothing stays in a beaker.
-            Substep("poured", (tilted(vessel, beyond_deg=95), lip_over(vessel, target))),
+            # Ours: the volume. Original: a tilt of 50 deg.
+            Substep("poured", (poured(vessel, target, share=0.80),)),
             Substep("righted", (upright(vessel, within_deg=10),)),  # original: 30 deg
         ),
         goal=(
@@ -49,8 +50,9 @@ def pour() -> Task:
             upright(vessel, within_deg=10),
             steady(vessel, below=0.02),  # paper: "remaining stable"; ours: at rest
         ),
+        contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            "spilled": spilled(vessel, target, beyond_deg=45),  # ours: half-full, it runs at 52 deg
+            "spilled": spilled(vessel, share=0.05, unless=lip_over(vessel, target)),  # ours
             "dropped": falling(vessel, faster_than=0.5),  # free fall over 13 mm
             "collided": struck(target),
         },

@@ -5,14 +5,15 @@ Ported from: config/level1_shake.yaml, tasks/shake_task.py, controllers/shake_co
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
+from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import (
     falling,
     gripped,
     lifted,
     near,
+    spilled,
     steady,
-    tilted,
     tilted_left,
     tilted_right,
     upright,
@@ -55,8 +56,9 @@ def shake() -> Task:
             gripped(vessel),
             steady(vessel, below=0.02),  # paper: "maintaining stability"; ours: at rest
         ),
+        contents={vessel: Filling(ml=60)},  # ours: half of what it holds
         never={
-            "spilled": tilted(vessel, beyond_deg=45),  # ours: half-full, it spills at 56 deg
+            "spilled": spilled(vessel, share=0.01),  # paper: "without spilling"; the number is ours
             "dropped": falling(vessel, faster_than=0.5),  # free fall over 13 mm
         },
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz

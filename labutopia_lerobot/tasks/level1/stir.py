@@ -7,6 +7,7 @@ from labutopia_lerobot.labware.glass_rod import GlassRod
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import Inside, OnBench
+from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import (
     dipped,
     falling,
@@ -15,6 +16,7 @@ from labutopia_lerobot.predicates import (
     off_axis,
     on_side,
     over_mouth,
+    spilled,
     steady,
     struck,
     upright,
@@ -70,8 +72,10 @@ def stir() -> Task:
             upright(rod, within_deg=10),
             steady(rod, below=0.02),
         ),
+        contents={vessel: Filling(ml=60)},  # ours: half of what it holds
         never={
             "dropped": falling(rod, faster_than=0.5),  # free fall over 13 mm
+            "spilled": spilled(vessel, share=0.01),  # paper: "without causing spillage"
             "collided": struck(vessel),
             "rack_struck": struck(rack, but_for=frozenset({rod.name})),
         },

@@ -9,6 +9,7 @@ import math
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.heater import Heater
 from labutopia_lerobot.layout import OnBench
+from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import (
     collided,
@@ -22,10 +23,10 @@ from labutopia_lerobot.predicates import (
     pressed,
     pushed,
     released,
+    spilled,
     standing_on,
     steady,
     switched_on,
-    tilted,
 )
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
@@ -67,9 +68,10 @@ def heat_beaker() -> Task:
             steady(vessel, below=0.02),  # ours: at rest
             fingers_clear_of(button, by=0.05),  # ours: the finger is gone
         ),
+        contents={vessel: Filling(ml=60)},  # ours: half of what it holds
         never={
             "knocked_over": knocked_over(vessel, beyond_deg=30),
-            "spilled": tilted(vessel, beyond_deg=45),  # ours: half-full, it spills at 56 deg
+            "spilled": spilled(vessel, share=0.01),  # paper: "without spilling"; the number is ours
             "dropped": falling(vessel, faster_than=0.5),  # free fall over 13 mm
             "collided": collided(heater, sparing=button),
         },

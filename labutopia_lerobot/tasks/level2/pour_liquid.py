@@ -6,6 +6,7 @@ controllers/pickpour_controller.py.
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
+from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import (
     falling,
@@ -13,12 +14,12 @@ from labutopia_lerobot.predicates import (
     knocked_over,
     lifted,
     lip_over,
+    poured,
     released,
     spilled,
     standing_on,
     steady,
     struck,
-    tilted,
     upright,
     withdrawn,
 )
@@ -50,8 +51,8 @@ def pour_liquid() -> Task:
         substeps=(
             Substep("gripped", (gripped(vessel),)),
             Substep("lifted", (gripped(vessel), high, level)),
-            # Original: 50 deg. Ours: beyond the level nothing stays in a beaker.
-            Substep("poured", (tilted(vessel, beyond_deg=95), lip_over(vessel, target))),
+            # Ours: the volume. Original: a tilt of 50 deg.
+            Substep("poured", (poured(vessel, target, share=0.80),)),
             Substep("righted", (gripped(vessel), level)),
             Substep("released", (standing_on(vessel, bench), released(vessel))),
         ),
@@ -61,9 +62,10 @@ def pour_liquid() -> Task:
             withdrawn(vessel, by=0.05),  # original, TransportBeaker: gripper 0.05 m away
             steady(vessel, below=0.02),  # paper: "stable"; ours: at rest
         ),
+        contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
             "knocked_over": knocked_over(vessel, beyond_deg=30),
-            "spilled": spilled(vessel, target, beyond_deg=45),  # ours: half-full, it runs at 52 deg
+            "spilled": spilled(vessel, share=0.05, unless=lip_over(vessel, target)),  # ours
             "dropped": falling(vessel, faster_than=0.5),  # free fall over 13 mm
             "collided": struck(target),
         },

@@ -8,6 +8,7 @@ from labutopia_lerobot.labware.glass_rod import GlassRod
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import Inside, OnBench
+from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import (
     dipped,
     falling,
@@ -18,6 +19,7 @@ from labutopia_lerobot.predicates import (
     off_axis,
     on_side,
     over_mouth,
+    spilled,
     steady,
     struck,
     upright,
@@ -75,9 +77,11 @@ def stir_glassrod() -> Task:
             upright(rod, within_deg=10),
             steady(rod, below=0.02),
         ),
+        contents={vessel: Filling(ml=60)},  # ours: half of what it holds
         never={
             "knocked_over": knocked_over(rod, beyond_deg=30),
             "dropped": falling(rod, faster_than=0.5),  # free fall over 13 mm
+            "spilled": spilled(vessel, share=0.01),  # paper: "without causing spillage"
             "collided": struck(vessel),
             "rack_struck": struck(rack, but_for=frozenset({rod.name})),
         },

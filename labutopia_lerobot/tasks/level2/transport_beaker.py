@@ -7,6 +7,7 @@ controllers/pickplace_controller.py.
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.target_plate import TargetPlate
 from labutopia_lerobot.layout import OnBench
+from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import (
     falling,
@@ -15,6 +16,7 @@ from labutopia_lerobot.predicates import (
     lifted,
     near,
     released,
+    spilled,
     standing_on,
     steady,
     struck,
@@ -58,8 +60,10 @@ def transport_beaker() -> Task:
             withdrawn(vessel, by=0.05),  # original: gripper 0.05 m away
             steady(vessel, below=0.02),  # paper: "stable"; ours: at rest
         ),
+        contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
             "knocked_over": knocked_over(vessel, beyond_deg=30),
+            "spilled": spilled(vessel, share=0.01),  # ours, as in Shake
             "dropped": falling(vessel, faster_than=0.5),  # free fall over 13 mm
             "collided": struck(plate, but_for=frozenset({vessel.name})),
         },

@@ -1,0 +1,1 @@
+"""Liquids: position-based fluid, containment in vessels, coupling, drawing."""

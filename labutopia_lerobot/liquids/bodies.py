@@ -1,0 +1,132 @@
+"""The vessels and shapes that liquid is among: where they were, where they are."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.liquids.walls import stop_at_glass
+
+
+class Glass(NamedTuple):
+    """The vessels: where they were, where they are, what they are made of.
+
+    Attributes:
+        edges: Of all vessels, one after the other, shape (edges, 10) (see `walls`).
+        starts: Index of the first edge of each vessel, shape (vessels + 1,).
+        middle: Height of the middle of each vessel [m], shape (vessels,).
+        radius: Of the ball around that, which holds the vessel [m], shape (vessels,).
+        old_origin: Shape (vessels, 3), metres, world frame.
+        old_rotation: Axes as columns, shape (vessels, 3, 3).
+        origin: As `old_origin`, at the end of the step.
+        rotation: As `old_rotation`, at the end of the step.
+    """
+
+    edges: NDArray[np.float64]
+    starts: NDArray[np.int64]
+    middle: NDArray[np.float64]
+    radius: NDArray[np.float64]
+    old_origin: NDArray[np.float64]
+    old_rotation: NDArray[np.float64]
+    origin: NDArray[np.float64]
+    rotation: NDArray[np.float64]
+
+
+class Shapes(NamedTuple):
+    """Everything else, in the same manner.
+
+    Attributes:
+        kind: See `obstacles`, shape (shapes,).
+        size: As MuJoCo's geom_size, shape (shapes, 3), metres.
+        radius: Of the ball around it [m], huge for a plane, shape (shapes,).
+        old_origin: Shape (shapes, 3), metres, world frame.
+        old_rotation: Axes as columns, shape (shapes, 3, 3).
+        origin: As `old_origin`, at the end of the step.
+        rotation: As `old_rotation`, at the end of the step.
+    """
+
+    kind: NDArray[np.int64]
+    size: NDArray[np.float64]
+    radius: NDArray[np.float64]
+    old_origin: NDArray[np.float64]
+    old_rotation: NDArray[np.float64]
+    origin: NDArray[np.float64]
+    rotation: NDArray[np.float64]
+
+
+@kernel
+def into(
+    origin: NDArray[np.float64],
+    rotation: NDArray[np.float64],
+    point: NDArray[np.float64],
+    result: NDArray[np.float64],
+) -> None:
+    """Express a point of the world in a frame; all shapes (3,) but the rotation's (3, 3)."""
+    x, y, z = point[0] - origin[0], point[1] - origin[1], point[2] - origin[2]
+    for k in range(3):
+        result[k] = rotation[0, k] * x + rotation[1, k] * y + rotation[2, k] * z
+
+
+@kernel
+def out_of(
+    origin: NDArray[np.float64],
+    rotation: NDArray[np.float64],
+    point: NDArray[np.float64],
+    result: NDArray[np.float64],
+) -> None:
+    """Express a point of a frame in the world."""
+    for k in range(3):
+        result[k] = origin[k] + (
+            rotation[k, 0] * point[0] + rotation[k, 1] * point[1] + rotation[k, 2] * point[2]
+        )
+
+
+@kernel
+def stop_at_vessels(
+    start: NDArray[np.float64],
+    end: NDArray[np.float64],
+    glass: Glass,
+    impulse: NDArray[np.float64],
+) -> None:
+    """Let no particle pass through glass while it and the vessels move.
+
+    In the frame of a vessel, a particle goes straight from where it was to where it is.
+
+    Args:
+        start: Where particles were, outside all glass, shape (n, 3), metres, world frame.
+        end: Where they are to go; changed in place.
+        glass: The vessels.
+        impulse: How the vessels moved particles: the sum of displacements [m], and of their moments
+            about the world's origin [m^2], shape (owners, 6); added to.
+    """
+    p, q, before = np.empty(3), np.empty(3), np.empty(3)
+    for v in range(len(glass.starts) - 1):
+        edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
+        old, new = glass.old_origin[v], glass.origin[v]
+        for a in range(len(start)):
+            away = 0.0
+            for k in range(3):
+                centre = old[k] + glass.old_rotation[v, k, 2] * glass.middle[v]
+                away += (start[a, k] - centre) ** 2
+            # Anything that touches the vessel within a step is within a radius of it.
+            if away > 4.0 * glass.radius[v] ** 2:
+                continue
+            into(old, glass.old_rotation[v], start[a], p)
+            into(new, glass.rotation[v], end[a], q)
+            if stop_at_glass(edges, p, q):
+                before[:] = end[a]
+                out_of(new, glass.rotation[v], q, end[a])
+                add_moment(impulse[v], end[a], end[a] - before)
+
+
+@kernel
+def add_moment(
+    impulse: NDArray[np.float64], at: NDArray[np.float64], moved: NDArray[np.float64]
+) -> None:
+    """Add a vector, shape (3,), and its moment about the world's origin to a sum, shape (6,)."""
+    for k in range(3):
+        impulse[k] += moved[k]
+    impulse[3] += at[1] * moved[2] - at[2] * moved[1]
+    impulse[4] += at[2] * moved[0] - at[0] * moved[2]
+    impulse[5] += at[0] * moved[1] - at[1] * moved[0]

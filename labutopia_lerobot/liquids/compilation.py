@@ -1,0 +1,41 @@
+"""Compiling kernels with numba, once per machine."""
+
+import hashlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import cast
+
+from numba import njit
+
+_SOURCES = Path(__file__).parent
+_DIGEST = _SOURCES / "__pycache__" / "kernels.sha256"
+
+
+def _forget_stale_kernels() -> None:
+    """Delete what was compiled from other sources.
+
+    numba looks only at the file of a kernel itself, not at those of the kernels that it calls.
+    """
+    sources = b"".join(path.read_bytes() for path in sorted(_SOURCES.glob("*.py")))
+    digest = hashlib.sha256(sources).hexdigest()
+    if _DIGEST.exists() and _DIGEST.read_text() == digest:
+        return
+    try:
+        for index in _DIGEST.parent.glob("*.nbi"):
+            index.unlink(missing_ok=True)
+        _DIGEST.parent.mkdir(exist_ok=True)
+        _DIGEST.write_text(digest)
+    except OSError:
+        pass  # not ours to write: numba keeps such a package's kernels elsewhere
+
+
+_forget_stale_kernels()
+
+
+def kernel[Function: Callable[..., object]](function: Function) -> Function:
+    """Compile a function at its first call, serially; later processes find it compiled.
+
+    One process per core plays an episode, so that a kernel never asks for a second one. Floating
+    point may be reordered by the compiler, which is the same on every run of a machine.
+    """
+    return cast(Function, njit(cache=True, fastmath=True)(function))

@@ -1,0 +1,141 @@
+"""Drawing a liquid in MuJoCo's pictures: its surface as a skin that is new in every frame.
+
+MuJoCo sends the vertices of a skin to OpenGL for every picture, and how many of them and of its
+faces count can be set in the scene. The skin made here has four vertices of its own for every quad,
+so that its list of faces never changes, and room for the surface of all particles as separate
+drops. `mjr_uploadMesh`, the other way to draw a mesh that changes, costs as much by itself as
+drawing the skin does, and a sphere per particle several times as much as the whole picture.
+"""
+
+from collections.abc import Sequence
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.liquids.surface import Surface, VesselPose, liquid_surface
+
+SKIN_GROUP = 5
+"""Group of the skins, to be switched off in `MjvOption.skingroup`: MuJoCo would bend them."""
+
+QUADS_PER_PARTICLE = 64
+"""Room in the skin: a drop of one particle has 39 quads on average (of 300 measured) and 54 at
+most (of 2,000), and particles that touch have fewer."""
+
+_SPECULAR, _SHININESS = 0.6, 0.9
+_FAR = 100.0  # where liquids are, to the sorting of transparent things [m]
+
+
+class LiquidDrawing:
+    """One liquid as it is drawn: made with a scene's specification, used after its compilation.
+
+    Drawing takes three calls: `add_to` at compile time, `extract` once per frame, and `draw` once
+    per picture, after the scene was updated.
+
+    Attributes:
+        name: Name of the liquid, of its skin and of its body, by which segmentation calls it.
+        rgba: Colour and opacity; MuJoCo blends every transparent face twice.
+        spacing: Edge of the cube that has a particle's volume [m].
+    """
+
+    def __init__(self, name: str, rgba: Sequence[float], spacing: float, capacity: int) -> None:
+        self.name = name
+        self.spacing = spacing
+        self.rgba: NDArray[np.float32] = np.array(rgba, np.float32)
+        self._capacity = capacity
+        self._corners: NDArray[np.float32] = np.zeros((0, 3), np.float32)
+        self._normals: NDArray[np.float32] = np.zeros((0, 3), np.float32)
+
+    @classmethod
+    def add_to(
+        cls,
+        spec: mujoco.MjSpec,
+        name: str,
+        rgba: Sequence[float],
+        spacing: float,
+        particles: int,
+    ) -> "LiquidDrawing":
+        """Make room for a liquid in a scene: an empty body, and a skin that hangs on it.
+
+        Args:
+            spec: Of the scene.
+            name: Not yet the name of a body or a skin.
+            rgba: Red, green, blue and opacity, 0 to 1.
+            spacing: Edge of the cube that has a particle's volume [m].
+            particles: The most that are ever drawn.
+        """
+        spec.worldbody.add_body(name=name)
+        quads = QUADS_PER_PARTICLE * particles
+        vertices = np.arange(4 * quads, dtype=np.int32)
+        first = vertices[::4, None]
+        spec.add_skin(
+            name=name,
+            group=SKIN_GROUP,
+            vert=np.zeros(3 * len(vertices), np.float32),
+            face=(first + np.array([0, 1, 2, 0, 2, 3], np.int32)).ravel(),
+            bodyname=[name],
+            bindpos=np.zeros(3),
+            bindquat=np.array([1.0, 0.0, 0.0, 0.0]),
+            vertid=[vertices],
+            vertweight=[np.ones(len(vertices), np.float32)],
+        )
+        return cls(name, rgba, spacing, quads)
+
+    def extract(
+        self,
+        positions_w: NDArray[np.float64],
+        vessels: Sequence[VesselPose],
+        bench_height: float,
+    ) -> Surface:
+        """Find the surface that the next pictures show, and return it.
+
+        Args:
+            positions_w: The particles, shape (n, 3), metres, world frame.
+            vessels: All that may hold some of the liquid.
+            bench_height: Height of the bench top [m].
+
+        Raises:
+            RuntimeError: There are more particles than `add_to` was told.
+        """
+        surface = liquid_surface(positions_w, self.spacing, vessels, bench_height)
+        if len(surface.quads) > self._capacity:
+            raise RuntimeError(
+                f"The surface of {len(positions_w)} particles of {self.name} has "
+                f"{len(surface.quads)} quads; there is room for {self._capacity}"
+            )
+        self._corners = surface.vertices_w[surface.quads.ravel()]
+        self._normals = surface.normals_w[surface.quads.ravel()]
+        return surface
+
+    def draw(self, scene: mujoco.MjvScene, model: mujoco.MjModel) -> None:
+        """Put the surface into an updated scene.
+
+        Args:
+            scene: To be rendered next.
+            model: What `add_to`'s specification was compiled to.
+        """
+        skin = model.skin(self.name).id
+        start, count = 3 * scene.skinvertadr[skin], len(self._corners)
+        scene.skinvert[start : start + 3 * count] = self._corners.ravel()
+        scene.skinnormal[start : start + 3 * count] = self._normals.ravel()
+        scene.skinvertnum[skin] = count
+        scene.skinfacenum[skin] = count // 2
+        if not count:
+            return
+        geom = scene.geoms[scene.ngeom]
+        # Transparent geoms are drawn in the order of their distance. A liquid has none of its own,
+        # it is in many places: beyond everything, it lies behind all glass, as in a vessel it does.
+        head, ahead = scene.camera[0].pos, scene.camera[0].forward
+        mujoco.mjv_initGeom(
+            geom,
+            mujoco.mjtGeom.mjGEOM_SKIN,
+            np.zeros(3),
+            np.array(head + _FAR * ahead, float),
+            np.eye(3).ravel(),
+            self.rgba,
+        )
+        geom.objtype, geom.objid = mujoco.mjtObj.mjOBJ_SKIN, skin
+        geom.category = mujoco.mjtCatBit.mjCAT_DYNAMIC
+        geom.specular, geom.shininess = _SPECULAR, _SHININESS
+        geom.segid = scene.ngeom
+        scene.ngeom += 1

@@ -1,0 +1,107 @@
+"""What is in a vessel when an episode begins."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.labware.profile import Profile
+from labutopia_lerobot.liquids.substance import Substance, substance
+from labutopia_lerobot.world import Thing
+
+
+class ImpossibleFillingError(UserError, ValueError):
+    """Contents that cannot be; the message names the vessel and what it holds."""
+
+
+@runtime_checkable
+class Fillable(Thing, Protocol):
+    """A vessel that liquid stays in: its wall is a closed surface of revolution."""
+
+    @property
+    def profile(self) -> Profile:
+        """The wall's half cross-section."""
+        ...
+
+
+@dataclass(frozen=True)
+class Filling:
+    """Some millilitres of a substance.
+
+    Attributes:
+        ml: Volume [ml].
+        of: Name of the substance.
+    """
+
+    ml: float
+    of: str = "water"
+
+    @property
+    def substance(self) -> Substance:
+        """The substance.
+
+        Raises:
+            UnknownSubstanceError: There is none of that name.
+        """
+        return substance(self.of)
+
+    @property
+    def volume(self) -> float:
+        """Volume [m^3]."""
+        return self.ml * 1e-6
+
+
+def require_fillable[Present: Thing](
+    contents: Mapping[Present, Filling], present: Mapping[Present, object]
+) -> None:
+    """Make sure, before anything is compiled, that vessels can hold what a task puts into them.
+
+    Args:
+        contents: What each vessel holds.
+        present: Everything that there is in the task.
+
+    Raises:
+        ImpossibleFillingError: A volume is not positive or more than its vessel holds, or a vessel
+            is not in the task or not watertight.
+        UnknownSubstanceError: A substance does not exist.
+    """
+    substances = {filling.substance.name for filling in contents.values()}
+    if len(substances) > 1:
+        raise ImpossibleFillingError(
+            f"A task has one liquid, not {' and '.join(sorted(substances))}. Fill all with one"
+        )
+    for vessel, filling in contents.items():
+        if vessel not in present:
+            names = ", ".join(thing.name for thing in present)
+            raise ImpossibleFillingError(
+                f"{vessel.name} is to be filled but not in the task, which has: {names}"
+            )
+        if not isinstance(vessel, Fillable):
+            raise ImpossibleFillingError(
+                f"{vessel.name} ({type(vessel).__name__}) is not watertight: it has no `profile`, "
+                "the closed half cross-section that holds a liquid. Fill a beaker or a flask"
+            )
+        _require_watertight(vessel)
+        capacity = vessel.profile.capacity_below(vessel.profile.height) * 1e6
+        if not (math.isfinite(filling.ml) and 0 < filling.ml <= capacity):
+            raise ImpossibleFillingError(
+                f"{vessel.name} cannot hold {filling.ml:g} ml of {filling.of}: "
+                f"it takes more than 0 and at most {capacity:.0f} ml"
+            )
+
+
+def _require_watertight(vessel: Fillable) -> None:
+    """Make sure that there is glass between the cavity and the outside everywhere.
+
+    Raises:
+        ImpossibleFillingError: There is a hole.
+    """
+    profile = vessel.profile
+    inner = profile.inner
+    holes = [z for r, z in inner if not 0.0 < r < profile.outer_radius(z)]
+    if holes or inner[0][1] <= 0.0 or inner[-1][1] < profile.height:
+        raise ImpossibleFillingError(
+            f"{vessel.name} is not watertight: at the heights {holes} m its cavity reaches the "
+            "outside or closes. Mend its profile"
+        )

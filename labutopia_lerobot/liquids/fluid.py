@@ -1,0 +1,246 @@
+"""One step of position-based fluid (Macklin and Mueller 2013, "Position Based Fluids").
+
+Every particle is a fixed volume of liquid. A step predicts where the particles would go, moves them
+until none is more tightly packed than liquid is, and takes the velocities from where they have come
+to. Walls take part in the packing as if liquid went on behind them (Koschier and Bender 2017,
+"Density Maps for Improved SPH Boundary Handling", for plane walls), so that a particle keeps its
+distance from glass as from other particles.
+
+Two things are not in the paper. Corrections are begun with a part of the previous step's, since a
+settled liquid needs the same again to carry its weight; and a correction that went too far is taken
+back. Both keep a settled liquid still.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.liquids.contacts import Contacts, gap
+from labutopia_lerobot.liquids.neighbors import Pairs
+from labutopia_lerobot.liquids.smoothing import AT_WALL, BEHIND_WALL, look_up, slope, weight
+
+type Vectors = NDArray[np.float64]
+"""Shape (n, 3)."""
+
+ITERATIONS = 4
+
+_RELAXATION = 0.02
+"""Softens the correction of nearly isolated particles (the paper's equation 11), times 1 / h^2."""
+
+_STEP = 0.35
+"""Part of a correction that is made, since all neighbours are corrected at the same time."""
+
+_KEPT = 0.5
+"""Part of the previous step's corrections that a step begins with."""
+
+
+@kernel
+def pack(
+    positions: Vectors,
+    pairs: Pairs,
+    contacts: Contacts,
+    pressure: NDArray[np.float64],
+    reach: float,
+    share: float,
+    wall_share: float,
+    least: float,
+) -> None:
+    """Move particles apart until the liquid is nowhere denser than it is at rest.
+
+    Args:
+        positions: Metres, world frame; changed in place.
+        pairs: Neighbours.
+        contacts: Walls near the particles; what they push is added to their `push`.
+        pressure: What the corrections of the previous step came to, shape (n,), square metres, not
+            positive; changed in place.
+        reach: Of the kernel [m].
+        share: What a particle adds to the density, of 1, times the kernel's `weight`.
+        wall_share: What a wall adds, times the kernel's part behind it.
+        least: Distance from a wall that a particle keeps in any case [m].
+    """
+    n = len(positions)
+    gradients = np.empty((len(pairs.second), 3))
+    wall_gradient = np.empty(len(contacts.offset))
+    density, diagonal = np.empty(n), np.empty(n)
+    factor = np.empty(n)
+    moves = np.empty((n, 3))
+    pressure *= _KEPT
+    for turn in range(ITERATIONS + 1):
+        _measure(
+            positions, pairs, contacts, reach, share, wall_share, density, gradients, wall_gradient
+        )
+        if turn == 0:
+            _diagonal(pairs, contacts, gradients, wall_gradient, diagonal)
+            diagonal += _RELAXATION / reach**2
+            factor[:] = pressure
+        else:
+            for a in range(n):
+                # Pressure pushes or it is nothing: never more is taken back than was given.
+                new = min(0.0, pressure[a] - _STEP * (density[a] - 1.0) / diagonal[a])
+                factor[a] = new - pressure[a]
+                pressure[a] = new
+        moves[:] = 0.0
+        for k in range(n):
+            a = pairs.first[k]
+            mine = factor[a]
+            mx, my, mz = 0.0, 0.0, 0.0
+            for p in range(pairs.starts[k], pairs.starts[k + 1]):
+                b = pairs.second[p]
+                s = mine + factor[b]
+                gx, gy, gz = s * gradients[p, 0], s * gradients[p, 1], s * gradients[p, 2]
+                mx += gx
+                my += gy
+                mz += gz
+                moves[b, 0] -= gx
+                moves[b, 1] -= gy
+                moves[b, 2] -= gz
+            moves[a, 0] += mx
+            moves[a, 1] += my
+            moves[a, 2] += mz
+        for a in range(n):
+            for k in range(3):
+                positions[a, k] += moves[a, k]
+            for c in range(contacts.starts[a], contacts.starts[a + 1]):
+                push = factor[a] * wall_gradient[c]
+                for k in range(3):
+                    positions[a, k] += push * contacts.normal[c, k]
+                x, y, z = positions[a, 0], positions[a, 1], positions[a, 2]
+                short = least - gap(contacts, c, x, y, z)
+                if short > 0.0 and contacts.extent[c] > 0.5:
+                    push += short
+                    for k in range(3):
+                        positions[a, k] += short * contacts.normal[c, k]
+                contacts.push[c] += push
+
+
+@kernel
+def _measure(
+    positions: Vectors,
+    pairs: Pairs,
+    contacts: Contacts,
+    reach: float,
+    share: float,
+    wall_share: float,
+    density: NDArray[np.float64],
+    gradients: Vectors,
+    wall_gradient: NDArray[np.float64],
+) -> None:
+    """Find the density at every particle, of 1 at rest, and how it changes with distances [1/m]."""
+    density[:] = share * weight(0.0)
+    per_reach = 1.0 / reach
+    for k in range(len(positions)):
+        a = pairs.first[k]
+        x, y, z = positions[a, 0], positions[a, 1], positions[a, 2]
+        own = 0.0
+        for p in range(pairs.starts[k], pairs.starts[k + 1]):
+            b = pairs.second[p]
+            dx, dy, dz = x - positions[b, 0], y - positions[b, 1], z - positions[b, 2]
+            r = np.sqrt(dx * dx + dy * dy + dz * dz) + 1e-9
+            q = r * per_reach
+            w = share * weight(q)
+            own += w
+            density[b] += w
+            s = share * per_reach * slope(q) / r
+            gradients[p, 0], gradients[p, 1], gradients[p, 2] = s * dx, s * dy, s * dz
+        density[a] += own
+    for a in range(len(positions)):
+        x, y, z = positions[a, 0], positions[a, 1], positions[a, 2]
+        # What is left of space before all the walls: overlaps, as in a corner, do not count twice.
+        free = 1.0
+        for c in range(contacts.starts[a], contacts.starts[a + 1]):
+            q = gap(contacts, c, x, y, z) * per_reach
+            free *= 1.0 - contacts.extent[c] * look_up(BEHIND_WALL, q)
+        density[a] += wall_share * (1.0 - free)
+        for c in range(contacts.starts[a], contacts.starts[a + 1]):
+            q = gap(contacts, c, x, y, z) * per_reach
+            others = free / (1.0 - contacts.extent[c] * look_up(BEHIND_WALL, q))
+            wall_gradient[c] = -wall_share * others * contacts.extent[c] * look_up(AT_WALL, q)
+            wall_gradient[c] *= per_reach
+
+
+@kernel
+def _diagonal(
+    pairs: Pairs,
+    contacts: Contacts,
+    gradients: Vectors,
+    wall_gradient: NDArray[np.float64],
+    diagonal: NDArray[np.float64],
+) -> None:
+    """Find the sum of the squared gradients of each density (the denominator of equation 9)."""
+    total = np.zeros((len(diagonal), 3))
+    diagonal[:] = 0.0
+    for k in range(len(diagonal)):
+        a = pairs.first[k]
+        for p in range(pairs.starts[k], pairs.starts[k + 1]):
+            b = pairs.second[p]
+            square = 0.0
+            for axis in range(3):
+                total[a, axis] += gradients[p, axis]
+                total[b, axis] -= gradients[p, axis]
+                square += gradients[p, axis] ** 2
+            diagonal[a] += square
+            diagonal[b] += square
+    for a in range(len(diagonal)):
+        for c in range(contacts.starts[a], contacts.starts[a + 1]):
+            for axis in range(3):
+                total[a, axis] += wall_gradient[c] * contacts.normal[c, axis]
+        diagonal[a] += total[a, 0] ** 2 + total[a, 1] ** 2 + total[a, 2] ** 2
+
+
+@kernel
+def blend(
+    positions: Vectors,
+    velocities: Vectors,
+    pairs: Pairs,
+    reach: float,
+    share: float,
+    viscosity: float,
+    cohesion: float,
+) -> None:
+    """Exchange momentum between neighbours: viscosity (XSPH), and the pull of surface tension.
+
+    Args:
+        positions: Metres, world frame.
+        velocities: Metres per second; changed in place, their sum stays.
+        pairs: Neighbours.
+        reach: Of the kernel [m].
+        share: What a particle adds to the density, of 1, times the kernel's `weight`.
+        viscosity: Part of the velocity difference that is evened out.
+        cohesion: Greatest change of velocity by one neighbour [m/s].
+    """
+    n = len(positions)
+    change = np.zeros((n, 3))
+    for k in range(n):
+        a = pairs.first[k]
+        for p in range(pairs.starts[k], pairs.starts[k + 1]):
+            b = pairs.second[p]
+            dx = positions[a, 0] - positions[b, 0]
+            dy = positions[a, 1] - positions[b, 1]
+            dz = positions[a, 2] - positions[b, 2]
+            r = np.sqrt(dx * dx + dy * dy + dz * dz) + 1e-9
+            q = r / reach
+            if q >= 1.0:
+                continue
+            even = viscosity * share * weight(q)
+            pull = cohesion * _attraction(q) / r
+            cx = even * (velocities[b, 0] - velocities[a, 0]) - pull * dx
+            cy = even * (velocities[b, 1] - velocities[a, 1]) - pull * dy
+            cz = even * (velocities[b, 2] - velocities[a, 2]) - pull * dz
+            change[a, 0] += cx
+            change[a, 1] += cy
+            change[a, 2] += cz
+            change[b, 0] -= cx
+            change[b, 1] -= cy
+            change[b, 2] -= cz
+    velocities += change
+
+
+@kernel
+def _attraction(q: float) -> float:
+    """Pull between two particles at the distance q h, at most 1; near ones repel each other.
+
+    The spline of Akinci et al. (2013, "Versatile Surface Tension and Adhesion for SPH Fluids",
+    equation 2).
+    """
+    cube = (1.0 - q) ** 3 * q**3
+    return 64.0 * cube if q > 0.5 else 128.0 * cube - 1.0

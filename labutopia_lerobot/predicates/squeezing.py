@@ -1,0 +1,45 @@
+"""Facts about a bottle that is squeezed, and about where its spout points."""
+
+from typing import Protocol
+
+import numpy as np
+
+from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.world import Thing, World
+
+
+class Squeezable(Thing, Protocol):
+    """A bottle with a soft wall and a spout."""
+
+    @property
+    def spout(self) -> str:
+        """Name of the frame at the end of the spout; z the way that the liquid leaves."""
+        ...
+
+
+class Open(Thing, Protocol):
+    """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
+
+    @property
+    def mouth_radius(self) -> float:
+        """Inner radius of the mouth [m]."""
+        ...
+
+
+def dispensed(bottle: Squeezable, *, at_least_ml: float) -> Predicate:
+    """No less than this volume [ml] has been squeezed out of the bottle."""
+    return Predicate(
+        f"{at_least_ml:g} ml squeezed out of {bottle.name}",
+        lambda world: world.displaced(bottle) * 1e6 >= at_least_ml,
+    )
+
+
+def spout_over(bottle: Squeezable, vessel: Open) -> Predicate:
+    """Liquid that falls from the spout falls into the vessel: it is above the mouth, inside it."""
+
+    def holds(world: World) -> bool:
+        spout, rim = world.frame(bottle.spout), world.frame(f"{vessel.name}_rim")
+        x, y, z = spout.position_w - rim.position_w
+        return bool(np.hypot(x, y) < vessel.mouth_radius and z > 0.0)
+
+    return Predicate(f"spout of {bottle.name} over {vessel.name}", holds)

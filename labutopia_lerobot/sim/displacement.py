@@ -1,0 +1,44 @@
+"""What a squeezed bottle gives away: the fall of the volume inside its wall."""
+
+import mujoco
+
+from labutopia_lerobot.labware.shell import enclosed_volume
+from labutopia_lerobot.labware.wash_bottle import WashBottle
+from labutopia_lerobot.world import FloatArray
+
+
+class Displacement:
+    """The liquid that has left a bottle, from the deformed wall of a simulation.
+
+    Liquid is incompressible: once the spout is full, as much leaves as the enclosed volume falls.
+    When the wall comes back, the spout empties first, and after that air enters through it: nothing
+    that has left returns, and each further stroke gives as much as it takes the wall in, less the
+    spout's volume.
+
+    It keeps two numbers in the state of the simulation: the enclosed volume at which the liquid
+    stands at the end of the spout, and what has left [m^3].
+    """
+
+    def __init__(self, model: mujoco.MjModel, bottle: WashBottle) -> None:
+        self._bottle = bottle
+        self._triangles = bottle.shell.triangles
+        flex = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_FLEX, bottle.wall)
+        first = model.flex_vertadr[flex]
+        self._vertices = slice(first, first + model.flex_vertnum[flex])
+
+    def start(self, state: FloatArray, data: mujoco.MjData) -> None:
+        """Begin with an empty spout and nothing given away; `state` has shape (2,)."""
+        state[:] = self.enclosed(data) - self._bottle.spout_volume, 0.0
+
+    def update(self, state: FloatArray, data: mujoco.MjData) -> None:
+        """Bring the state, shape (2,), up to the present deformation of the wall."""
+        level, displaced = state
+        volume = self.enclosed(data)
+        leaving = max(0.0, level - volume)
+        # The spout holds liquid over a play of its own volume: full at `level`, empty above it.
+        state[0] = max(level - leaving, volume - self._bottle.spout_volume)
+        state[1] = min(displaced + leaving, self._bottle.contents)
+
+    def enclosed(self, data: mujoco.MjData) -> float:
+        """Return the volume inside the wall now [m^3]."""
+        return enclosed_volume(data.flexvert_xpos[self._vertices], self._triangles)

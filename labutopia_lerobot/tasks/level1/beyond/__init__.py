@@ -1,0 +1,1 @@
+"""Level 1, beyond the paper: further atomic manipulation tasks."""

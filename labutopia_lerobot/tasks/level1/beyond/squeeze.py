@@ -1,0 +1,65 @@
+"""Squeeze: dispense from a soft wash bottle into a beaker (beyond the paper).
+
+The paper simulates soft bodies, but none of its tasks needs one; the original's code has neither.
+"""
+
+import math
+
+from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.wash_bottle import WashBottle
+from labutopia_lerobot.layout import Inside, OnBench
+from labutopia_lerobot.predicates import (
+    collided,
+    dispensed,
+    gripped,
+    released,
+    spout_over,
+    struck,
+    withdrawn,
+)
+from labutopia_lerobot.skills.squeeze import Squeeze
+from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.views import WIDE_VESSEL_VIEW
+
+_AMOUNT_ML = 20.0
+"""A rinse of a 250 ml beaker; one firm stroke gives a little more."""
+
+
+def squeeze() -> Task:
+    """Return the task."""
+    bottle, target = WashBottle("bottle"), beaker("beaker")
+    enough = dispensed(bottle, at_least_ml=_AMOUNT_ML)
+    return Task(
+        instruction="Squeeze the wash bottle until at least 20 ml are in the beaker.",
+        paraphrases=(
+            "Dispense 20 ml or more into the beaker by squeezing the wash bottle, then let go.",
+            "Press the soft bottle until 20 ml have run out of its spout, and leave it standing.",
+        ),
+        start={
+            bottle: OnBench(
+                x=(0.22, 0.37),
+                y=(-0.05, 0.10),
+                # The spout points away from the hand, which comes from the robot's left.
+                yaw=(-math.radians(90), -math.radians(30)),
+            ),
+            target: Inside(bottle, at=(bottle.spout_reach, 0.0, 0.0)),
+        },
+        expert=(Squeeze(bottle, amount_ml=_AMOUNT_ML + 1.0),),
+        substeps=(
+            Substep("gripped", (gripped(bottle),)),
+            Substep("dispensed", (enough, spout_over(bottle, target))),
+            Substep("released", (released(bottle),)),
+        ),
+        goal=(
+            enough,
+            spout_over(bottle, target),
+            released(bottle),
+            withdrawn(bottle, by=0.05),
+        ),
+        never={
+            "collided": collided(bottle, sparing=bottle),  # cap and spout are not to be touched
+            "struck": struck(target),
+        },
+        time_limit_s=20.0,  # ours: twice the expert's median of 9.8 s
+        view=WIDE_VESSEL_VIEW,
+    )

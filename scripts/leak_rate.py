@@ -1,0 +1,175 @@
+"""`python scripts/leak_rate.py --episodes 1000`: does liquid ever go through glass?
+
+Vessels are swung about at random, as fast as a Panda can, and dropped. After every step of the
+solver each particle's position is tested against the vessel's profile, in an own implementation, and
+each change of side against the mouth. Prints one JSON object.
+"""
+
+import argparse
+import json
+import multiprocessing
+import time
+from collections.abc import Callable
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, graduated_cylinder
+from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.liquids.filling import Filling
+from labutopia_lerobot.liquids.liquid import PARTICLES, Liquid
+from labutopia_lerobot.liquids.solver import LIQUID_HZ
+from labutopia_lerobot.sim.scene import PHYSICS_HZ
+
+SECONDS = 10.0
+SPEED, ACCELERATION = 1.7, 13.0
+"""Limits of the Panda's hand [m/s], [m/s^2] (Franka Emika, "Robot and interface specifications")."""
+TURN_SPEED, TURN_ACCELERATION = 2.5, 25.0
+"""Limits of the same for rotation [rad/s], [rad/s^2]."""
+DROP = 0.10
+"""Height of a fall [m]."""
+VESSELS: tuple[Callable[[str], Vessel], ...] = (beaker, erlenmeyer_flask, graduated_cylinder)
+
+
+def main() -> None:
+    """Play the episodes on all cores and print what leaked."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--episodes", type=int, default=20)
+    parser.add_argument("--processes", type=int, default=1)
+    arguments = parser.parse_args()
+    start = time.perf_counter()
+    with multiprocessing.get_context("spawn").Pool(arguments.processes) as pool:
+        found = pool.map(handle, range(arguments.episodes), chunksize=1)
+    steps = round(SECONDS * LIQUID_HZ) * arguments.episodes
+    print(  # noqa: T201
+        json.dumps(
+            {
+                "episodes": arguments.episodes,
+                "solver_steps": steps,
+                "particle_steps": steps * PARTICLES,
+                "crossings": sum(crossed for crossed, _, _ in found),
+                "lost_particles": sum(lost for _, lost, _ in found),
+                "left_through_the_mouth": sum(left for _, _, left in found),
+                "wall_s": round(time.perf_counter() - start),
+            }
+        )
+    )
+
+
+def handle(seed: int) -> tuple[int, int, int]:
+    """Swing a filled vessel about; return crossings of glass, particles lost, and those poured."""
+    rng = np.random.default_rng([seed, 41])
+    vessel = VESSELS[seed % len(VESSELS)]("vessel")
+    filling = Filling(rng.uniform(0.2, 0.8) * vessel.capacity)
+    model, data = _bench_with(vessel)
+    liquid = Liquid(model, data, [vessel], filling)
+    liquid.fill({vessel: filling}, rng)
+    swing = _Swing(rng, data.qpos.copy())
+    watch = _Watch(vessel)
+    watch.look(liquid.positions, data)
+    for step in range(round(SECONDS * PHYSICS_HZ)):
+        data.qpos[:] = swing.move(1.0 / PHYSICS_HZ)
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        if step % (PHYSICS_HZ // LIQUID_HZ):
+            liquid.step()
+            watch.look(liquid.positions, data)
+    lost = PARTICLES - len(liquid.positions) + int(np.sum(~np.isfinite(liquid.positions).all(1)))
+    return watch.crossings, lost, watch.left
+
+
+def _bench_with(vessel: Vessel) -> tuple[mujoco.MjModel, mujoco.MjData]:
+    spec = mujoco.MjSpec()
+    spec.compiler.degree = False
+    spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=(5, 5, 0.1))
+    vessel.add_to(spec, spec.worldbody).add_freejoint()
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    data.qpos[2] = 0.5
+    mujoco.mj_forward(model, data)
+    return model, data
+
+
+class _Swing:
+    """A random motion within the limits, with a fall now and then."""
+
+    def __init__(self, rng: np.random.Generator, qpos: NDArray[np.float64]) -> None:
+        self._rng = rng
+        self._qpos = qpos
+        self._home = qpos[:3].copy()
+        self._velocity, self._turning = np.zeros(3), np.zeros(3)
+        self._left = 0.0
+
+    def _decide(self) -> None:
+        rng = self._rng
+        self._left = rng.uniform(0.05, 0.6)
+        self._falls = rng.random() < 0.1
+        if self._falls:
+            self._left = np.sqrt(2 * DROP / 9.81)
+            self._velocity[:] = 0.0
+            return
+        away = self._home + rng.uniform(-0.2, 0.2, 3) - self._qpos[:3]
+        self._wanted = away / np.linalg.norm(away) * rng.uniform(0.0, SPEED)
+        axis = rng.normal(size=3)
+        self._wanted_turning = axis / np.linalg.norm(axis) * rng.uniform(0.0, TURN_SPEED)
+
+    def move(self, dt: float) -> NDArray[np.float64]:
+        """Return the pose after a physics step."""
+        if self._left <= 0.0:
+            if getattr(self, "_falls", False):
+                self._velocity[:] = 0.0  # it hits something hard
+            self._decide()
+        self._left -= dt
+        if self._falls:
+            self._velocity[2] -= 9.81 * dt
+        else:
+            self._velocity += _limited(self._wanted - self._velocity, ACCELERATION * dt)
+            change = self._wanted_turning - self._turning
+            self._turning += _limited(change, TURN_ACCELERATION * dt)
+        turn = Rotation.from_rotvec(self._turning * dt)
+        was = Rotation.from_quat(self._qpos[3:], scalar_first=True)
+        self._qpos[:3] += self._velocity * dt
+        self._qpos[3:] = (turn * was).as_quat(scalar_first=True)
+        return self._qpos
+
+
+class _Watch:
+    """Tests every position against the profile."""
+
+    def __init__(self, vessel: Vessel) -> None:
+        self._profile = vessel.profile
+        self.crossings = self.left = 0
+        self._inside: NDArray[np.bool_] | None = None
+
+    def look(self, positions: NDArray[np.float64], data: mujoco.MjData) -> None:
+        """Look once after a step."""
+        profile = self._profile
+        local = (positions - data.xpos[1]) @ data.xmat[1].reshape(3, 3)
+        radius, z = np.hypot(local[:, 0], local[:, 1]), local[:, 2]
+        inner_radii, inner_heights = zip(*profile.inner, strict=True)
+        outer_radii, outer_heights = zip(*profile.outer, strict=True)
+        between = (z > 0.0) & (z < profile.height)
+        inside = between & (z > profile.bottom) & (radius < np.interp(z, inner_heights, inner_radii))
+        in_glass = between & ~inside & (radius < np.interp(z, outer_heights, outer_radii))
+        self.crossings += int(in_glass.sum())
+        if self._inside is not None:
+            changed = inside != self._inside
+            start, end = self._local[changed], local[changed]
+            part = (profile.height - start[:, 2]) / (end[:, 2] - start[:, 2])
+            at = start + part[:, None] * (end - start)
+            mouth = profile.inner_radius(profile.height)
+            through = (part >= 0) & (part <= 1) & (np.hypot(at[:, 0], at[:, 1]) < mouth)
+            self.crossings += int((~through).sum())
+            self.left += int((self._inside & ~inside).sum())
+        self._inside, self._local = inside, local
+
+
+def _limited(vector: NDArray[np.float64], longest: float) -> NDArray[np.float64]:
+    length = float(np.linalg.norm(vector))
+    return vector * min(1.0, longest / length) if length > 0 else vector
+
+
+if __name__ == "__main__":
+    main()
