@@ -36,6 +36,7 @@ def kernel[Function: Callable[..., object]](function: Function) -> Function:
     """Compile a function at its first call, serially; later processes find it compiled.
 
     One process per core plays an episode, so that a kernel never asks for a second one. Floating
-    point may be reordered by the compiler, which is the same on every run of a machine.
+    point may be reordered by the compiler, which is the same on every run of a machine. Dividing by
+    nothing gives infinity, as in NumPy.
     """
-    return cast(Function, njit(cache=True, fastmath=True)(function))
+    return cast(Function, njit(cache=True, fastmath=True, error_model="numpy")(function))

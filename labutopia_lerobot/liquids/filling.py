@@ -25,6 +25,26 @@ class Fillable(Thing, Protocol):
         ...
 
 
+@runtime_checkable
+class Dispenser(Thing, Protocol):
+    """A bottle that liquid leaves when it is squeezed."""
+
+    @property
+    def spout(self) -> str:
+        """Name of the frame at the end of the spout; z the way that the liquid leaves."""
+        ...
+
+    @property
+    def bore_area(self) -> float:
+        """Cross-section of the spout [m^2]."""
+        ...
+
+    @property
+    def contents(self) -> float:
+        """The most that is in it [m^3]."""
+        ...
+
+
 @dataclass(frozen=True)
 class Filling:
     """Some millilitres of a substance.
@@ -77,18 +97,25 @@ def require_fillable[Present: Thing](
             raise ImpossibleFillingError(
                 f"{vessel.name} is to be filled but not in the task, which has: {names}"
             )
-        if not isinstance(vessel, Fillable):
+        if not isinstance(vessel, Fillable | Dispenser):
             raise ImpossibleFillingError(
                 f"{vessel.name} ({type(vessel).__name__}) is not watertight: it has no `profile`, "
                 "the closed half cross-section that holds a liquid. Fill a beaker or a flask"
             )
-        _require_watertight(vessel)
-        capacity = vessel.profile.capacity_below(vessel.profile.height) * 1e6
+        capacity = _capacity(vessel) * 1e6
         if not (math.isfinite(filling.ml) and 0 < filling.ml <= capacity):
             raise ImpossibleFillingError(
                 f"{vessel.name} cannot hold {filling.ml:g} ml of {filling.of}: "
                 f"it takes more than 0 and at most {capacity:.0f} ml"
             )
+
+
+def _capacity(vessel: Fillable | Dispenser) -> float:
+    """Return the most that a vessel holds [m^3]."""
+    if isinstance(vessel, Dispenser):
+        return vessel.contents
+    _require_watertight(vessel)
+    return vessel.profile.capacity_below(vessel.profile.height)
 
 
 def _require_watertight(vessel: Fillable) -> None:

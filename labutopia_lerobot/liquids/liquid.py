@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.account import whereabouts
 from labutopia_lerobot.liquids.bodies import Glass, Shapes
-from labutopia_lerobot.liquids.filling import Fillable, Filling
+from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
 from labutopia_lerobot.liquids.solver import LIQUID_HZ, Flow, advance
 from labutopia_lerobot.liquids.walls import EDGE_NUMBERS, edges_of
-from labutopia_lerobot.world import FloatArray, Volumes
+from labutopia_lerobot.world import FloatArray, Pose, Volumes
 
 PARTICLES = 1000
 """Particles of a scene by default: 0.1 ml each in 100 ml."""
@@ -67,6 +67,8 @@ class Liquid:
         self.volume = filling.volume / particles
         self._particles = particles
         self._sources: frozenset[str] = frozenset()
+        self._filled: dict[str, int] = {}
+        self._waiting: dict[str, int] = {}
         self._flow = Flow.of(self.substance, self.volume)
         self._data = data
         self._bodies = np.array([model.body(vessel.name).id for vessel in vessels])
@@ -84,6 +86,7 @@ class Liquid:
 
     def empty(self) -> None:
         """Take all liquid away."""
+        self._waiting = dict.fromkeys(self._waiting, 0)
         self._start(np.empty((0, 3)))
 
     def _start(self, positions: FloatArray) -> None:
@@ -96,8 +99,12 @@ class Liquid:
         self._find_walls()
         self._find_walls()
 
-    def fill(self, contents: Mapping[Fillable, Filling], rng: np.random.Generator) -> None:
+    def fill(
+        self, contents: Mapping[Fillable | Dispenser, Filling], rng: np.random.Generator
+    ) -> None:
         """Fill vessels, where they are and as they stand, and let the liquid come to rest in them.
+
+        What is in a squeeze bottle waits there until it is dispensed.
 
         Args:
             contents: What each vessel holds; together they are all the liquid there is.
@@ -105,19 +112,45 @@ class Liquid:
         """
         self._find_walls()
         total = sum(filling.volume for filling in contents.values())
-        heaps, left = [], self._particles
+        heaps, left = [np.empty((0, 3))], self._particles
+        self._waiting = {}
         for vessel, filling in contents.items():
             share = min(left, round(filling.volume / total * self._particles))
             left -= share
+            if isinstance(vessel, Dispenser):
+                self._waiting[vessel.name] = share
+                continue
             index = self.vessels.index(vessel)
             local = lattice(vessel.profile, share, self._flow.spacing, rng)
             turn, origin = self._glass.rotation[index], self._glass.origin[index]
             heaps.append(origin + local @ turn.T)
+        self._filled = dict(self._waiting)
         self._start(np.vstack(heaps))
         self._sources = frozenset(vessel.name for vessel in contents)
-        for _ in range(_SETTLE_STEPS):
+        for _ in range(_SETTLE_STEPS if len(self.positions) else 0):
             self._advance()
             self.velocities *= _SETTLE_DAMPING
+
+    def dispense(
+        self, bottle: Dispenser, volume: float, flow: float, spout: Pose, duration: float
+    ) -> None:
+        """Let liquid out of a bottle, a particle for every volume of one that has left it.
+
+        Args:
+            bottle: What it leaves.
+            volume: What has left it since it was filled, all in all [m^3].
+            flow: Rate at which it leaves [m^3/s].
+            spout: End of the spout; z the way that the liquid leaves.
+            duration: Time since the previous call [s].
+        """
+        waiting, filled = self._waiting[bottle.name], self._filled[bottle.name]
+        count = min(waiting, waiting - filled + int(volume / self.volume))
+        if count <= 0:
+            return
+        self._waiting[bottle.name] = waiting - count
+        velocity = flow / bottle.bore_area * spout.z_axis
+        ages = duration * (np.arange(count)[:, None] + 0.5) / count
+        self.release(spout.position_w + ages * velocity, np.tile(velocity, (count, 1)))
 
     def release(self, positions: FloatArray, velocities: FloatArray) -> None:
         """Add particles, as from a spout.
@@ -141,13 +174,17 @@ class Liquid:
             return
         self._find_walls()
         before = self.positions.copy()
-        self._advance()
-        speed = np.abs(self.velocities).max()
-        if self.diverged or not speed < _FASTEST:  # so that it holds of a speed that is no number
+        if self._sane():
+            self._advance()
+        if not self._sane():
             self.diverged = True
             self.positions, self.velocities[:] = before, 0.0
             self._impulse[:] = 0.0
         self._push_bodies()
+
+    def _sane(self) -> bool:
+        """Tell whether all is in motion as liquid on a bench can be; a speed may be no number."""
+        return not self.diverged and bool(np.abs(self.velocities).max() < _FASTEST)
 
     def _advance(self) -> None:
         advance(
@@ -201,7 +238,8 @@ class Liquid:
         return Volumes(
             total=self._particles * self.volume,
             inside={
-                name: int(count) * self.volume for name, count in zip(names, inside, strict=True)
+                name: int(count) * self.volume
+                for name, count in (*zip(names, inside, strict=True), *self._waiting.items())
             },
             spilled=spilled * self.volume,
             sources=self._sources,
@@ -211,7 +249,7 @@ class Liquid:
         """Return all that the next step depends on beside MuJoCo's state, shape (2 + 8 n,)."""
         return np.concatenate(
             [
-                [len(self.positions), self.diverged],
+                [len(self.positions), self.diverged, *self._waiting.values()],
                 self.positions.ravel(),
                 self.velocities.ravel(),
                 self._pressure,
@@ -221,8 +259,10 @@ class Liquid:
 
     def restore(self, state: FloatArray) -> None:
         """Go back to what `state` returned; MuJoCo's state must have been restored before."""
-        count = int(state[0])
-        positions, velocities, rest = np.split(state[2:], [3 * count, 6 * count])
+        count, bottles = int(state[0]), len(self._waiting)
+        waiting, rest = np.split(state[2:], [bottles])
+        self._waiting = dict(zip(self._waiting, waiting.astype(int).tolist(), strict=True))
+        positions, velocities, rest = np.split(rest, [3 * count, 6 * count])
         self._start(positions.reshape(-1, 3).copy())
         self.velocities[:] = velocities.reshape(-1, 3)
         self._pressure[:], self._on_surface[:] = rest.reshape(2, -1)

@@ -20,7 +20,7 @@ class Displacement:
     """
 
     def __init__(self, model: mujoco.MjModel, bottle: WashBottle) -> None:
-        self._bottle = bottle
+        self.bottle = bottle
         self._triangles = bottle.shell.triangles
         flex = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_FLEX, bottle.wall)
         first = model.flex_vertadr[flex]
@@ -28,7 +28,7 @@ class Displacement:
 
     def start(self, state: FloatArray, data: mujoco.MjData) -> None:
         """Begin with an empty spout and nothing given away; `state` has shape (2,)."""
-        state[:] = self.enclosed(data) - self._bottle.spout_volume, 0.0
+        state[:] = self.enclosed(data) - self.bottle.spout_volume, 0.0
 
     def update(self, state: FloatArray, data: mujoco.MjData) -> None:
         """Bring the state, shape (2,), up to the present deformation of the wall."""
@@ -36,8 +36,8 @@ class Displacement:
         volume = self.enclosed(data)
         leaving = max(0.0, level - volume)
         # The spout holds liquid over a play of its own volume: full at `level`, empty above it.
-        state[0] = max(level - leaving, volume - self._bottle.spout_volume)
-        state[1] = min(displaced + leaving, self._bottle.contents)
+        state[0] = max(level - leaving, volume - self.bottle.spout_volume)
+        state[1] = min(displaced + leaving, self.bottle.contents)
 
     def enclosed(self, data: mujoco.MjData) -> float:
         """Return the volume inside the wall now [m^3]."""

@@ -9,14 +9,14 @@ from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Piece, Placement
-from labutopia_lerobot.liquids.filling import Fillable, Filling
+from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver import LIQUID_HZ
 from labutopia_lerobot.liquids.surface import VesselPose
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
 from labutopia_lerobot.sim.displacement import Displacement
 from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
-from labutopia_lerobot.world import CONTROL_HZ, FloatArray
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 
 _SUBSTEPS = PHYSICS_HZ // CONTROL_HZ
 _LIQUID_PERIOD = PHYSICS_HZ // LIQUID_HZ
@@ -93,8 +93,8 @@ class Simulation:
         """Fill the vessels where they are, and hold still until all has come to rest."""
         if self.liquid is not None:
             contents = self.scene.contents.items()
-            vessels: dict[Fillable, Filling] = {
-                piece: held for piece, held in contents if isinstance(piece, Fillable)
+            vessels: dict[Fillable | Dispenser, Filling] = {
+                piece: held for piece, held in contents if isinstance(piece, Fillable | Dispenser)
             }
             self.liquid.fill(vessels, rng)
             for _ in range(_SETTLE_STEPS):
@@ -131,13 +131,23 @@ class Simulation:
                 self.touched[first, second] = True
             if self.liquid is not None and substep % _LIQUID_PERIOD == 0:
                 self.liquid.step()
+        self._work_switches()
+        self._squeeze_bottles()
         if self.liquid is not None:
             self.volumes = self.liquid.volumes()
-        self._work_switches()
-        for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
-            displacement.update(state, data)
         self.touched |= self.touched.T
         self.command = np.array(command)
+
+    def _squeeze_bottles(self) -> None:
+        """Let out of every bottle what its wall has displaced since the last control step."""
+        for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
+            before = state[1]
+            displacement.update(state, self.data)
+            if self.liquid is not None and state[1] > before:
+                bottle, flow = displacement.bottle, (state[1] - before) * CONTROL_HZ
+                site = self.data.site(bottle.spout)
+                spout = Pose(site.xpos, site.xmat.reshape(3, 3))
+                self.liquid.dispense(bottle, state[1], flow, spout, 1.0 / CONTROL_HZ)
 
     def _work_switches(self) -> None:
         """Toggle what has been pressed since the last control step, and light the lamps."""

@@ -1,0 +1,189 @@
+"""Liquid in an episode: what can be put into vessels, what is told of it, and what may go wrong."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.labware.glass_rod import GlassRod
+from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.profile import Profile
+from labutopia_lerobot.liquids.filling import (
+    Filling,
+    ImpossibleFillingError,
+    require_fillable,
+)
+from labutopia_lerobot.liquids.substance import SUBSTANCES, UnknownSubstanceError
+from labutopia_lerobot.options import UnknownOptionError
+
+
+@dataclass(frozen=True)
+class Colander:
+    """A vessel whose wall has no thickness at half its height."""
+
+    name: str
+
+    @property
+    def profile(self) -> Profile:
+        return _Holed(((0.03, 0.0), (0.03, 0.05), (0.03, 0.1)), 0.002, 0.003)
+
+
+class _Holed(Profile):
+    def inner_radius(self, height: float) -> float:
+        thickness = 0.0 if height == pytest.approx(0.05) else self.wall
+        return self.outer_radius(height) - thickness
+
+
+@pytest.fixture(scope="module")
+def env() -> LabEnv:
+    return LabEnv("level1/pour", obs="state", particles=200)
+
+
+@pytest.mark.parametrize("ml", [-1.0, 0.0, 1000.0, float("nan"), float("inf")])
+def test_a_volume_that_a_vessel_cannot_hold_is_refused(ml):
+    vessel = beaker("beaker")
+    with pytest.raises(ImpossibleFillingError, match=r"beaker cannot hold .* at most \d+ ml"):
+        require_fillable({vessel: Filling(ml)}, {vessel: None})
+
+
+def test_an_unknown_substance_is_refused_and_the_known_ones_are_listed():
+    vessel = beaker("beaker")
+    with pytest.raises(UnknownSubstanceError, match=r"mercury.*water, ethanol, glycerol"):
+        require_fillable({vessel: Filling(50, "mercury")}, {vessel: None})
+    assert list(SUBSTANCES) == ["water", "ethanol", "glycerol"]
+
+
+@pytest.mark.parametrize("thing", [GlassRod("rod"), Colander("colander")])
+def test_what_is_not_watertight_cannot_be_filled(thing):
+    with pytest.raises(ImpossibleFillingError, match=f"{thing.name}.* is not watertight"):
+        require_fillable({thing: Filling(10)}, {thing: None})
+
+
+def test_a_vessel_that_is_not_in_the_task_cannot_be_filled():
+    with pytest.raises(ImpossibleFillingError, match="flask is to be filled but not in the task"):
+        require_fillable({beaker("flask"): Filling(10)}, {beaker("beaker"): None})
+
+
+def test_two_liquids_in_one_task_are_refused():
+    one, other = beaker("one"), beaker("other")
+    contents = {one: Filling(10, "water"), other: Filling(10, "ethanol")}
+    with pytest.raises(ImpossibleFillingError, match="ethanol and water"):
+        require_fillable(contents, {one: None, other: None})
+
+
+def test_impossible_contents_are_refused_when_a_task_is_loaded(tmp_path):
+    level = tmp_path / "level1"
+    level.mkdir()
+    (level / "flood.py").write_text(
+        "from dataclasses import replace\n"
+        "from labutopia_lerobot.liquids.filling import Filling\n"
+        "from labutopia_lerobot.tasks.level1.pour import pour\n"
+        "def flood():\n"
+        "    task = pour()\n"
+        "    vessel = next(iter(task.start))\n"
+        "    return replace(task, contents={vessel: Filling(5000)})\n"
+    )
+    with pytest.raises(ImpossibleFillingError, match="beaker cannot hold 5000 ml of water"):
+        LabEnv("level1/flood", obs="state", tasks_dir=tmp_path)
+
+
+def test_an_unknown_liquid_option_is_refused():
+    with pytest.raises(
+        UnknownOptionError, match=r"liquid=.maybe. is unknown\. Choose from: on, off"
+    ):
+        LabEnv("level1/pour", obs="state", liquid="maybe")
+
+
+def test_everything_is_accounted_for_at_every_step(env):
+    env.reset(seed=2)
+    expert = env.expert()
+    expert.start()
+    over, airborne = False, 0.0
+    while not over:
+        _, _, terminated, truncated, _ = env.step(expert.act())
+        liquid = env.world.liquid
+        on_its_way = liquid.total - sum(liquid.inside.values()) - liquid.spilled
+        assert on_its_way > -1e-12
+        airborne = max(airborne, on_its_way)
+        over = terminated or truncated
+    assert liquid.total == pytest.approx(100e-6)
+    assert airborne > 1e-6
+
+
+def test_the_vessel_in_the_hand_is_full_and_at_rest_when_the_episode_begins(env):
+    _, info = env.reset(seed=2)
+    assert info["ml_retained"] == pytest.approx(100)
+    assert info["ml_spilled"] == 0
+    assert np.linalg.norm(env.simulation.liquid.velocities, axis=1).mean() < 0.03
+
+
+def test_the_privileged_state_tells_how_full_vessels_are(env):
+    names = list(environment_state_names(env.definition))
+    observation, _ = env.reset(seed=2)
+    vessel, target = env.definition.start
+    fill = names.index("beaker.fill")
+    depth = vessel.profile.depth(100e-6)
+    assert observation["environment_state"][fill] == pytest.approx(depth, rel=1e-5)
+    assert observation["environment_state"][names.index("target_beaker.fill")] == 0
+    assert target.profile.depth(0.0) == 0
+
+
+def test_without_liquid_nothing_is_told_of_it():
+    env = LabEnv("level1/pour", obs="state", liquid="off")
+    _, info = env.reset(seed=2)
+    assert np.isnan([info["ml_poured"], info["ml_spilled"], info["ml_retained"]]).all()
+    assert not any(name.endswith(".fill") for name in environment_state_names(env.definition))
+
+
+def test_the_weight_of_the_contents_is_on_the_hand(env):
+    env.reset(seed=2)
+    force = env.simulation.data.body("beaker")
+    pushed = env.simulation.data.xfrc_applied[force.id, 2]
+    assert pushed == pytest.approx(-0.0997 * 9.81, rel=0.05)
+
+
+@pytest.mark.parametrize("poison", [np.nan, 1e6])
+def test_a_solver_that_diverges_ends_the_episode_and_tells_no_nonsense(env, poison):
+    env.reset(seed=2)
+    env.simulation.liquid.velocities[7] = poison
+    observation, _, terminated, _, info = env.step(env.simulation.command.astype(np.float32))
+    assert terminated
+    assert info["outcome"] == "diverged"
+    for numbers in observation.values():
+        assert np.isfinite(numbers).all()
+    _, info = env.reset(seed=2)
+    assert info["outcome"] == "running"
+
+
+def test_a_restored_state_goes_on_bit_for_bit(env):
+    env.reset(seed=2)
+    expert = env.expert()
+    expert.start()
+    actions = [env.step(expert.act())[4]["applied_action"] for _ in range(90)]
+    simulation = env.simulation
+    env.reset(seed=2)
+    for action in actions[:70]:
+        simulation.step(action.astype(float))
+    saved = simulation.state()
+    final = []
+    for _ in range(2):
+        simulation.restore(saved)
+        for action in actions[70:]:
+            simulation.step(action.astype(float))
+        final.append(simulation.state().tobytes())
+    assert final[0] == final[1]
+
+
+def test_another_substance_weighs_and_flows_otherwise(tmp_path):
+    weights = {}
+    for name in SUBSTANCES:
+        env = LabEnv("level1/pour", obs="state", particles=100)
+        vessel = next(iter(env.definition.start))
+        env.definition = replace(env.definition, contents={vessel: Filling(100, name)})
+        env.reset(seed=2)
+        body = env.simulation.data.body("beaker").id
+        weights[name] = -env.simulation.data.xfrc_applied[body, 2]
+    for name, substance in SUBSTANCES.items():
+        assert weights[name] == pytest.approx(substance.density * 1e-4 * 9.81, rel=0.05)
