@@ -272,12 +272,14 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
 
 def _millilitres(liquid: Volumes | None) -> dict[str, float]:
-    """Return where the liquid is [ml]; not a number where none is simulated."""
+    """Return where the liquid is [ml]; nothing where none is simulated."""
     if liquid is None:
-        return dict.fromkeys(("ml_poured", "ml_spilled", "ml_retained"), np.nan)
-    volumes = (liquid.poured, liquid.spilled, liquid.retained)
-    names = ("ml_poured", "ml_spilled", "ml_retained")
-    return {name: 1e6 * volume for name, volume in zip(names, volumes, strict=True)}
+        return {}
+    return {
+        "ml_poured": 1e6 * liquid.poured,
+        "ml_spilled": 1e6 * liquid.spilled,
+        "ml_retained": 1e6 * liquid.retained,
+    }
 
 
 def _observation_space(features: dict[str, Feature]) -> spaces.Dict:

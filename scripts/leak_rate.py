@@ -1,15 +1,15 @@
 """`python scripts/leak_rate.py --episodes 1000`: does liquid ever go through glass?
 
 Vessels are swung about at random, as fast as a Panda can, and dropped. After every step of the
-solver each particle's position is tested against the vessel's profile, in an own implementation, and
-each change of side against the mouth. Prints one JSON object.
+solver each particle's position is tested against the vessel's profile, in an implementation of its
+own, and each change of side against the mouth. Goes on where it was interrupted.
 """
 
 import argparse
 import json
 import multiprocessing
-import time
 from collections.abc import Callable
+from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -25,7 +25,7 @@ from labutopia_lerobot.sim.scene import PHYSICS_HZ
 
 SECONDS = 10.0
 SPEED, ACCELERATION = 1.7, 13.0
-"""Limits of the Panda's hand [m/s], [m/s^2] (Franka Emika, "Robot and interface specifications")."""
+"""Limits of the Panda's hand [m/s], [m/s^2] (Franka Emika, "Robot limits")."""
 TURN_SPEED, TURN_ACCELERATION = 2.5, 25.0
 """Limits of the same for rotation [rad/s], [rad/s^2]."""
 DROP = 0.10
@@ -34,32 +34,36 @@ VESSELS: tuple[Callable[[str], Vessel], ...] = (beaker, erlenmeyer_flask, gradua
 
 
 def main() -> None:
-    """Play the episodes on all cores and print what leaked."""
+    """Play the episodes that are not yet in the file of rows, and print what has leaked in all."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--episodes", type=int, default=20)
     parser.add_argument("--processes", type=int, default=1)
+    parser.add_argument("--rows", type=Path, default=Path("outputs/leak_rate.jsonl"))
     arguments = parser.parse_args()
-    start = time.perf_counter()
-    with multiprocessing.get_context("spawn").Pool(arguments.processes) as pool:
-        found = pool.map(handle, range(arguments.episodes), chunksize=1)
-    steps = round(SECONDS * LIQUID_HZ) * arguments.episodes
-    print(  # noqa: T201
-        json.dumps(
-            {
-                "episodes": arguments.episodes,
-                "solver_steps": steps,
-                "particle_steps": steps * PARTICLES,
-                "crossings": sum(crossed for crossed, _, _ in found),
-                "lost_particles": sum(lost for _, lost, _ in found),
-                "left_through_the_mouth": sum(left for _, _, left in found),
-                "wall_s": round(time.perf_counter() - start),
-            }
-        )
-    )
+    arguments.rows.parent.mkdir(parents=True, exist_ok=True)
+    arguments.rows.touch()
+    done = {row["seed"] for row in _read(arguments.rows)}
+    seeds = [seed for seed in range(arguments.episodes) if seed not in done]
+    with (
+        multiprocessing.get_context("spawn").Pool(arguments.processes) as pool,
+        arguments.rows.open("a") as file,
+    ):
+        for row in pool.imap_unordered(handle, seeds):
+            file.write(json.dumps(row) + "\n")
+            file.flush()
+    rows = _read(arguments.rows)
+    steps = round(SECONDS * LIQUID_HZ) * len(rows)
+    total = {name: sum(row[name] for row in rows) for name in rows[0] if name != "seed"}
+    facts = {"episodes": len(rows), "solver_steps": steps, "particle_steps": steps * PARTICLES}
+    print(json.dumps(facts | total))  # noqa: T201
 
 
-def handle(seed: int) -> tuple[int, int, int]:
-    """Swing a filled vessel about; return crossings of glass, particles lost, and those poured."""
+def _read(path: Path) -> list[dict[str, int]]:
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def handle(seed: int) -> dict[str, int]:
+    """Swing a filled vessel about; count crossings of glass, lost particles, and those poured."""
     rng = np.random.default_rng([seed, 41])
     vessel = VESSELS[seed % len(VESSELS)]("vessel")
     filling = Filling(rng.uniform(0.2, 0.8) * vessel.capacity)
@@ -77,7 +81,12 @@ def handle(seed: int) -> tuple[int, int, int]:
             liquid.step()
             watch.look(liquid.positions, data)
     lost = PARTICLES - len(liquid.positions) + int(np.sum(~np.isfinite(liquid.positions).all(1)))
-    return watch.crossings, lost, watch.left
+    return {
+        "seed": seed,
+        "crossings": watch.crossings,
+        "lost_particles": lost,
+        "left_through_the_mouth": watch.left,
+    }
 
 
 def _bench_with(vessel: Vessel) -> tuple[mujoco.MjModel, mujoco.MjData]:
@@ -100,7 +109,7 @@ class _Swing:
         self._qpos = qpos
         self._home = qpos[:3].copy()
         self._velocity, self._turning = np.zeros(3), np.zeros(3)
-        self._left = 0.0
+        self._left, self._falls = 0.0, False
 
     def _decide(self) -> None:
         rng = self._rng
@@ -118,7 +127,7 @@ class _Swing:
     def move(self, dt: float) -> NDArray[np.float64]:
         """Return the pose after a physics step."""
         if self._left <= 0.0:
-            if getattr(self, "_falls", False):
+            if self._falls:
                 self._velocity[:] = 0.0  # it hits something hard
             self._decide()
         self._left -= dt
@@ -140,6 +149,8 @@ class _Watch:
 
     def __init__(self, vessel: Vessel) -> None:
         self._profile = vessel.profile
+        walls = (vessel.profile.inner, vessel.profile.outer)
+        self._walls = [np.array(wall).T[::-1] for wall in walls]
         self.crossings = self.left = 0
         self._inside: NDArray[np.bool_] | None = None
 
@@ -148,11 +159,10 @@ class _Watch:
         profile = self._profile
         local = (positions - data.xpos[1]) @ data.xmat[1].reshape(3, 3)
         radius, z = np.hypot(local[:, 0], local[:, 1]), local[:, 2]
-        inner_radii, inner_heights = zip(*profile.inner, strict=True)
-        outer_radii, outer_heights = zip(*profile.outer, strict=True)
         between = (z > 0.0) & (z < profile.height)
-        inside = between & (z > profile.bottom) & (radius < np.interp(z, inner_heights, inner_radii))
-        in_glass = between & ~inside & (radius < np.interp(z, outer_heights, outer_radii))
+        inner, outer = (np.interp(z, heights, radii) for heights, radii in self._walls)
+        inside = between & (z > profile.bottom) & (radius < inner)
+        in_glass = between & ~inside & (radius < outer)
         self.crossings += int(in_glass.sum())
         if self._inside is not None:
             changed = inside != self._inside

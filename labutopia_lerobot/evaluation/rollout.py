@@ -170,13 +170,13 @@ def _row(pairing: Pairing, seed: int, steps: int, info: Info) -> Row:
         },
         facts=info["facts"],
         liquid=pairing.liquid if load_task(pairing.task, pairing.tasks_dir).contents else None,
-        ml_poured=_millilitres(info["ml_poured"]),
-        ml_spilled=_millilitres(info["ml_spilled"]),
-        ml_retained=_millilitres(info["ml_retained"]),
+        ml_poured=_millilitres(info.get("ml_poured")),
+        ml_spilled=_millilitres(info.get("ml_spilled")),
+        ml_retained=_millilitres(info.get("ml_retained")),
         clipped_actions=info["clipped_actions"],
         nonfinite_actions=info["nonfinite_actions"],
     )
 
 
-def _millilitres(volume: float) -> float | None:
-    return round(float(volume), 3) if np.isfinite(volume) else None
+def _millilitres(volume: float | None) -> float | None:
+    return None if volume is None else round(volume, 3)

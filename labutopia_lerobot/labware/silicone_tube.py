@@ -21,7 +21,8 @@ ratio: rubber hardly changes its volume. Damping: ours; a tube let go of swings 
 _OUTER, _BORE = 0.004, 0.0025
 """Outside and inside radius [m]: tubing of 5 by 8 mm, a usual size."""
 _FRICTION = (0.8, 0.005, 0.0001)
-"""Dry rubber on a smooth top: 0.6 to 1 (Serway and Jewett, table of friction coefficients)."""
+"""The first is the kinetic friction of rubber on concrete (Serway and Jewett, "Physics for
+Scientists and Engineers", table of friction coefficients)."""
 _SOLREF = (1.0 / 300.0, 1.0)
 """Time constant [s] and damping ratio of contacts: see `shell.py`."""
 _SOLREF_LENGTH = (0.001, 1.0)

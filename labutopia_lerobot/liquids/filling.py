@@ -3,12 +3,14 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.labware.profile import Profile
 from labutopia_lerobot.liquids.substance import Substance, substance
 from labutopia_lerobot.world import Thing
+
+if TYPE_CHECKING:
+    from labutopia_lerobot.labware.profile import Profile
 
 
 class ImpossibleFillingError(UserError, ValueError):
@@ -20,7 +22,7 @@ class Fillable(Thing, Protocol):
     """A vessel that liquid stays in: its wall is a closed surface of revolution."""
 
     @property
-    def profile(self) -> Profile:
+    def profile(self) -> "Profile":
         """The wall's half cross-section."""
         ...
 

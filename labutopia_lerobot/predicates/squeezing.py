@@ -26,12 +26,19 @@ class Open(Thing, Protocol):
         ...
 
 
-def dispensed(bottle: Squeezable, *, at_least_ml: float) -> Predicate:
-    """No less than this volume [ml] has been squeezed out of the bottle."""
-    return Predicate(
-        f"{at_least_ml:g} ml squeezed out of {bottle.name}",
-        lambda world: world.displaced(bottle) * 1e6 >= at_least_ml,
-    )
+def dispensed(bottle: Squeezable, vessel: Open, *, at_least_ml: float) -> Predicate:
+    """No less than this volume [ml] is in the vessel.
+
+    Without liquid: the bottle's wall has displaced that much, and the spout is over the vessel.
+    """
+    aimed = spout_over(bottle, vessel)
+
+    def holds(world: World) -> bool:
+        if world.liquid is None:
+            return world.displaced(bottle) * 1e6 >= at_least_ml and aimed.holds(world)
+        return world.liquid.inside[vessel.name] * 1e6 >= at_least_ml
+
+    return Predicate(f"{at_least_ml:g} ml squeezed into {vessel.name}", holds)
 
 
 def spout_over(bottle: Squeezable, vessel: Open) -> Predicate:

@@ -141,13 +141,11 @@ class Simulation:
     def _squeeze_bottles(self) -> None:
         """Let out of every bottle what its wall has displaced since the last control step."""
         for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
-            before = state[1]
             displacement.update(state, self.data)
-            if self.liquid is not None and state[1] > before:
-                bottle, flow = displacement.bottle, (state[1] - before) * CONTROL_HZ
-                site = self.data.site(bottle.spout)
+            if self.liquid is not None:
+                site = self.data.site(displacement.bottle.spout)
                 spout = Pose(site.xpos, site.xmat.reshape(3, 3))
-                self.liquid.dispense(bottle, state[1], flow, spout, 1.0 / CONTROL_HZ)
+                self.liquid.dispense(displacement.bottle, state[1], spout, 1.0 / CONTROL_HZ)
 
     def _work_switches(self) -> None:
         """Toggle what has been pressed since the last control step, and light the lamps."""

@@ -8,12 +8,13 @@ import math
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Inside, OnBench
+from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import (
     collided,
     dispensed,
     gripped,
     released,
-    spout_over,
+    spilled,
     struck,
     withdrawn,
 )
@@ -28,7 +29,7 @@ _AMOUNT_ML = 20.0
 def squeeze() -> Task:
     """Return the task."""
     bottle, target = WashBottle("bottle"), beaker("beaker")
-    enough = dispensed(bottle, at_least_ml=_AMOUNT_ML)
+    enough = dispensed(bottle, target, at_least_ml=_AMOUNT_ML)
     return Task(
         instruction="Squeeze the wash bottle until at least 20 ml are in the beaker.",
         paraphrases=(
@@ -44,22 +45,23 @@ def squeeze() -> Task:
             ),
             target: Inside(bottle, at=(bottle.spout_reach, 0.0, 0.0)),
         },
-        expert=(Squeeze(bottle, amount_ml=_AMOUNT_ML + 1.0),),
+        expert=(Squeeze(bottle, amount_ml=_AMOUNT_ML + 2.0),),
         substeps=(
             Substep("gripped", (gripped(bottle),)),
-            Substep("dispensed", (enough, spout_over(bottle, target))),
+            Substep("dispensed", (enough,)),
             Substep("released", (released(bottle),)),
         ),
         goal=(
             enough,
-            spout_over(bottle, target),
             released(bottle),
             withdrawn(bottle, by=0.05),
         ),
+        contents={bottle: Filling(ml=200)},
         never={
+            "spilled": spilled(bottle, share=0.01),
             "collided": collided(bottle, sparing=bottle),  # cap and spout are not to be touched
             "struck": struck(target),
         },
-        time_limit_s=20.0,  # ours: twice the expert's median of 9.8 s
+        time_limit_s=20.0,  # ours: twice the expert's median of 9.5 s, rounded up
         view=WIDE_VESSEL_VIEW,
     )

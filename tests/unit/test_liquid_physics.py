@@ -1,0 +1,315 @@
+"""Liquids against references: the source stands with each claim."""
+
+from collections.abc import Sequence
+
+import mujoco
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.special import j1, jn_zeros
+
+from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.liquids.filling import Filling
+from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.solver import LIQUID_HZ
+from labutopia_lerobot.liquids.substance import SUBSTANCES, WATER
+
+GRAVITY = 9.81
+PHYSICS_HZ = 300
+
+# Martin and Moyce (1952), "An Experimental Study of the Collapse of Liquid Columns on a Rigid
+# Horizontal Plane", Phil. Trans. R. Soc. A 244, 312-324, table 2: a column of water 2.25 inches wide
+# and twice as high (n^2 = 2). Time in units of sqrt(a / 2 g), front in units of a.
+COLUMN = 2.25 * 0.0254
+FRONT_TIMES = (0.41, 0.84, 1.19, 1.43, 1.63, 1.83, 1.98, 2.20, 2.32, 2.51, 2.65, 2.83, 2.98, 3.11)
+FRONTS = (1.11, 1.22, 1.44, 1.67, 1.89, 2.11, 2.33, 2.56, 2.78, 3.00, 3.22, 3.44, 3.67, 3.89)
+
+
+def world(
+    *vessels: Vessel, boxes: Sequence[tuple[object, object]] = (), bench: bool = True
+) -> tuple[mujoco.MjModel, mujoco.MjData]:
+    spec = mujoco.MjSpec()
+    spec.compiler.degree = False
+    spec.option.timestep = 1.0 / PHYSICS_HZ
+    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    if bench:
+        spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=(5, 5, 0.1))
+    for position, size in boxes:
+        spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, pos=position, size=size)
+    for vessel in vessels:
+        vessel.add_to(spec, spec.worldbody).add_freejoint()
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    return model, data
+
+
+def filled(
+    vessel: Vessel, filling: Filling, count: int = 1000, height: float = 0.0, bench: bool = True
+) -> tuple[mujoco.MjModel, mujoco.MjData, Liquid]:
+    model, data = world(vessel, bench=bench)
+    move_to(model, data, (0, 0, height), 0.0)
+    liquid = Liquid(model, data, [vessel], filling, count)
+    liquid.fill({vessel: filling}, np.random.default_rng(0))
+    return model, data, liquid
+
+
+def move_to(
+    model: mujoco.MjModel, data: mujoco.MjData, position: Sequence[float], tilt: float
+) -> None:
+    """Put the only vessel there, turned about the y axis [rad]."""
+    data.qpos[:] = (*position, np.cos(tilt / 2), 0.0, np.sin(tilt / 2), 0.0)
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+
+
+def surface(liquid: Liquid) -> tuple[float, float]:
+    """Fit a plane to the highest particle of every cell; return mean height [m] and tilt [rad]."""
+    spacing = liquid.volume ** (1 / 3)
+    positions = liquid.positions
+    cells = np.floor(positions[:, :2] / (1.5 * spacing)).astype(int)
+    top: dict[tuple[int, int], int] = {}
+    for index in np.argsort(positions[:, 2]):
+        top[tuple(cells[index])] = index
+    highest = positions[list(top.values())]
+    # Cells that hang over the wall or the bottom catch no surface.
+    highest = highest[highest[:, 2] > np.median(highest[:, 2]) - 1.5 * spacing]
+    ones = np.ones(len(highest))
+    plane, *_ = np.linalg.lstsq(np.column_stack([highest[:, :2], ones]), highest[:, 2])
+    return float(highest[:, 2].mean() + spacing / 2), float(np.arctan(np.hypot(*plane[:2])))
+
+
+@pytest.mark.parametrize("count", [1000, 2000])
+@pytest.mark.parametrize(
+    ("vessel", "ml"), [(beaker("glass"), 100.0), (erlenmeyer_flask("glass"), 150.0)]
+)
+def test_a_volume_stands_as_high_as_the_cavity_has_room_for_it(
+    vessel: Vessel, ml: float, count: int
+) -> None:
+    _, _, liquid = filled(vessel, Filling(ml), count)
+    for _ in range(LIQUID_HZ // 3):
+        liquid.step()
+    bottom = vessel.profile.bottom
+    depth = vessel.profile.fill_height(ml * 1e-6) - bottom
+    assert surface(liquid)[0] - bottom == pytest.approx(depth, rel=0.05)
+
+
+@pytest.mark.parametrize("vessel", [beaker("glass"), erlenmeyer_flask("glass")])
+def test_the_surface_stays_level_in_a_vessel_that_is_tilted_slowly(vessel: Vessel) -> None:
+    model, data, liquid = filled(vessel, Filling(100.0), height=0.1)
+    tilt, seconds = np.radians(25.0), 2.0
+    for step in range(round(seconds * LIQUID_HZ)):
+        move_to(model, data, (0, 0, 0.1), tilt * step / (seconds * LIQUID_HZ))
+        liquid.step()
+    for _ in range(LIQUID_HZ // 2):
+        liquid.step()
+    assert liquid.counts()[0][0] == 1000
+    assert np.degrees(surface(liquid)[1]) < 4.0
+
+
+def test_the_bench_carries_the_vessel_and_its_liquid() -> None:
+    vessel = beaker("glass")
+    model, data, liquid = filled(vessel, Filling(100.0))
+    loads, force = [], np.empty(6)
+    for step in range(PHYSICS_HZ):
+        mujoco.mj_step2(model, data)
+        mujoco.mj_step1(model, data)
+        if step % (PHYSICS_HZ // LIQUID_HZ) == 0:
+            liquid.step()
+        mujoco.mj_forward(model, data)
+        load = 0.0
+        for index, contact in enumerate(data.contact):
+            mujoco.mj_contactForce(model, data, index, force)
+            load += abs(contact.frame.reshape(3, 3)[:, 2] @ force[:3])
+        loads.append(load)
+    weight = (vessel.mass + WATER.density * 100e-6) * GRAVITY
+    assert np.mean(loads[-PHYSICS_HZ // 2 :]) == pytest.approx(weight, rel=0.02)
+
+
+def test_a_vessel_held_at_a_tilt_feels_the_weight_where_the_liquid_is() -> None:
+    model, data, liquid = filled(beaker("glass"), Filling(100.0), height=0.1)
+    for step in range(LIQUID_HZ):
+        move_to(model, data, (0, 0, 0.1), np.radians(25.0) * min(1.0, 1.5 * step / LIQUID_HZ))
+        liquid.step()
+    wrenches, centres = [], []
+    for _ in range(LIQUID_HZ // 2):
+        liquid.step()
+        wrenches.append(data.xfrc_applied[1].copy())
+        centres.append(liquid.positions.mean(axis=0))
+    wrench = np.mean(wrenches, axis=0)
+    weight = np.array([0, 0, -WATER.density * 100e-6 * GRAVITY])
+    moment = np.cross(np.mean(centres, axis=0) - data.xipos[1], weight)
+    assert wrench[:3] == pytest.approx(weight, abs=0.02 * abs(weight[2]))
+    # The lever arm is that of the centre of mass to within half a millimetre.
+    assert wrench[3:] == pytest.approx(moment, abs=5e-4 * abs(weight[2]))
+
+
+def test_a_breaking_dam_runs_as_in_martin_and_moyces_experiment() -> None:
+    across, deep = 12, 6
+    spacing = COLUMN / across
+    side = deep * spacing / 2
+    boxes = [
+        ((-0.05, 0, 0.1), (0.05, 0.3, 0.2)),
+        ((0, side + 0.05, 0.1), (0.6, 0.05, 0.2)),
+        ((0, -side - 0.05, 0.1), (0.6, 0.05, 0.2)),
+    ]
+    model, data = world(boxes=boxes)
+    places = np.moveaxis(np.indices((across, deep, 2 * across)), 0, -1).reshape(-1, 3) + 0.5
+    places = places * spacing - (0, side, 0)
+    places += np.random.default_rng(0).uniform(-0.05, 0.05, places.shape) * spacing
+    filling = Filling(len(places) * spacing**3 * 1e6)
+    liquid = Liquid(model, data, [], filling, len(places))
+    liquid.release(places, np.zeros_like(places))
+    unit = np.sqrt(COLUMN / (2 * GRAVITY))
+    times, fronts = [0.0], [1.0]
+    while times[-1] < FRONT_TIMES[-1]:
+        liquid.step()
+        times.append(times[-1] + 1.0 / (LIQUID_HZ * unit))
+        foremost = np.sort(liquid.positions[:, 0])[-deep:].mean()
+        fronts.append((foremost + spacing / 2) / COLUMN)
+    assert np.interp(FRONT_TIMES, times, fronts) == pytest.approx(FRONTS, rel=0.15)
+
+
+def swirl_decay(substance: str) -> float:
+    """Return at what rate [1/s] a swirl in a cylinder of glass dies away.
+
+    It begins as the slowest one that sticks to the wall and the bottom (see below).
+    """
+    vessel = beaker("glass", "150 ml")  # its wall is upright
+    radius = vessel.profile.inner_radius(0.02)
+    _, _, liquid = filled(vessel, Filling(60.0, substance))
+    depth = 60e-6 / (np.pi * radius**2)
+    x, y, z = liquid.positions.T
+    distance, height = np.hypot(x, y), z - vessel.profile.bottom
+    shape = j1(jn_zeros(1, 1)[0] * distance / radius) * np.sin(np.pi * height / (2 * depth))
+    around = np.column_stack([-y, x, np.zeros_like(x)]) / distance[:, None]
+    liquid.velocities[:] = 0.2 * shape[:, None] * around
+    seconds = np.arange(1, LIQUID_HZ // 5) / LIQUID_HZ
+    spins = []
+    for _ in seconds:
+        liquid.step()
+        moment = np.cross(liquid.positions, liquid.velocities)[:, 2]
+        spins.append(abs(moment.mean()))
+    return -float(np.polyfit(seconds, np.log(spins), 1)[0])
+
+
+def test_glycerol_brakes_a_swirl_as_fast_as_the_stokes_equation_says() -> None:
+    # Unsteady Stokes flow in a cylinder, separated: v = J1(j11 r / R) sin(pi z / 2 H) exp(-rate t)
+    # with rate = nu ((j11 / R)^2 + (pi / 2 H)^2); Batchelor (1967), "An Introduction to Fluid
+    # Dynamics", section 4.3, has its parts.
+    vessel = beaker("glass", "150 ml")
+    radius = vessel.profile.inner_radius(0.02)
+    depth = 60e-6 / (np.pi * radius**2)
+    squares = (jn_zeros(1, 1)[0] / radius) ** 2 + (np.pi / (2 * depth)) ** 2
+    rate = SUBSTANCES["glycerol"].kinematic_viscosity * squares
+    assert swirl_decay("glycerol") == pytest.approx(rate, rel=0.25)
+
+
+def test_water_and_ethanol_flow_alike_and_glycerol_much_more_slowly() -> None:
+    water, ethanol, glycerol = (swirl_decay(name) for name in ("water", "ethanol", "glycerol"))
+    assert glycerol > 5 * water
+    assert ethanol == pytest.approx(water, rel=0.5)
+
+
+def blob(count: int = 200) -> NDArray[np.float64]:
+    return np.random.default_rng(0).uniform(-0.012, 0.012, (count, 3)) + (0, 0, 1)
+
+
+def test_a_falling_blob_moves_as_one_body() -> None:
+    model, data = world(bench=False)
+    liquid = Liquid(model, data, [], Filling(20.0), 200)
+    liquid.release(blob(), np.tile([0.3, 0.0, 1.0], (200, 1)))
+    start = liquid.positions.mean(axis=0)
+    steps = LIQUID_HZ // 2
+    for _ in range(steps):
+        liquid.step()
+    # Symplectic Euler: position after n steps of a constant acceleration.
+    seconds = steps / LIQUID_HZ
+    fall = GRAVITY * steps * (steps + 1) / (2 * LIQUID_HZ**2)
+    assert liquid.positions.mean(axis=0) == pytest.approx(
+        start + [0.3 * seconds, 0, seconds - fall], abs=1e-10
+    )
+    assert liquid.velocities.mean(axis=0) == pytest.approx(
+        [0.3, 0, 1 - GRAVITY * seconds], abs=1e-10
+    )
+
+
+def test_what_the_liquid_gains_in_momentum_the_vessel_gave_it() -> None:
+    model, data, liquid = filled(beaker("glass"), Filling(100.0), bench=False)
+    mass = WATER.density * 100e-6
+    for step in range(LIQUID_HZ):
+        before = mass * liquid.velocities.mean(axis=0)
+        shift = 0.05 * np.sin(10 * step / LIQUID_HZ)
+        move_to(model, data, (shift, 0, 0), 0.2 * np.sin(7 * step / LIQUID_HZ))
+        liquid.step()
+        gain = mass * liquid.velocities.mean(axis=0) - before
+        given = (np.array([0, 0, -mass * GRAVITY]) - data.xfrc_applied[1, :3]) / LIQUID_HZ
+        assert gain == pytest.approx(given, abs=1e-12)
+
+
+def spill(steps: int) -> tuple[mujoco.MjModel, mujoco.MjData, Liquid]:
+    """Turn a beaker over, above the bench, within half a second."""
+    model, data, liquid = filled(beaker("glass"), Filling(100.0), 500, height=0.15)
+    for step in range(steps):
+        turn_over(model, data, step)
+        liquid.step()
+    return model, data, liquid
+
+
+def turn_over(model: mujoco.MjModel, data: mujoco.MjData, step: int) -> None:
+    move_to(model, data, (0, 0, 0.15), np.radians(135) * min(1.0, 2.0 * step / LIQUID_HZ))
+
+
+def test_the_same_seed_gives_the_same_bits() -> None:
+    first, second = (spill(LIQUID_HZ)[2].state() for _ in range(2))
+    assert first.tobytes() == second.tobytes()
+
+
+def test_a_restored_liquid_goes_on_with_the_same_bits() -> None:
+    half, whole = LIQUID_HZ // 2, LIQUID_HZ
+    _, _, through = spill(whole)
+    model, data, saved = spill(half)
+    turn_over(model, data, half - 1)
+    other = Liquid(model, data, saved.vessels, Filling(100.0), 500)
+    other.restore(saved.state())
+    for step in range(half, whole):
+        turn_over(model, data, step)
+        other.step()
+    assert other.state().tobytes() == through.state().tobytes()
+
+
+def test_every_particle_is_in_the_vessel_on_the_bench_or_on_its_way() -> None:
+    vessel = beaker("glass")
+    model, data, liquid = filled(vessel, Filling(100.0), 500, height=0.15)
+    profile = vessel.profile
+    seen = set()
+    for step in range(2 * LIQUID_HZ):
+        turn_over(model, data, step)
+        liquid.step()
+        local = (liquid.positions - data.xpos[1]) @ data.xmat[1].reshape(3, 3)
+        radius, z = np.hypot(local[:, 0], local[:, 1]), local[:, 2]
+        limit = np.array([profile.inner_radius(height) for height in z])
+        held = (z > profile.bottom) & (z < profile.height) & (radius < limit)
+        (inside,), outside = liquid.counts()
+        assert inside == held.sum()
+        assert inside + outside <= len(liquid.positions) == 500
+        seen.add(inside + outside < 500)
+    assert seen == {True, False}  # some was on its way, and in the end all has arrived
+    assert inside == 0
+    assert outside == 500
+    assert not liquid.diverged
+
+
+@pytest.mark.parametrize("velocity", [np.nan, np.inf, 1e3, 1e30])
+def test_a_solver_that_fails_says_so_and_keeps_finite_positions(velocity: float) -> None:
+    _, data, liquid = filled(beaker("glass"), Filling(100.0), 200)
+    before = liquid.positions.copy()
+    liquid.velocities[7, 0] = velocity
+    for _ in range(2):
+        liquid.step()
+        assert liquid.diverged
+        assert np.array_equal(liquid.positions, before)
+        assert np.isfinite(liquid.state()).all()
+        assert not data.xfrc_applied.any()
