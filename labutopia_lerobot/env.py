@@ -25,7 +25,7 @@ from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
-from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Volumes
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
@@ -256,30 +256,20 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     def _info(self) -> Info:
         progress = self.progress
         latched = progress.substeps.items()
+        liquid = self.world.liquid
         return {
             "is_success": progress.outcome == SUCCESS,
             "ever_success": progress.ever,
             "outcome": progress.outcome,
             "facts": {name: bool(holds) for name, holds in progress.facts.items()},
             "substeps": {name: np.inf if time is None else time for name, time in latched},
-            **_millilitres(self.world.liquid),
+            **({} if liquid is None else liquid.millilitres),
             "seed": self.seed,
             "prelude_failures": self.prelude_failures,
             "applied_action": self._filter.applied.copy(),
             "clipped_actions": self._filter.clipped,
             "nonfinite_actions": self._filter.nonfinite,
         }
-
-
-def _millilitres(liquid: Volumes | None) -> dict[str, float]:
-    """Return where the liquid is [ml]; nothing where none is simulated."""
-    if liquid is None:
-        return {}
-    return {
-        "ml_poured": 1e6 * liquid.poured,
-        "ml_spilled": 1e6 * liquid.spilled,
-        "ml_retained": 1e6 * liquid.retained,
-    }
 
 
 def _observation_space(features: dict[str, Feature]) -> spaces.Dict:

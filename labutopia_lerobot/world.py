@@ -128,6 +128,12 @@ class Volumes:
         """In other vessels than at the beginning [m^3]."""
         return sum(volume for name, volume in self.inside.items() if name not in self.sources)
 
+    @property
+    def millilitres(self) -> dict[str, float]:
+        """Poured, spilled and retained volume as `info` has them [ml]."""
+        volumes = {"poured": self.poured, "spilled": self.spilled, "retained": self.retained}
+        return {f"ml_{name}": 1e6 * volume for name, volume in volumes.items()}
+
 
 class World(Protocol):
     """Getters only: nothing that holds a `World` can change the simulation.

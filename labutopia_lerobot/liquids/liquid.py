@@ -7,12 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.account import whereabouts
-from labutopia_lerobot.liquids.bodies import Glass, Shapes
 from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.liquids.lattice import lattice
-from labutopia_lerobot.liquids.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
 from labutopia_lerobot.liquids.solver import LIQUID_HZ, Flow, advance
-from labutopia_lerobot.liquids.walls import EDGE_NUMBERS, edges_of
+from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.world import FloatArray, Pose, Volumes
 
 PARTICLES = 1000
@@ -26,20 +24,9 @@ _SETTLE_DAMPING = 0.9
 _FASTEST = 50.0
 """Speed [m/s] that no liquid on a bench has: beyond it the solver has diverged."""
 
-_ENDLESS = 1e6
-"""Radius of the ball around a plane [m]."""
-
 _JET_SPEED = 2.0
 """Fastest that liquid leaves a spout [m/s]: what 2 kPa, a squeeze by hand, drive out of it (half of
 density times speed squared)."""
-
-_KINDS = {
-    mujoco.mjtGeom.mjGEOM_PLANE: PLANE,
-    mujoco.mjtGeom.mjGEOM_SPHERE: SPHERE,
-    mujoco.mjtGeom.mjGEOM_CAPSULE: CAPSULE,
-    mujoco.mjtGeom.mjGEOM_CYLINDER: CYLINDER,
-    mujoco.mjtGeom.mjGEOM_BOX: BOX,
-}
 
 
 class Liquid:
@@ -74,18 +61,8 @@ class Liquid:
         self._filled: dict[str, int] = {}
         self._waiting: dict[str, int] = {}
         self._flow = Flow.of(self.substance, self.volume)
-        self._data = data
-        self._bodies = np.array([model.body(vessel.name).id for vessel in vessels])
-        self._geoms = _solid_geoms(model, set(self._bodies.tolist()))
-        self._owners = np.concatenate([self._bodies, model.geom_bodyid[self._geoms]])
-        self._movable = np.flatnonzero(model.body_weldid[self._owners] > 0)
-        edges = [edges_of(vessel.profile) for vessel in vessels]
-        self._glass = _glass(self.vessels, edges)
-        self._inner = np.array([len(vessel.profile.inner) for vessel in vessels])
-        self._shapes = _shapes(model, self._geoms)
-        boxed = model.geom_type[self._geoms] == mujoco.mjtGeom.mjGEOM_MESH
-        self._centres = np.where(boxed[:, None], model.geom_aabb[self._geoms, :3], 0.0)
-        self._impulse = np.zeros((len(self._owners), 6))
+        self._around = Surroundings(model, data, vessels)
+        self._impulse = np.zeros((self._around.owners, 6))
         self.empty()
 
     def empty(self) -> None:
@@ -100,8 +77,8 @@ class Liquid:
         self._pressure: FloatArray = np.zeros(len(positions))
         self._on_surface: NDArray[np.bool_] = np.zeros(len(positions), dtype=np.bool_)
         self._impulse[:] = 0.0
-        self._find_walls()
-        self._find_walls()
+        self._around.move()
+        self._around.move()
 
     def fill(
         self, contents: Mapping[Fillable | Dispenser, Filling], rng: np.random.Generator
@@ -114,20 +91,21 @@ class Liquid:
             contents: What each vessel holds; together they are all the liquid there is.
             rng: Where the particles' disorder comes from.
         """
-        self._find_walls()
+        self._around.move()
         total = sum(filling.volume for filling in contents.values())
-        heaps, left = [np.empty((0, 3))], self._particles
+        heaps, last = [np.empty((0, 3))], 0.0
         self._waiting = {}
         for vessel, filling in contents.items():
-            share = min(left, round(filling.volume / total * self._particles))
-            left -= share
+            first, last = last, last + filling.volume
+            counts = [round(volume / total * self._particles) for volume in (first, last)]
+            share = counts[1] - counts[0]
             if isinstance(vessel, Dispenser):
                 self._waiting[vessel.name] = share
                 continue
             index = self.vessels.index(vessel)
             local = lattice(vessel.profile, share, self._flow.spacing, rng)
-            turn, origin = self._glass.rotation[index], self._glass.origin[index]
-            heaps.append(origin + local @ turn.T)
+            glass = self._around.glass
+            heaps.append(glass.origin[index] + local @ glass.rotation[index].T)
         self._filled = dict(self._waiting)
         self._start(np.vstack(heaps))
         self._sources = frozenset(vessel.name for vessel in contents)
@@ -180,7 +158,7 @@ class Liquid:
         """
         if not len(self.positions):
             return
-        self._find_walls()
+        self._around.move()
         before = self.positions.copy()
         if self._sane():
             self._advance()
@@ -188,7 +166,8 @@ class Liquid:
             self.diverged = True
             self.positions, self.velocities[:] = before, 0.0
             self._impulse[:] = 0.0
-        self._push_bodies()
+        # Newton's third law: minus what the bodies gave to the particles.
+        self._around.push(-self.substance.density * self.volume * LIQUID_HZ * self._impulse)
 
     def _sane(self) -> bool:
         """Tell whether all is in motion as liquid on a bench can be; a speed may be no number."""
@@ -199,43 +178,19 @@ class Liquid:
             self.positions,
             self.velocities,
             self._pressure,
-            self._glass,
-            self._shapes,
+            self._around.glass,
+            self._around.shapes,
             self._flow,
             self._impulse,
             self._on_surface,
         )
-
-    def _find_walls(self) -> None:
-        """Read where the walls are now, and remember where they were."""
-        data = self._data
-        for walls in (self._glass, self._shapes):
-            walls.old_origin[:], walls.old_rotation[:] = walls.origin, walls.rotation
-        self._glass.origin[:] = data.xpos[self._bodies]
-        self._glass.rotation[:] = data.xmat[self._bodies].reshape(-1, 3, 3)
-        self._shapes.origin[:], self._shapes.rotation[:] = self._shape_frames()
-
-    def _shape_frames(self) -> tuple[FloatArray, FloatArray]:
-        rotation = self._data.geom_xmat[self._geoms].reshape(-1, 3, 3)
-        offset = np.einsum("sij,sj->si", rotation, self._centres)
-        return self._data.geom_xpos[self._geoms] + offset, rotation
-
-    def _push_bodies(self) -> None:
-        applied = self._data.xfrc_applied
-        applied[self._owners[self._movable]] = 0.0
-        # Newton's third law: minus what the bodies gave to the particles.
-        wrench = -self.substance.density * self.volume * LIQUID_HZ * self._impulse[self._movable]
-        bodies = self._owners[self._movable]
-        force, moment = wrench[:, :3], wrench[:, 3:]
-        moment = moment - np.cross(self._data.xipos[bodies], force)
-        np.add.at(applied, bodies, np.hstack([force, moment]))
 
     def counts(self) -> tuple[NDArray[np.int64], int]:
         """Return the number of particles in each vessel, shape (vessels,), and on other things.
 
         The rest is on its way.
         """
-        places = whereabouts(self.positions, self._glass, self._inner)
+        places = whereabouts(self.positions, self._around.glass, self._around.inner)
         inside = np.bincount(places[places >= 0], minlength=len(self.vessels))
         return inside, int(np.count_nonzero(self._on_surface & (places < 0)))
 
@@ -275,39 +230,3 @@ class Liquid:
         self.velocities[:] = velocities.reshape(-1, 3)
         self._pressure[:], self._on_surface[:] = rest.reshape(2, -1)
         self.diverged = bool(state[1])
-
-
-def _solid_geoms(model: mujoco.MjModel, vessels: set[int]) -> NDArray[np.intp]:
-    """Return the geoms that liquid runs off: all that things collide with but the vessels'."""
-    solid = (model.geom_contype | model.geom_conaffinity) != 0
-    return np.flatnonzero(solid & ~np.isin(model.geom_bodyid, list(vessels)))
-
-
-def _glass(vessels: Sequence[Fillable], edges: Sequence[FloatArray]) -> Glass:
-    heights = np.array([vessel.profile.height for vessel in vessels])
-    widest = np.array([max(r for r, _ in vessel.profile.outer) for vessel in vessels])
-    return Glass(
-        np.vstack([np.empty((0, EDGE_NUMBERS)), *edges]),
-        np.cumsum([0, *(len(part) for part in edges)]),
-        heights / 2,
-        np.hypot(heights / 2, widest),
-        *_frames(len(vessels)),
-        *_frames(len(vessels)),
-    )
-
-
-def _shapes(model: mujoco.MjModel, geoms: NDArray[np.intp]) -> Shapes:
-    """Describe geoms; a mesh is the box around it."""
-    kinds = [_KINDS.get(mujoco.mjtGeom(kind), BOX) for kind in model.geom_type[geoms]]
-    boxed = np.isin(model.geom_type[geoms], [int(kind) for kind in _KINDS], invert=True)
-    size = np.where(boxed[:, None], model.geom_aabb[geoms, 3:], model.geom_size[geoms])
-    radius = np.linalg.norm(size, axis=1)
-    radius[np.array(kinds) == CAPSULE] = size[np.array(kinds) == CAPSULE, :2].sum(axis=1)
-    radius[np.array(kinds) == PLANE] = _ENDLESS
-    return Shapes(
-        np.array(kinds, dtype=np.int64), size, radius, *_frames(len(geoms)), *_frames(len(geoms))
-    )
-
-
-def _frames(count: int) -> tuple[FloatArray, FloatArray]:
-    return np.zeros((count, 3)), np.tile(np.eye(3), (count, 1, 1))

@@ -189,9 +189,9 @@ def test_nothing_leaks_from_a_vessel_that_is_swung_about(leak_rate: ModuleType, 
 def test_the_leak_rate_counts_what_runs_through_a_hole(
     leak_rate: ModuleType, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def without_bottom(profile: Profile) -> Edges:
-        return np.delete(edges_of(profile), 0, axis=0)
+    def without_neck(profile: Profile) -> Edges:
+        return np.delete(edges_of(profile), 2, axis=0)
 
-    monkeypatch.setattr(leak_rate, "SECONDS", 0.5)
-    monkeypatch.setattr("labutopia_lerobot.liquids.liquid.edges_of", without_bottom)
-    assert leak_rate.handle(0)["crossings"] > 0
+    monkeypatch.setattr(leak_rate, "SECONDS", 1.0)
+    monkeypatch.setattr("labutopia_lerobot.liquids.liquid.edges_of", without_neck)
+    assert leak_rate.handle(1)["crossings"] > 0

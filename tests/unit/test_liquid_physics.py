@@ -19,8 +19,8 @@ GRAVITY = 9.81
 PHYSICS_HZ = 300
 
 # Martin and Moyce (1952), "An Experimental Study of the Collapse of Liquid Columns on a Rigid
-# Horizontal Plane", Phil. Trans. R. Soc. A 244, 312-324, table 2: a column of water 2.25 inches wide
-# and twice as high (n^2 = 2). Time in units of sqrt(a / 2 g), front in units of a.
+# Horizontal Plane", Phil. Trans. R. Soc. A 244, 312-324, table 2: a column of water 2.25 inches
+# wide and twice as high (n^2 = 2). Time in units of sqrt(a / 2 g), front in units of a.
 COLUMN = 2.25 * 0.0254
 FRONT_TIMES = (0.41, 0.84, 1.19, 1.43, 1.63, 1.83, 1.98, 2.20, 2.32, 2.51, 2.65, 2.83, 2.98, 3.11)
 FRONTS = (1.11, 1.22, 1.44, 1.67, 1.89, 2.11, 2.33, 2.56, 2.78, 3.00, 3.22, 3.44, 3.67, 3.89)
@@ -214,7 +214,8 @@ def test_water_and_ethanol_flow_alike_and_glycerol_much_more_slowly() -> None:
 
 
 def blob(count: int = 200) -> NDArray[np.float64]:
-    return np.random.default_rng(0).uniform(-0.012, 0.012, (count, 3)) + (0, 0, 1)
+    low, high = (-0.012, -0.012, 0.988), (0.012, 0.012, 1.012)
+    return np.random.default_rng(0).uniform(low, high, (count, 3))
 
 
 def test_a_falling_blob_moves_as_one_body() -> None:
@@ -229,7 +230,7 @@ def test_a_falling_blob_moves_as_one_body() -> None:
     seconds = steps / LIQUID_HZ
     fall = GRAVITY * steps * (steps + 1) / (2 * LIQUID_HZ**2)
     assert liquid.positions.mean(axis=0) == pytest.approx(
-        start + [0.3 * seconds, 0, seconds - fall], abs=1e-10
+        start + np.array([0.3 * seconds, 0, seconds - fall]), abs=1e-10
     )
     assert liquid.velocities.mean(axis=0) == pytest.approx(
         [0.3, 0, 1 - GRAVITY * seconds], abs=1e-10

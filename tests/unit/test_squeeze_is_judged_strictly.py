@@ -138,15 +138,14 @@ def test_a_hand_that_stays_round_the_bottle_has_not_finished(env):
     assert not info["ever_success"]
 
 
-def test_a_jet_beside_the_beaker_does_not_count(env):
+def test_a_jet_beside_the_beaker_spills(env):
     (bottle, region), (beaker, _) = env.definition.start.items()
     start = {bottle: region, beaker: OnBench(x=(0.5, 0.55), y=(-0.4, -0.35))}
     env.definition = replace(env.definition, start=start)
     info = play(env, *env.definition.expert)
-    assert env.world.displaced(bottle) >= 20e-6
-    assert info["outcome"] == "timeout"
-    assert info["substeps"]["dispensed"] == np.inf
-
+    assert info["outcome"] == "spilled"
+    assert info["ml_spilled"] > 2
+    assert info["ml_poured"] == 0
 
 def test_a_hand_on_the_spout_has_collided(env):
     bottle, _ = things(env)

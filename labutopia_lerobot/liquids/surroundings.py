@@ -1,0 +1,111 @@
+"""What liquid is among, as MuJoCo has it: vessels by their glass, everything else by its shapes."""
+
+from collections.abc import Sequence
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.liquids.bodies import Glass, Shapes
+from labutopia_lerobot.liquids.filling import Fillable
+from labutopia_lerobot.liquids.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
+from labutopia_lerobot.liquids.walls import EDGE_NUMBERS, edges_of
+from labutopia_lerobot.world import FloatArray
+
+_ENDLESS = 1e6
+"""Radius of the ball around a plane [m]."""
+
+_KINDS = {
+    mujoco.mjtGeom.mjGEOM_PLANE: PLANE,
+    mujoco.mjtGeom.mjGEOM_SPHERE: SPHERE,
+    mujoco.mjtGeom.mjGEOM_CAPSULE: CAPSULE,
+    mujoco.mjtGeom.mjGEOM_CYLINDER: CYLINDER,
+    mujoco.mjtGeom.mjGEOM_BOX: BOX,
+}
+
+
+class Surroundings:
+    """The walls of a scene, moving with its bodies; their owners are first vessels, then geoms.
+
+    Args:
+        model: The compiled scene.
+        data: Its state.
+        vessels: Everything that can hold liquid.
+
+    Attributes:
+        glass: The vessels.
+        shapes: All else that things collide with; a mesh is the box around it.
+        inner: Number of edges of each vessel's cavity, shape (vessels,).
+        owners: Number of vessels and shapes.
+    """
+
+    def __init__(
+        self, model: mujoco.MjModel, data: mujoco.MjData, vessels: Sequence[Fillable]
+    ) -> None:
+        self._data = data
+        self._vessels = np.array([model.body(vessel.name).id for vessel in vessels], dtype=int)
+        solid = (model.geom_contype | model.geom_conaffinity) != 0
+        self._geoms = np.flatnonzero(solid & ~np.isin(model.geom_bodyid, self._vessels))
+        self._bodies = np.concatenate([self._vessels, model.geom_bodyid[self._geoms]])
+        self._movable = np.flatnonzero(model.body_weldid[self._bodies] > 0)
+        self.owners = len(self._bodies)
+        self.inner = np.array([len(vessel.profile.inner) for vessel in vessels], dtype=int)
+        self.glass = _glass(vessels)
+        self.shapes = _shapes(model, self._geoms)
+        boxed = model.geom_type[self._geoms] == mujoco.mjtGeom.mjGEOM_MESH
+        self._centres = np.where(boxed[:, None], model.geom_aabb[self._geoms, :3], 0.0)
+
+    def move(self) -> None:
+        """Read where the walls are now, and remember where they were."""
+        data = self._data
+        for walls in (self.glass, self.shapes):
+            walls.old_origin[:], walls.old_rotation[:] = walls.origin, walls.rotation
+        self.glass.origin[:] = data.xpos[self._vessels]
+        self.glass.rotation[:] = data.xmat[self._vessels].reshape(-1, 3, 3)
+        rotation = data.geom_xmat[self._geoms].reshape(-1, 3, 3)
+        offset = np.einsum("sij,sj->si", rotation, self._centres)
+        self.shapes.origin[:] = data.geom_xpos[self._geoms] + offset
+        self.shapes.rotation[:] = rotation
+
+    def push(self, wrench: FloatArray) -> None:
+        """Apply forces until the next call, through MuJoCo's `xfrc_applied`.
+
+        Args:
+            wrench: Force [N] and moment about the world's origin [N m] on every owner, shape
+                (owners, 6), world frame; on what cannot move it is lost.
+        """
+        bodies, applied = self._bodies[self._movable], self._data.xfrc_applied
+        force, moment = wrench[self._movable, :3], wrench[self._movable, 3:]
+        moment = moment - np.cross(self._data.xipos[bodies], force)
+        applied[bodies] = 0.0
+        np.add.at(applied, bodies, np.hstack([force, moment]))
+
+
+def _glass(vessels: Sequence[Fillable]) -> Glass:
+    edges = [edges_of(vessel.profile) for vessel in vessels]
+    heights = np.array([vessel.profile.height for vessel in vessels])
+    widest = np.array([max(r for r, _ in vessel.profile.outer) for vessel in vessels])
+    return Glass(
+        np.vstack([np.empty((0, EDGE_NUMBERS)), *edges]),
+        np.cumsum([0, *(len(part) for part in edges)]),
+        heights / 2,
+        np.hypot(heights / 2, widest),
+        *_frames(len(vessels)),
+        *_frames(len(vessels)),
+    )
+
+
+def _shapes(model: mujoco.MjModel, geoms: NDArray[np.intp]) -> Shapes:
+    kinds = [_KINDS.get(mujoco.mjtGeom(kind), BOX) for kind in model.geom_type[geoms]]
+    boxed = np.isin(model.geom_type[geoms], [int(kind) for kind in _KINDS], invert=True)
+    size = np.where(boxed[:, None], model.geom_aabb[geoms, 3:], model.geom_size[geoms])
+    radius = np.linalg.norm(size, axis=1)
+    radius[np.array(kinds) == CAPSULE] = size[np.array(kinds) == CAPSULE, :2].sum(axis=1)
+    radius[np.array(kinds) == PLANE] = _ENDLESS
+    return Shapes(
+        np.array(kinds, dtype=np.int64), size, radius, *_frames(len(geoms)), *_frames(len(geoms))
+    )
+
+
+def _frames(count: int) -> tuple[FloatArray, FloatArray]:
+    return np.zeros((count, 3)), np.tile(np.eye(3), (count, 1, 1))
