@@ -16,7 +16,7 @@ from PIL import Image
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.result import RESULT
 from labutopia_lerobot.layout import Inside
-from labutopia_lerobot.registry import load_task, task_files
+from labutopia_lerobot.registry import is_beyond_paper, load_task, task_files
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -76,7 +76,11 @@ def task_table(summaries: dict[str, dict[str, Any]]) -> list[str]:
         "| task | instruction | expert | 95 % | mean time |",
         "| --- | --- | --- | --- | --- |",
     ]
+    beyond = False
     for task_id in task_files():
+        if is_beyond_paper(task_id) and not beyond:
+            beyond = True
+            lines.append("| *beyond the paper* | | | | |")
         line, instruction = summaries.get(task_id), load_task(task_id).instruction
         cells = ["not measured", "", ""]
         if line is not None:

@@ -1,10 +1,8 @@
 """`python scripts/plot_liquids.py`: docs/liquids.md and its plots, liquids against references."""
 
-import argparse
 import json
 import multiprocessing
 import os
-import resource
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -49,14 +47,10 @@ type Texts = dict[str, str]
 
 def main() -> None:
     """Measure everything, and write the page and its plots."""
-    argparse.ArgumentParser(description=__doc__).parse_args()
     mpl.rcParams.update({"axes.grid": True, "grid.alpha": 0.3, "font.size": 9})
     PICTURES.mkdir(exist_ok=True)
-    flow = Flow.of(WATER, 1e-7)
-    moment = SECOND_MOMENT * (REACH * flow.spacing) ** 2
-    thinnest = flow.viscosity * flow.passes * moment * LIQUID_HZ / 2 / WATER.kinematic_viscosity
     texts = {"machine": f"{os.cpu_count()} cores without a GPU, one of them used"}
-    texts |= {"hertz": str(LIQUID_HZ), "thinnest": f"{thinnest:.0f}"}
+    texts |= {"hertz": str(LIQUID_HZ), "thinnest": f"{thinnest():.0f}"}
     for measure in (heights, levels, dam_break, viscosity, scaling, leaks):
         texts |= measure()
     page = (DOCS / "liquids.md").read_text()
@@ -67,17 +61,23 @@ def main() -> None:
     (DOCS / "liquids.md").write_text(page)
 
 
+def thinnest() -> float:
+    """Return the viscosity of water in particles of 0.1 ml, in its own (see `Flow.of`)."""
+    flow = Flow.of(WATER, 1e-7)
+    moment = SECOND_MOMENT * (REACH * flow.spacing) ** 2
+    return flow.viscosity * flow.passes * moment * LIQUID_HZ / 2 / WATER.kinematic_viscosity
+
+
 def heights() -> Texts:
     """Compare where liquids stand with the volume of the cavity below."""
-    cases = [
-        (beaker("glass"), (50, 100, 150, 200)),
-        (erlenmeyer_flask("glass"), (50, 100, 200, 300)),
-        (graduated_cylinder("glass"), (25, 50, 100, 200)),
-    ]
-    names = ("beaker, 250 ml", "conical flask, 300 ml", "graduated cylinder, 250 ml")
+    cases = (
+        ("beaker, 250 ml", beaker("glass"), (50, 100, 150, 200)),
+        ("conical flask, 300 ml", erlenmeyer_flask("glass"), (50, 100, 200, 300)),
+        ("graduated cylinder, 250 ml", graduated_cylinder("glass"), (25, 50, 100, 200)),
+    )
     figure, axes = plt.subplots(figsize=(4.5, 3.2))
     rows = []
-    for (vessel, volumes), name in zip(cases, names, strict=True):
+    for name, vessel, volumes in cases:
         bottom = vessel.profile.bottom
         fine = np.linspace(0, volumes[-1], 60)
         right = [vessel.profile.fill_height(ml * 1e-6) - bottom for ml in fine]
@@ -127,8 +127,8 @@ def dam_break() -> Texts:
     off = []
     for across in (8, 12, 16):
         times, fronts, count = collapse(across)
-        error = np.interp(FRONTS[:, 0], times, fronts) / FRONTS[:, 1] - 1
-        off.append(f"{abs(error).max():.0%} with {count:,} particles")
+        error = abs(np.interp(FRONTS[:, 0], times, fronts) / FRONTS[:, 1] - 1).max()
+        off.append(f"{error:.0%} with {count:,} particles")
         axes.plot(times, fronts, label=f"{count:,} particles")
     axes.set(xlabel="time [sqrt(a / 2g)]", ylabel="front [a]", xlim=(0, 3.3), ylim=(0.9, 4.5))
     axes.legend()
@@ -168,11 +168,10 @@ def viscosity() -> Texts:
     bottom and has a free surface; rate = nu ((j11 / R)^2 + (pi / 2 H)^2).
     """
     figure, axes = plt.subplots(figsize=(4.5, 2.8))
-    vessel, ml = beaker("glass", "150 ml"), 60.0
+    rows, vessel, ml = [], beaker("glass", "150 ml"), 60.0
     radius = vessel.profile.inner_radius(0.02)
     depth = ml * 1e-6 / (np.pi * radius**2)
     squares = (jn_zeros(1, 1)[0] / radius) ** 2 + (np.pi / (2 * depth)) ** 2
-    rows = []
     for substance in SUBSTANCES.values():
         _, _, liquid = filled(vessel, Filling(ml, substance.name))
         x, y, z = liquid.positions.T
@@ -201,9 +200,8 @@ def scaling() -> Texts:
     """Measure time and memory for 100 ml in a beaker at rest, each number in its own process."""
     counts = (500, 1000, 2000, 4000, 8000)
     with multiprocessing.get_context("spawn").Pool(1, maxtasksperchild=1) as pool:
-        nothing, *found = pool.map(cost, (1, *counts), chunksize=1)
-    milliseconds, totals, _ = zip(*found, strict=True)
-    megabytes = [used - nothing[1] for used in totals]
+        found = pool.map(cost, counts, chunksize=1)
+    milliseconds, megabytes, _ = zip(*found, strict=True)
     figure, axes = plt.subplots(1, 2, figsize=(6.4, 2.6), layout="constrained")
     for part, numbers, unit in zip(axes, (milliseconds, megabytes), ("ms", "MB"), strict=True):
         part.plot(counts, numbers, "o-")
@@ -213,21 +211,29 @@ def scaling() -> Texts:
     save(figure, "scaling")
     rows = [
         f"| {count:,} | {step:.2f} | {1e3 / LIQUID_HZ / step:.1f} | {used:.1f} | {left:.0f} |"
-        for count, (step, _, left), used in zip(counts, found, megabytes, strict=True)
+        for count, (step, used, left) in zip(counts, found, strict=True)
     ]
     return {"scaling": table("particles | ms per step | times real time | MB | speed [mm/s]", rows)}
 
 
 def cost(count: int) -> tuple[float, float, float]:
-    """Return the time of a step [ms], the memory of the process [MB], and the speed left [mm/s]."""
+    """Return the time of a step [ms], the most memory it takes [MB], and the speed left [mm/s]."""
+    filled(beaker("glass"), Filling(100.0), 1)  # so that all is loaded
+    Path("/proc/self/clear_refs").write_text("5")  # the peak counts from here on (proc(5))
+    before = memory("VmRSS")
     _, _, liquid = filled(beaker("glass"), Filling(100.0), count)
     taken = []
     for _ in range(LIQUID_HZ):
         start = time.perf_counter()
         liquid.step()
         taken.append(time.perf_counter() - start)
-    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e3
-    return float(np.median(taken)) * 1e3, memory, speed(liquid) * 1e3
+    return float(np.median(taken)) * 1e3, memory("VmHWM") - before, speed(liquid) * 1e3
+
+
+def memory(entry: str) -> float:
+    """Return an entry of this process's status [MB]."""
+    _, rest = Path("/proc/self/status").read_text().split(f"{entry}:")
+    return int(rest.split()[0]) / 1e3
 
 
 def leaks() -> Texts:
@@ -236,12 +242,8 @@ def leaks() -> Texts:
     if not file.exists():
         return {"leaks": "Not measured."}
     found = json.loads(file.read_text())
-    text = (
-        "{crossings} crossings and {lost_particles} lost particles in {episodes:,} episodes of 10 s"
-    )
-    text += (
-        " ({particle_steps:,} particle steps); {left_through_the_mouth:,} left through the mouth."
-    )
+    text = "{crossings} crossings and {lost_particles} lost in {particle_steps:,} particle steps "
+    text += "({episodes:,} episodes of 10 s); {left_through_the_mouth:,} left through the mouth."
     return {"leaks": text.format(**found)}
 
 
@@ -258,7 +260,7 @@ def world(
         vessel.add_to(spec, spec.worldbody).add_freejoint()
     model = spec.compile()
     data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
+    mujoco.mj_kinematics(model, data)
     return model, data
 
 

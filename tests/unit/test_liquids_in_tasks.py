@@ -187,3 +187,38 @@ def test_another_substance_weighs_and_flows_otherwise(tmp_path):
         weights[name] = -env.simulation.data.xfrc_applied[body, 2]
     for name, substance in SUBSTANCES.items():
         assert weights[name] == pytest.approx(substance.density * 1e-4 * 9.81, rel=0.05)
+
+
+def turning(env: LabEnv, vessel) -> float:
+    """Mean angular velocity of the liquid about the vessel's axis [rad/s], counterclockwise."""
+    liquid, pose = env.simulation.liquid, env.world.pose(vessel)
+    arm = (liquid.positions - pose.position_w)[:, :2]
+    velocity = liquid.velocities[:, :2]
+    momentum = arm[:, 0] * velocity[:, 1] - arm[:, 1] * velocity[:, 0]
+    return float(momentum.sum() / (arm**2).sum())
+
+
+def test_a_rod_that_stirs_takes_the_liquid_round_with_it():
+    env = LabEnv("level1/stir", obs="state", particles=300)
+    env.reset(seed=2)
+    vessel = next(iter(env.definition.contents))
+    rest = turning(env, vessel)
+    expert = env.expert()
+    expert.start()
+    while "retract" not in expert.label:
+        env.step(expert.act())
+    assert abs(rest) < 0.05
+    assert turning(env, vessel) > 0.2
+
+
+def test_a_shaken_vessel_makes_its_contents_slosh():
+    env = LabEnv("level1/shake", obs="state", particles=300)
+    env.reset(seed=2)
+    expert = env.expert()
+    expert.start()
+    speeds = []
+    for _ in range(150):
+        env.step(expert.act())
+        speeds.append(np.linalg.norm(env.simulation.liquid.velocities, axis=1).mean())
+    assert speeds[0] < 0.03
+    assert max(speeds) > 0.1
