@@ -22,7 +22,6 @@ from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.liquids.solver import LIQUID_HZ
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 from labutopia_lerobot.worker_process import become_worker
@@ -128,7 +127,7 @@ def _solver_speed(seconds: float) -> float:
     while time.perf_counter() - start < seconds:
         liquid.step()
         steps += 1
-    return steps / LIQUID_HZ / (time.perf_counter() - start)
+    return steps / liquid.hertz / (time.perf_counter() - start)
 
 
 def _expert_actions(task: str) -> list[NDArray[np.float32]]:

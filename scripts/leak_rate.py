@@ -20,7 +20,6 @@ from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, gradua
 from labutopia_lerobot.labware.vessel import Vessel
 from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.liquids.liquid import PARTICLES, Liquid
-from labutopia_lerobot.liquids.solver import LIQUID_HZ
 from labutopia_lerobot.sim.scene import PHYSICS_HZ
 
 SECONDS = 10.0
@@ -52,10 +51,8 @@ def main() -> None:
             file.write(json.dumps(row) + "\n")
             file.flush()
     rows = _read(arguments.rows)
-    steps = round(SECONDS * LIQUID_HZ) * len(rows)
     total = {name: sum(row[name] for row in rows) for name in rows[0] if name != "seed"}
-    facts = {"episodes": len(rows), "solver_steps": steps, "particle_steps": steps * PARTICLES}
-    print(json.dumps(facts | total))  # noqa: T201
+    print(json.dumps({"episodes": len(rows), **total}))  # noqa: T201
 
 
 def _read(path: Path) -> list[dict[str, int]]:
@@ -77,12 +74,13 @@ def handle(seed: int) -> dict[str, int]:
         data.qpos[:] = swing.move(1.0 / PHYSICS_HZ)
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
-        if step % (PHYSICS_HZ // LIQUID_HZ):
+        if (step + 1) % (PHYSICS_HZ // liquid.hertz) == 0:
             liquid.step()
             watch.look(liquid.positions, data)
     lost = PARTICLES - len(liquid.positions) + int(np.sum(~np.isfinite(liquid.positions).all(1)))
     return {
         "seed": seed,
+        "particle_steps": watch.looks * PARTICLES,
         "crossings": watch.crossings,
         "lost_particles": lost,
         "left_through_the_mouth": watch.left,
@@ -151,11 +149,12 @@ class _Watch:
         self._profile = vessel.profile
         walls = (vessel.profile.inner, vessel.profile.outer)
         self._walls = [np.array(wall).T[::-1] for wall in walls]
-        self.crossings = self.left = 0
+        self.crossings = self.left = self.looks = 0
         self._inside: NDArray[np.bool_] | None = None
 
     def look(self, positions: NDArray[np.float64], data: mujoco.MjData) -> None:
         """Look once after a step."""
+        self.looks += 1
         profile = self._profile
         local = (positions - data.xpos[1]) @ data.xmat[1].reshape(3, 3)
         radius, z = np.hypot(local[:, 0], local[:, 1]), local[:, 2]

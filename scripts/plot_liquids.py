@@ -20,15 +20,13 @@ from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, gradua
 from labutopia_lerobot.labware.vessel import Vessel
 from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.liquids.liquid import Liquid
-from labutopia_lerobot.liquids.smoothing import SECOND_MOMENT
-from labutopia_lerobot.liquids.solver import LIQUID_HZ, REACH, Flow
-from labutopia_lerobot.liquids.substance import SUBSTANCES, WATER
+from labutopia_lerobot.liquids.solver import LIQUID_HZ
+from labutopia_lerobot.liquids.substance import SUBSTANCES
 
 DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = DOCS / "liquids"
 SEED = 0
 GRAVITY = 9.81
-
 COLUMN = 2.25 * 0.0254
 """Width a of the column of water in the experiment [m]; it is 2 a high."""
 FRONTS = np.array(
@@ -41,7 +39,6 @@ FRONTS = np.array(
 """Time in sqrt(a / 2 g) and front in a: Martin and Moyce (1952), Phil. Trans. R. Soc. A 244,
 312-324, table 2 (n^2 = 2, a = 2.25 inches)."""
 
-type Floats = NDArray[np.float64]
 type Texts = dict[str, str]
 
 
@@ -49,8 +46,7 @@ def main() -> None:
     """Measure everything, and write the page and its plots."""
     mpl.rcParams.update({"axes.grid": True, "grid.alpha": 0.3, "font.size": 9})
     PICTURES.mkdir(exist_ok=True)
-    texts = {"machine": f"{os.cpu_count()} cores without a GPU, one of them used"}
-    texts |= {"hertz": str(LIQUID_HZ), "thinnest": f"{thinnest():.0f}"}
+    texts = {"cores": str(os.cpu_count()), "hertz": str(LIQUID_HZ)}
     for measure in (heights, levels, dam_break, viscosity, scaling, leaks):
         texts |= measure()
     page = (DOCS / "liquids.md").read_text()
@@ -59,13 +55,6 @@ def main() -> None:
         _, _, after = rest.partition("<!-- end -->")
         page = f"{before}<!-- {name} -->{text}<!-- end -->{after}"
     (DOCS / "liquids.md").write_text(page)
-
-
-def thinnest() -> float:
-    """Return the viscosity of water in particles of 0.1 ml, in its own (see `Flow.of`)."""
-    flow = Flow.of(WATER, 1e-7)
-    moment = SECOND_MOMENT * (REACH * flow.spacing) ** 2
-    return flow.viscosity * flow.passes * moment * LIQUID_HZ / 2 / WATER.kinematic_viscosity
 
 
 def heights() -> Texts:
@@ -136,7 +125,7 @@ def dam_break() -> Texts:
     return {"dam_break": ", ".join(off)}
 
 
-def collapse(across: int) -> tuple[Floats, Floats, int]:
+def collapse(across: int) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
     """Return times and places of the front in the paper's units, and the number of particles."""
     deep = across // 2
     spacing = COLUMN / across
@@ -176,10 +165,9 @@ def viscosity() -> Texts:
         _, _, liquid = filled(vessel, Filling(ml, substance.name))
         x, y, z = liquid.positions.T
         distance = np.hypot(x, y)
-        shape = j1(jn_zeros(1, 1)[0] * distance / radius)
+        shape = j1(jn_zeros(1, 1)[0] * distance / radius) / distance
         shape *= np.sin(np.pi * (z - vessel.profile.bottom) / (2 * depth))
-        around = np.column_stack([-y, x, np.zeros_like(x)]) / distance[:, None]
-        liquid.velocities[:] = 0.2 * shape[:, None] * around
+        liquid.velocities[:] = 0.2 * shape[:, None] * np.column_stack([-y, x, 0 * x])
         seconds, spins = np.arange(1, round(0.4 * LIQUID_HZ)) / LIQUID_HZ, []
         for _ in seconds:
             liquid.step()
@@ -289,8 +277,7 @@ def surface(liquid: Liquid) -> tuple[float, float]:
     highest = positions[list({tuple(cell): index for index, cell in enumerate(cells)}.values())]
     # Cells that hang over the wall catch no surface.
     highest = highest[highest[:, 2] > np.median(highest[:, 2]) - 1.5 * spacing]
-    sides = np.column_stack([highest[:, :2], np.ones(len(highest))])
-    plane, *_ = np.linalg.lstsq(sides, highest[:, 2])
+    plane, *_ = np.linalg.lstsq(np.insert(highest[:, :2], 2, 1.0, axis=1), highest[:, 2])
     return float(highest[:, 2].mean() + spacing / 2), float(np.arctan(np.hypot(*plane[:2])))
 
 

@@ -35,8 +35,8 @@ _forget_stale_kernels()
 def kernel[Function: Callable[..., object]](function: Function) -> Function:
     """Compile a function at its first call, serially; later processes find it compiled.
 
-    One process per core plays an episode, so that a kernel never asks for a second one. Floating
-    point may be reordered by the compiler, which is the same on every run of a machine. Dividing by
-    nothing gives infinity, as in NumPy.
+    One process per core plays an episode, so that a kernel never asks for a second one. Dividing by
+    nothing gives infinity, as in NumPy. Floating point is not reordered (no `fastmath`): with it,
+    the process that compiles a kernel computes other last bits than those that find it compiled.
     """
-    return cast(Function, njit(cache=True, fastmath=True, error_model="numpy")(function))
+    return cast(Function, njit(cache=True, error_model="numpy")(function))

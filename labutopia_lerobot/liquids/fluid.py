@@ -22,8 +22,6 @@ from labutopia_lerobot.liquids.smoothing import AT_WALL, BEHIND_WALL, look_up, s
 type Vectors = NDArray[np.float64]
 """Shape (n, 3)."""
 
-ITERATIONS = 4
-
 _RELAXATION = 0.02
 """Softens the correction of nearly isolated particles (the paper's equation 11), times 1 / h^2."""
 
@@ -40,6 +38,7 @@ def pack(
     pairs: Pairs,
     contacts: Contacts,
     pressure: NDArray[np.float64],
+    iterations: int,
     reach: float,
     share: float,
     wall_share: float,
@@ -53,6 +52,7 @@ def pack(
         contacts: Walls near the particles; what they push is added to their `push`.
         pressure: What the corrections of the previous step came to, shape (n,), square metres, not
             positive; changed in place.
+        iterations: How often every particle is moved.
         reach: Of the kernel [m].
         share: What a particle adds to the density, of 1, times the kernel's `weight`.
         wall_share: What a wall adds, times the kernel's part behind it.
@@ -65,7 +65,7 @@ def pack(
     factor = np.empty(n)
     moves = np.empty((n, 3))
     pressure *= _KEPT
-    for turn in range(ITERATIONS + 1):
+    for turn in range(iterations + 1):
         _measure(
             positions, pairs, contacts, reach, share, wall_share, density, gradients, wall_gradient
         )

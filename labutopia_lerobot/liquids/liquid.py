@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.liquids.account import whereabouts
 from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.liquids.lattice import lattice
-from labutopia_lerobot.liquids.solver import LIQUID_HZ, Flow, advance
+from labutopia_lerobot.liquids.solver import Flow, advance
 from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.world import FloatArray, Pose, Volumes
 
@@ -60,10 +60,16 @@ class Liquid:
         self._sources: frozenset[str] = frozenset()
         self._filled: dict[str, int] = {}
         self._waiting: dict[str, int] = {}
-        self._flow = Flow.of(self.substance, self.volume)
+        depths = [vessel.profile.depth(filling.volume) for vessel in vessels]
+        self._flow = Flow.of(self.substance, self.volume, max(depths, default=0.0))
         self._around = Surroundings(model, data, vessels)
         self._impulse = np.zeros((self._around.owners, 6))
         self.empty()
+
+    @property
+    def hertz(self) -> int:
+        """Steps per second."""
+        return self._flow.hertz
 
     def empty(self) -> None:
         """Take all liquid away."""
@@ -152,7 +158,7 @@ class Liquid:
         self._on_surface = np.append(self._on_surface, fresh.astype(np.bool_))
 
     def step(self) -> None:
-        """Move on by 1 / `LIQUID_HZ`, to where the bodies are now, and push them.
+        """Move on by 1 / `hertz`, to where the bodies are now, and push them.
 
         What the liquid does to a body stands in MuJoCo's `xfrc_applied` until the next step.
         """
@@ -167,7 +173,7 @@ class Liquid:
             self.positions, self.velocities[:] = before, 0.0
             self._impulse[:] = 0.0
         # Newton's third law: minus what the bodies gave to the particles.
-        self._around.push(-self.substance.density * self.volume * LIQUID_HZ * self._impulse)
+        self._around.push(-self.substance.density * self.volume * self.hertz * self._impulse)
 
     def _sane(self) -> bool:
         """Tell whether all is in motion as liquid on a bench can be; a speed may be no number."""

@@ -11,7 +11,6 @@ from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.liquids.liquid import Liquid
-from labutopia_lerobot.liquids.solver import LIQUID_HZ
 from labutopia_lerobot.liquids.surface import VesselPose
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
 from labutopia_lerobot.sim.displacement import Displacement
@@ -19,7 +18,6 @@ from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 
 _SUBSTEPS = PHYSICS_HZ // CONTROL_HZ
-_LIQUID_PERIOD = PHYSICS_HZ // LIQUID_HZ
 _SETTLE_STEPS = CONTROL_HZ // 3
 """Control steps before the episode begins, in which things come to rest on the bench."""
 
@@ -129,7 +127,7 @@ class Simulation:
                 touching = np.where(contact.geom < 0, soft, contact.geom)
                 first, second = group_of_geom[touching].T
                 self.touched[first, second] = True
-            if self.liquid is not None and substep % _LIQUID_PERIOD == 0:
+            if self.liquid is not None and substep % (PHYSICS_HZ // self.liquid.hertz) == 0:
                 self.liquid.step()
         self._work_switches()
         self._squeeze_bottles()

@@ -54,7 +54,8 @@ def depth(profile: Profile, points: Points) -> Points:
     below = np.minimum(z, profile.height - z)
     wall = radius - (np.interp(z, outer_heights, outer_radii) - profile.wall)
     floor = profile.bottom - z
-    return np.minimum(np.minimum(out, below), np.maximum(wall, floor))
+    depths: Points = np.minimum(np.minimum(out, below), np.maximum(wall, floor))
+    return depths
 
 
 def around(profile: Profile, count: int, rng: np.random.Generator) -> Points:
@@ -76,9 +77,9 @@ def near_wall(profile: Profile, count: int, rng: np.random.Generator) -> Points:
 
 def near_lip(profile: Profile, count: int, rng: np.random.Generator) -> Points:
     """Points outside the glass within 3 mm of the lip."""
-    radius = profile.outer_radius(profile.height) - profile.wall / 2
+    middle = profile.outer_radius(profile.height) - profile.wall / 2
     angle = rng.uniform(0, 2 * np.pi, 3 * count)
-    radius = radius + rng.uniform(-3e-3, 3e-3, 3 * count)
+    radius = middle + rng.uniform(-3e-3, 3e-3, 3 * count)
     z = profile.height + rng.uniform(-3e-3, 3e-3, 3 * count)
     points = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), z])
     return points[depth(profile, points) < 0.0][:count]
@@ -193,5 +194,5 @@ def test_the_leak_rate_counts_what_runs_through_a_hole(
         return np.delete(edges_of(profile), 2, axis=0)
 
     monkeypatch.setattr(leak_rate, "SECONDS", 1.0)
-    monkeypatch.setattr("labutopia_lerobot.liquids.liquid.edges_of", without_neck)
+    monkeypatch.setattr("labutopia_lerobot.liquids.surroundings.edges_of", without_neck)
     assert leak_rate.handle(1)["crossings"] > 0

@@ -147,6 +147,7 @@ def test_a_jet_beside_the_beaker_spills(env):
     assert info["ml_spilled"] > 2
     assert info["ml_poured"] == 0
 
+
 def test_a_hand_on_the_spout_has_collided(env):
     bottle, _ = things(env)
     knock = Knock(bottle, 1.0, on=bottle.spout, names=bottle.bodies)
