@@ -189,7 +189,7 @@ def scaling() -> Texts:
     counts = (500, 1000, 2000, 4000, 8000)
     with multiprocessing.get_context("spawn").Pool(1, maxtasksperchild=1) as pool:
         found = pool.map(cost, counts, chunksize=1)
-    milliseconds, megabytes, _ = zip(*found, strict=True)
+    _, milliseconds, megabytes, _ = zip(*found, strict=True)
     figure, axes = plt.subplots(1, 2, figsize=(6.4, 2.6), layout="constrained")
     for part, numbers, unit in zip(axes, (milliseconds, megabytes), ("ms", "MB"), strict=True):
         part.plot(counts, numbers, "o-")
@@ -198,14 +198,18 @@ def scaling() -> Texts:
         part.set(xlabel="particles", ylabel=f"{what} [{unit}]", xlim=0, ylim=0)
     save(figure, "scaling")
     rows = [
-        f"| {count:,} | {step:.2f} | {1e3 / LIQUID_HZ / step:.1f} | {used:.1f} | {left:.0f} |"
-        for count, (step, used, left) in zip(counts, found, strict=True)
+        f"| {count:,} | {hertz} | {step:.2f} | {1e3 / hertz / step:.1f} | {used:.1f} | {left:.0f} |"
+        for count, (hertz, step, used, left) in zip(counts, found, strict=True)
     ]
-    return {"scaling": table("particles | ms per step | times real time | MB | speed [mm/s]", rows)}
+    return {
+        "scaling": table(
+            "particles | steps per s | ms per step | times real time | MB | speed [mm/s]", rows
+        )
+    }
 
 
-def cost(count: int) -> tuple[float, float, float]:
-    """Return the time of a step [ms], the most memory it takes [MB], and the speed left [mm/s]."""
+def cost(count: int) -> tuple[int, float, float, float]:
+    """Return steps per second, time of one [ms], most memory [MB], and the speed left [mm/s]."""
     filled(beaker("glass"), Filling(100.0), 1)  # so that all is loaded
     Path("/proc/self/clear_refs").write_text("5")  # the peak counts from here on (proc(5))
     before = memory("VmRSS")
@@ -215,7 +219,8 @@ def cost(count: int) -> tuple[float, float, float]:
         start = time.perf_counter()
         liquid.step()
         taken.append(time.perf_counter() - start)
-    return float(np.median(taken)) * 1e3, memory("VmHWM") - before, speed(liquid) * 1e3
+    step = float(np.median(taken)) * 1e3
+    return liquid.hertz, step, memory("VmHWM") - before, speed(liquid) * 1e3
 
 
 def memory(entry: str) -> float:

@@ -41,8 +41,10 @@ def row(seed: int, outcome: str, *, ever: bool, lifted: float | None, split: str
         seconds=seed + 1.0,
         substeps={"gripped": 1.0, "lifted": lifted},
         facts={},
+        liquid=None,
         ml_poured=None,
         ml_spilled=None,
+        ml_retained=None,
         clipped_actions=0,
         nonfinite_actions=0,
     )
