@@ -181,12 +181,19 @@ def test_success_needs_two_seconds_of_the_goal(env):
 
 
 def _of_moved_things(env: LabEnv, states: np.ndarray) -> list[int]:
-    """Return which elements of `environment_state` belong to things that move by a millimetre."""
+    """Return which elements of `environment_state` belong to things that move by a millimetre.
+
+    Without fill depths, which stay as they are where nothing is poured.
+    """
     names = environment_state_names(env.definition)
     moves = dict(zip(names, np.ptp(states, axis=0) > 1e-3, strict=True))
     things = [piece.name for piece in env.definition.start]
     moved = tuple(f"{name}." for name in things if any(moves[f"{name}.{axis}"] for axis in "xyz"))
-    return [index for index, name in enumerate(names) if name.startswith(moved)]
+    return [
+        index
+        for index, name in enumerate(names)
+        if name.startswith(moved) and not name.endswith(".fill")
+    ]
 
 
 def test_observations_are_in_space_own_their_memory_and_vary(env):
