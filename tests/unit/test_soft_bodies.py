@@ -170,10 +170,8 @@ def test_a_restored_state_goes_on_bit_for_bit_in_the_middle_of_a_squeeze(env):
     saved, command = env.simulation.state(), env.simulation.command.copy()
     other = LabEnv("level1/squeeze", obs="state")
     other.reset(seed=5)
-    kind = mujoco.mjtState.mjSTATE_INTEGRATION
-    mujoco.mj_setState(other.simulation.scene.model, other.simulation.data, saved, kind)
-    mujoco.mj_step1(other.simulation.scene.model, other.simulation.data)
-    other.simulation.command = command
+    other.simulation.restore(saved)
+    assert other.simulation.command.tobytes() == command.tobytes()
     narrower = command - np.array([0.0] * 7 + [0.01])
     for _ in range(30):
         for simulation in (env.simulation, other.simulation):
