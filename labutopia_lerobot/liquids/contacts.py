@@ -85,7 +85,7 @@ def find_contacts(
         if far < shapes.radius[s] ** 2:
             candidates[chosen] = s
             chosen += 1
-    local, count = np.empty(3), 0
+    local, scratch, count = np.empty(3), np.empty((3, 3)), 0
     for a in range(n):
         limit = count + _MOST
         point = positions[a]
@@ -107,7 +107,7 @@ def find_contacts(
                     continue
                 nr, nz = edge[NORMAL_R], edge[NORMAL_Z]
                 _turn(glass.rotation[v], nr * ux, nr * uy, nz, normal[count])
-                if _behind_glass(glass, v, point, normal[count], clear):
+                if _behind_glass(glass, v, point, normal[count], clear, scratch):
                     continue
                 offset[count] = _dot(normal[count], point) - clear
                 extent[count], owner[count] = part, v
@@ -123,7 +123,7 @@ def find_contacts(
             if clear >= reach or count == limit:
                 continue
             _turn(shapes.rotation[s], nx, ny, nz, normal[count])
-            if _behind_glass(glass, -1, point, normal[count], clear):
+            if _behind_glass(glass, -1, point, normal[count], clear, scratch):
                 continue
             offset[count] = _dot(normal[count], point) - clear
             extent[count], owner[count] = 1.0, vessels + s
@@ -160,9 +160,10 @@ def _behind_glass(
     point: NDArray[np.float64],
     normal: NDArray[np.float64],
     clear: float,
+    scratch: NDArray[np.float64],
 ) -> bool:
     """Tell whether another vessel's glass is between a point and a wall, such as the bench."""
-    start, end, foot = np.empty(3), np.empty(3), np.empty(3)
+    start, end, foot = scratch[0], scratch[1], scratch[2]
     for v in range(len(glass.starts) - 1):
         if v == owner:
             continue
