@@ -76,11 +76,14 @@ def handle(seed: int) -> dict[str, int]:
         mujoco.mj_comPos(model, data)
         if (step + 1) % (PHYSICS_HZ // liquid.hertz) == 0:
             liquid.step()
+            if liquid.diverged:
+                break
             watch.look(liquid.positions, data)
     lost = PARTICLES - len(liquid.positions) + int(np.sum(~np.isfinite(liquid.positions).all(1)))
     return {
         "seed": seed,
         "particle_steps": watch.looks * PARTICLES,
+        "diverged": int(liquid.diverged),
         "crossings": watch.crossings,
         "lost_particles": lost,
         "left_through_the_mouth": watch.left,
