@@ -43,6 +43,7 @@ def pack(
     share: float,
     wall_share: float,
     least: float,
+    most: float,
 ) -> None:
     """Move particles apart until the liquid is nowhere denser than it is at rest.
 
@@ -57,6 +58,7 @@ def pack(
         share: What a particle adds to the density, of 1, times the kernel's `weight`.
         wall_share: What a wall adds, times the kernel's part behind it.
         least: Distance from a wall that a particle keeps in any case [m].
+        most: How far a wall moves it at once, at most, to that end [m].
     """
     n = len(positions)
     gradients = np.empty((len(pairs.second), 3))
@@ -105,7 +107,8 @@ def pack(
                 for k in range(3):
                     positions[a, k] += push * contacts.normal[c, k]
                 x, y, z = positions[a, 0], positions[a, 1], positions[a, 2]
-                short = least - gap(contacts, c, x, y, z)
+                # What is deep in a wall, as a drop that a finger closes on, is not shot out of it.
+                short = min(least - gap(contacts, c, x, y, z), most)
                 if short > 0.0 and contacts.extent[c] > 0.5:
                     push += short
                     for k in range(3):

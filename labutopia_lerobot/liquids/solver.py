@@ -132,9 +132,18 @@ def advance(
     stop_at_vessels(positions, ends, glass, impulse)
     contacts = find_contacts(ends, glass, shapes, reach)
     pairs = near_pairs(ends, reach)
-    least = _LEAST_GAP * flow.spacing
-    wall_share = 1.0 / PACKING
-    pack(ends, pairs, contacts, pressure, flow.iterations, reach, share, wall_share, least)
+    pack(
+        ends,
+        pairs,
+        contacts,
+        pressure,
+        flow.iterations,
+        reach,
+        share,
+        1.0 / PACKING,
+        _LEAST_GAP * flow.spacing,
+        flow.spacing,
+    )
     stop_at_vessels(positions, ends, glass, impulse)
     velocities[:] = (ends - positions) / dt
     positions[:] = ends
