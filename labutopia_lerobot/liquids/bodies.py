@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.walls import stop_at_glass
+from labutopia_lerobot.liquids.walls import distance_to_glass, stop_at_glass
 
 
 class Glass(NamedTuple):
     """The vessels: where they were, where they are, what they are made of.
 
     Attributes:
-        edges: Of all vessels, one after the other, shape (edges, 10) (see `walls`).
+        edges: Of all vessels, one after the other, shape (edges, 9) (see `walls`).
         starts: Index of the first edge of each vessel, shape (vessels + 1,).
         middle: Height of the middle of each vessel [m], shape (vessels,).
         radius: Of the ball around that, which holds the vessel [m], shape (vessels,).
@@ -39,7 +39,6 @@ class Shapes(NamedTuple):
     Attributes:
         kind: See `obstacles`, shape (shapes,).
         size: As MuJoCo's geom_size, shape (shapes, 3), metres.
-        radius: Of the ball around it [m], huge for a plane, shape (shapes,).
         old_origin: Shape (shapes, 3), metres, world frame.
         old_rotation: Axes as columns, shape (shapes, 3, 3).
         origin: As `old_origin`, at the end of the step.
@@ -48,7 +47,6 @@ class Shapes(NamedTuple):
 
     kind: NDArray[np.int64]
     size: NDArray[np.float64]
-    radius: NDArray[np.float64]
     old_origin: NDArray[np.float64]
     old_rotation: NDArray[np.float64]
     origin: NDArray[np.float64]
@@ -83,41 +81,70 @@ def out_of(
 
 
 @kernel
+def clearances(
+    start: NDArray[np.float64], end: NDArray[np.float64], glass: Glass
+) -> NDArray[np.float64]:
+    """Return how far from every vessel's glass particles stay while they and the vessels move.
+
+    In the frame of a vessel, a particle goes straight from where it was to where it is.
+
+    Args:
+        start: Where particles were, shape (n, 3), metres, world frame.
+        end: Where they are to go, shape (n, 3).
+        glass: The vessels.
+
+    Returns:
+        A lower bound [m], shape (vessels, n); negative where a particle may come to the glass.
+    """
+    clear = np.empty((len(glass.starts) - 1, len(start)))
+    p, q = np.empty(3), np.empty(3)
+    for v in range(len(clear)):
+        edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
+        middle, radius = glass.middle[v], glass.radius[v]
+        for a in range(len(start)):
+            into(glass.old_origin[v], glass.old_rotation[v], start[a], p)
+            into(glass.origin[v], glass.rotation[v], end[a], q)
+            square = p[0] * p[0] + p[1] * p[1]
+            away = np.sqrt(square + (p[2] - middle) ** 2) - radius
+            far = np.sqrt((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2)
+            if away < radius:
+                away = distance_to_glass(edges, np.sqrt(square), p[2])
+            clear[v, a] = away - far
+    return clear
+
+
+@kernel
 def stop_at_vessels(
     start: NDArray[np.float64],
     end: NDArray[np.float64],
     glass: Glass,
+    clear: NDArray[np.float64],
     impulse: NDArray[np.float64],
 ) -> None:
     """Let no particle pass through glass while it and the vessels move.
-
-    In the frame of a vessel, a particle goes straight from where it was to where it is.
 
     Args:
         start: Where particles were, outside all glass, shape (n, 3), metres, world frame.
         end: Where they are to go; changed in place.
         glass: The vessels.
+        clear: See `clearances`; reduced by what particles are moved.
         impulse: How the vessels moved particles: the sum of displacements [m], and of their moments
             about the world's origin [m^2], shape (owners, 6); added to.
     """
-    p, q, before = np.empty(3), np.empty(3), np.empty(3)
-    for v in range(len(glass.starts) - 1):
+    p, q, moved = np.empty(3), np.empty(3), np.empty(3)
+    for v in range(len(clear)):
         edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
-        old, new = glass.old_origin[v], glass.origin[v]
         for a in range(len(start)):
-            away = 0.0
-            for k in range(3):
-                centre = old[k] + glass.old_rotation[v, k, 2] * glass.middle[v]
-                away += (start[a, k] - centre) ** 2
-            # Anything that touches the vessel within a step is within a radius of it.
-            if away > 4.0 * glass.radius[v] ** 2:
+            if clear[v, a] >= 0.0:
                 continue
-            into(old, glass.old_rotation[v], start[a], p)
-            into(new, glass.rotation[v], end[a], q)
+            into(glass.old_origin[v], glass.old_rotation[v], start[a], p)
+            into(glass.origin[v], glass.rotation[v], end[a], q)
             if stop_at_glass(edges, p, q):
-                before[:] = end[a]
-                out_of(new, glass.rotation[v], q, end[a])
-                add_moment(impulse[v], end[a], end[a] - before)
+                moved[:] = end[a]
+                out_of(glass.origin[v], glass.rotation[v], q, end[a])
+                moved[:] = end[a] - moved
+                add_moment(impulse[v], end[a], moved)
+                clear[:, a] -= np.sqrt(np.sum(moved**2))
 
 
 @kernel

@@ -18,6 +18,7 @@ from labutopia_lerobot.liquids.walls import (
     OPEN_END,
     OPEN_START,
     RADIUS,
+    Edges,
     first_crossing,
 )
 
@@ -56,7 +57,11 @@ def gap(contacts: Contacts, c: int, x: float, y: float, z: float) -> float:
 
 @kernel
 def find_contacts(
-    positions: NDArray[np.float64], glass: Glass, shapes: Shapes, reach: float
+    positions: NDArray[np.float64],
+    glass: Glass,
+    shapes: Shapes,
+    clear: NDArray[np.float64],
+    reach: float,
 ) -> Contacts:
     """Return every wall within reach of a particle.
 
@@ -64,6 +69,7 @@ def find_contacts(
         positions: Shape (n, 3), metres, world frame, none in glass.
         glass: The vessels.
         shapes: Everything else.
+        clear: How far from each vessel's glass they are at least [m], shape (vessels, n).
         reach: How far a wall matters [m].
     """
     n, vessels = len(positions), len(glass.starts) - 1
@@ -71,61 +77,62 @@ def find_contacts(
     starts = np.zeros(n + 1, np.int64)
     normal, offset, extent = np.empty((room, 3)), np.empty(room), np.empty(room)
     owner = np.empty(room, np.int64)
-    # Only shapes that come near any liquid at all.
-    low, high = np.empty(3), np.empty(3)
+    # Only shapes that come near the ball around all the liquid.
+    middle, half = np.empty(3), np.empty(3)
     for k in range(3):
-        low[k], high[k] = positions[:, k].min() - reach, positions[:, k].max() + reach
+        low, high = positions[:, k].min(), positions[:, k].max()
+        middle[k], half[k] = 0.5 * (low + high), 0.5 * (high - low)
+    around = reach + np.sqrt(np.sum(half**2))
     candidates = np.empty(len(shapes.kind), np.int64)
     chosen = 0
+    local, scratch, count = np.empty(3), np.empty((3, 3)), 0
     for s in range(len(shapes.kind)):
-        far = 0.0
-        for k in range(3):
-            centre = shapes.origin[s, k]
-            far += max(low[k] - centre, 0.0, centre - high[k]) ** 2
-        if far < shapes.radius[s] ** 2:
+        into(shapes.origin[s], shapes.rotation[s], middle, local)
+        far, _ = distance(shapes.kind[s], shapes.size[s], local[0], local[1], local[2])
+        if far < around:
             candidates[chosen] = s
             chosen += 1
-    local, scratch, count = np.empty(3), np.empty((3, 3)), 0
+    edges = glass.edges
     for a in range(n):
         limit = count + _MOST
         point = positions[a]
         for v in range(vessels):
-            into(glass.origin[v], glass.rotation[v], point, local)
-            ball = local[0] ** 2 + local[1] ** 2 + (local[2] - glass.middle[v]) ** 2
-            if ball > (glass.radius[v] + reach) ** 2:
+            if clear[v, a] >= reach:
                 continue
+            into(glass.origin[v], glass.rotation[v], point, local)
             radius = np.sqrt(local[0] ** 2 + local[1] ** 2)
             ux, uy = (local[0] / radius, local[1] / radius) if radius > 0.0 else (1.0, 0.0)
             for e in range(glass.starts[v], glass.starts[v + 1]):
-                edge = glass.edges[e]
-                r, z = radius - edge[RADIUS], local[2] - edge[HEIGHT]
-                clear = edge[NORMAL_R] * r + edge[NORMAL_Z] * z
-                if clear < 0.0 or clear >= reach:
+                r, z = radius - edges[e, RADIUS], local[2] - edges[e, HEIGHT]
+                nr, nz = edges[e, NORMAL_R], edges[e, NORMAL_Z]
+                far = nr * r + nz * z
+                if far < 0.0 or far >= reach:
                     continue
-                part = _extent(edge, edge[ALONG_R] * r + edge[ALONG_Z] * z, reach)
+                part = _extent(edges, e, edges[e, ALONG_R] * r + edges[e, ALONG_Z] * z, reach)
                 if part <= 0.0 or count == limit:
                     continue
-                nr, nz = edge[NORMAL_R], edge[NORMAL_Z]
                 _turn(glass.rotation[v], nr * ux, nr * uy, nz, normal[count])
-                if _behind_glass(glass, v, point, normal[count], clear, scratch):
+                if _another_is_nearer(clear, a, v, far) and _behind_glass(
+                    glass, clear, a, v, normal[count], point, far, scratch
+                ):
                     continue
-                offset[count] = _dot(normal[count], point) - clear
+                offset[count] = _dot(normal[count], point) - far
                 extent[count], owner[count] = part, v
                 count += 1
         for index in range(chosen):
             s = candidates[index]
             into(shapes.origin[s], shapes.rotation[s], point, local)
-            if local[0] ** 2 + local[1] ** 2 + local[2] ** 2 > (shapes.radius[s] + reach) ** 2:
-                continue
-            clear, (nx, ny, nz) = distance(
+            far, (nx, ny, nz) = distance(
                 shapes.kind[s], shapes.size[s], local[0], local[1], local[2]
             )
-            if clear >= reach or count == limit:
+            if far >= reach or count == limit:
                 continue
             _turn(shapes.rotation[s], nx, ny, nz, normal[count])
-            if _behind_glass(glass, -1, point, normal[count], clear, scratch):
+            if _another_is_nearer(clear, a, -1, far) and _behind_glass(
+                glass, clear, a, -1, normal[count], point, far, scratch
+            ):
                 continue
-            offset[count] = _dot(normal[count], point) - clear
+            offset[count] = _dot(normal[count], point) - far
             extent[count], owner[count] = 1.0, vessels + s
             count += 1
         starts[a + 1] = count
@@ -154,25 +161,33 @@ def _dot(a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
 
 
 @kernel
+def _another_is_nearer(clear: NDArray[np.float64], a: int, owner: int, far: float) -> bool:
+    """Tell whether a vessel may be nearer to a particle than the wall of another owner is."""
+    nearer = False
+    for v in range(len(clear)):
+        nearer |= v != owner and clear[v, a] < far
+    return nearer
+
+
+@kernel
 def _behind_glass(
     glass: Glass,
+    clear: NDArray[np.float64],
+    a: int,
     owner: int,
-    point: NDArray[np.float64],
     normal: NDArray[np.float64],
-    clear: float,
+    point: NDArray[np.float64],
+    far: float,
     scratch: NDArray[np.float64],
 ) -> bool:
-    """Tell whether another vessel's glass is between a point and a wall, such as the bench."""
+    """Tell whether another vessel's glass is between a particle and a wall, such as the bench."""
     start, end, foot = scratch[0], scratch[1], scratch[2]
-    for v in range(len(glass.starts) - 1):
-        if v == owner:
+    for k in range(3):
+        foot[k] = point[k] - far * normal[k]
+    for v in range(len(clear)):
+        if v == owner or clear[v, a] >= far:
             continue
         into(glass.origin[v], glass.rotation[v], point, start)
-        ball = start[0] ** 2 + start[1] ** 2 + (start[2] - glass.middle[v]) ** 2
-        if ball > glass.radius[v] ** 2:
-            continue
-        for k in range(3):
-            foot[k] = point[k] - clear * normal[k]
         into(glass.origin[v], glass.rotation[v], foot, end)
         if first_crossing(glass.edges[glass.starts[v] : glass.starts[v + 1]], start, end)[1] >= 0:
             return True
@@ -180,18 +195,18 @@ def _behind_glass(
 
 
 @kernel
-def _extent(edge: NDArray[np.float64], place: float, reach: float) -> float:
+def _extent(edges: Edges, e: int, place: float, reach: float) -> float:
     """Return how much of a plane a wall is at a place along an edge [m].
 
     At the free end of a wall half a plane is seen, and beyond it less.
     """
     part = 1.0
-    if edge[OPEN_START] > 0.0:
+    if edges[e, OPEN_START] > 0.0:
         part = min(part, 0.5 + place / reach)
     elif place < 0.0:
         return 0.0
-    beyond = place - edge[LENGTH]
-    if edge[OPEN_END] > 0.0:
+    beyond = place - edges[e, LENGTH]
+    if edges[e, OPEN_END] > 0.0:
         part = min(part, 0.5 - beyond / reach)
     elif beyond > 0.0:
         return 0.0

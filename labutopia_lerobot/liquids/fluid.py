@@ -138,12 +138,11 @@ def _measure(
         for p in range(pairs.starts[k], pairs.starts[k + 1]):
             b = pairs.second[p]
             dx, dy, dz = x - positions[b, 0], y - positions[b, 1], z - positions[b, 2]
-            r = np.sqrt(dx * dx + dy * dy + dz * dz) + 1e-9
-            q = r * per_reach
+            q = np.sqrt(dx * dx + dy * dy + dz * dz) * per_reach
             w = share * weight(q)
             own += w
             density[b] += w
-            s = share * per_reach * slope(q) / r
+            s = share * per_reach * per_reach * slope(q)
             gradients[p, 0], gradients[p, 1], gradients[p, 2] = s * dx, s * dy, s * dz
         density[a] += own
     for a in range(len(positions)):

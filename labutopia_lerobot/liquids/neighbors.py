@@ -1,4 +1,4 @@
-"""Which particles are near each other: a hashed grid, without bounds in space."""
+"""Which particles are near each other: a grid that repeats itself, without bounds in space."""
 
 from typing import NamedTuple
 
@@ -7,16 +7,12 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.compilation import kernel
 
-_STENCIL = np.array(
-    [
-        (i, j, k)
-        for i in (-1, 0, 1)
-        for j in (-1, 0, 1)
-        for k in (-1, 0, 1)
-        if (i, j, k) >= (0, 0, 0)
-    ]
-)
-"""A cell and half of the 26 around it: so that every pair is met once."""
+_SIDE = 16
+"""Cells after which the grid repeats itself, a power of 2. Two cells that share a bucket are
+further apart than any neighbours, so that the distance tells them apart."""
+
+_ROWS = np.array([(0, 1), (1, -1), (1, 0), (1, 1)])
+"""Half of the eight rows of cells around a row, so that every pair is met once."""
 
 
 class Pairs(NamedTuple):
@@ -34,71 +30,80 @@ class Pairs(NamedTuple):
 
 
 @kernel
-def _bucket(i: int, j: int, k: int, mask: int) -> int:
-    # Large primes, as in Teschner et al. (2003), "Optimized Spatial Hashing", section 3.
-    return ((i * 73856093) ^ (j * 19349663) ^ (k * 83492791)) & mask
-
-
-@kernel
 def near_pairs(positions: NDArray[np.float64], reach: float) -> Pairs:
-    """Return every pair of points not further apart than a distance, in a fixed order.
+    """Return every pair of points nearer to each other than a distance, in a fixed order.
 
     Args:
         positions: Shape (n, 3), metres.
         reach: The distance [m].
     """
-    n = np.uint32(len(positions))
-    size = 64
-    while size < 2 * n:
-        size *= 2
-    mask = size - 1
-    cells = np.empty((n, 3), np.int64)
-    buckets = np.empty(n, np.uint32)
-    starts = np.zeros(size + 1, np.uint32)
+    n = len(positions)
+    buckets = np.empty(n, np.int64)
+    starts = np.zeros(_SIDE**3 + 1, np.int64)
     for a in range(n):
+        bucket = 0
         for k in range(3):
-            cells[a, k] = int(np.floor(positions[a, k] / reach))
-        buckets[a] = _bucket(cells[a, 0], cells[a, 1], cells[a, 2], mask)
-        starts[buckets[a] + 1] += 1
-    for b in range(size):
+            bucket = bucket * _SIDE + (int(np.floor(positions[a, k] / reach)) & (_SIDE - 1))
+        buckets[a] = bucket
+        starts[bucket + 1] += 1
+    for b in range(_SIDE**3):
         starts[b + 1] += starts[b]
     # A copy in the order of the buckets: what is compared then lies together in memory.
-    order = np.empty(n, np.uint32)
-    near, cell = np.empty((n, 3)), np.empty((n, 3), np.int64)
+    order, near, bucket_of = np.empty(n, np.uint32), np.empty((n, 3)), np.empty(n, np.int64)
     filled = starts[:-1].copy()
     for a in range(n):
         place = filled[buckets[a]]
         filled[buckets[a]] += 1
-        order[place] = a
-        for k in range(3):
-            near[place, k], cell[place, k] = positions[a, k], cells[a, k]
-    limit = reach * reach
+        order[place], bucket_of[place] = a, buckets[a]
+        near[place] = positions[a]
     room = 24 * n + 64
     second: NDArray[np.uint32] = np.empty(room, np.uint32)
     begins = np.empty(n + 1, np.uint32)
-    count = np.uint32(0)
-    for b in range(n):
-        begins[b] = count
-        x, y, z = near[b, 0], near[b, 1], near[b, 2]
+    count = 0
+    for p in range(n):
+        begins[p] = count
         if count + n > room:
             room *= 2
             second = np.append(second, np.empty(room - len(second), np.uint32))
-        for s in range(len(_STENCIL)):
-            i, j, k = (
-                cell[b, 0] + _STENCIL[s, 0],
-                cell[b, 1] + _STENCIL[s, 1],
-                cell[b, 2] + _STENCIL[s, 2],
-            )
-            bucket = _bucket(i, j, k, mask)
-            begin, end = starts[bucket], starts[bucket + 1]
-            if s == 0:
-                begin = b + np.uint32(1)
-            for c in range(begin, end):
-                dx, dy, dz = x - near[c, 0], y - near[c, 1], z - near[c, 2]
-                if dx * dx + dy * dy + dz * dz < limit and (
-                    cell[c, 0] == i and cell[c, 1] == j and cell[c, 2] == k
-                ):
-                    second[count] = order[c]
-                    count += np.uint32(1)
+        i, j = bucket_of[p] // _SIDE**2, bucket_of[p] // _SIDE % _SIDE
+        k = bucket_of[p] % _SIDE
+        low, high = (k - 1) & (_SIDE - 1), (k + 1) & (_SIDE - 1)
+        own = bucket_of[p] - k
+        # The rest of the point's own cell, and the next one of its row.
+        count = _append(near, order, p, p + 1, starts[own + k + 1], reach, second, count)
+        count = _append(
+            near, order, p, starts[own + high], starts[own + high + 1], reach, second, count
+        )
+        for r in range(len(_ROWS)):
+            row = (i + _ROWS[r, 0]) & (_SIDE - 1)
+            row = (row * _SIDE + ((j + _ROWS[r, 1]) & (_SIDE - 1))) * _SIDE
+            if low < high:
+                begin, end = starts[row + low], starts[row + high + 1]
+                count = _append(near, order, p, begin, end, reach, second, count)
+                continue
+            for cell in (low, k, high):
+                begin, end = starts[row + cell], starts[row + cell + 1]
+                count = _append(near, order, p, begin, end, reach, second, count)
     begins[n] = count
     return Pairs(order, begins, second[:count])
+
+
+@kernel
+def _append(
+    near: NDArray[np.float64],
+    order: NDArray[np.uint32],
+    p: int,
+    begin: int,
+    end: int,
+    reach: float,
+    second: NDArray[np.uint32],
+    count: int,
+) -> int:
+    """Append those of a run of points that are near one; return how many there are now."""
+    x, y, z = near[p, 0], near[p, 1], near[p, 2]
+    for c in range(begin, end):
+        dx, dy, dz = x - near[c, 0], y - near[c, 1], z - near[c, 2]
+        # Always written, seldom kept: a branch that cannot be foreseen costs more.
+        second[count] = order[c]
+        count += int(dx * dx + dy * dy + dz * dz < reach * reach)
+    return count

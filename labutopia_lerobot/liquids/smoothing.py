@@ -24,12 +24,12 @@ def weight(q: float) -> float:
 
 @kernel
 def slope(q: float) -> float:
-    """Return the derivative of `weight`, W'(q) h^3; negative."""
+    """Return the derivative of `weight` over the distance, W'(q) h^3 / q; negative, also at 0."""
     if q >= 1.0:
         return 0.0
     if q < 0.5:
-        return -48.0 / np.pi * q * (2.0 - 3.0 * q)
-    return -48.0 / np.pi * (1.0 - q) ** 2
+        return -48.0 / np.pi * (2.0 - 3.0 * q)
+    return -48.0 / np.pi * (1.0 - q) ** 2 / q
 
 
 def _integrate(values: NDArray[np.float64], step: float) -> NDArray[np.float64]:

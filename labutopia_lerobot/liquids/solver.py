@@ -9,6 +9,7 @@ from labutopia_lerobot.liquids.bodies import (
     Glass,
     Shapes,
     add_moment,
+    clearances,
     into,
     out_of,
     stop_at_vessels,
@@ -129,9 +130,11 @@ def advance(
     impulse[:] = 0.0
     velocities[:, 2] -= GRAVITY * dt
     ends = positions + dt * velocities
-    stop_at_vessels(positions, ends, glass, impulse)
-    contacts = find_contacts(ends, glass, shapes, reach)
+    clear = clearances(positions, ends, glass)
+    stop_at_vessels(positions, ends, glass, clear, impulse)
+    contacts = find_contacts(ends, glass, shapes, clear, reach)
     pairs = near_pairs(ends, reach)
+    unpacked = ends.copy()
     pack(
         ends,
         pairs,
@@ -144,7 +147,8 @@ def advance(
         _LEAST_GAP * flow.spacing,
         flow.spacing,
     )
-    stop_at_vessels(positions, ends, glass, impulse)
+    clear -= np.sqrt(np.sum((ends - unpacked) ** 2, axis=1))
+    stop_at_vessels(positions, ends, glass, clear, impulse)
     velocities[:] = (ends - positions) / dt
     positions[:] = ends
     for _ in range(flow.passes):

@@ -7,13 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.bodies import Glass, Shapes
+from labutopia_lerobot.liquids.compilation import kernel
 from labutopia_lerobot.liquids.filling import Fillable
 from labutopia_lerobot.liquids.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
 from labutopia_lerobot.liquids.walls import EDGE_NUMBERS, edges_of
 from labutopia_lerobot.world import FloatArray
-
-_ENDLESS = 1e6
-"""Radius of the ball around a plane [m]."""
 
 _KINDS = {
     mujoco.mjtGeom.mjGEOM_PLANE: PLANE,
@@ -74,11 +72,24 @@ class Surroundings:
             wrench: Force [N] and moment about the world's origin [N m] on every owner, shape
                 (owners, 6), world frame; on what cannot move it is lost.
         """
-        bodies, applied = self._bodies[self._movable], self._data.xfrc_applied
-        force, moment = wrench[self._movable, :3], wrench[self._movable, 3:]
-        moment = moment - np.cross(self._data.xipos[bodies], force)
-        applied[bodies] = 0.0
-        np.add.at(applied, bodies, np.hstack([force, moment]))
+        _push(wrench, self._bodies, self._movable, self._data.xipos, self._data.xfrc_applied)
+
+
+@kernel
+def _push(
+    wrench: FloatArray,
+    bodies: NDArray[np.int64],
+    movable: NDArray[np.int64],
+    centre: FloatArray,
+    applied: FloatArray,
+) -> None:
+    """Sum the wrenches on every body, about its centre of mass."""
+    for owner in movable:
+        applied[bodies[owner]] = 0.0
+    for owner in movable:
+        force, moment, arm = wrench[owner, :3], wrench[owner, 3:], centre[bodies[owner]]
+        applied[bodies[owner], :3] += force
+        applied[bodies[owner], 3:] += moment - np.cross(arm, force)
 
 
 def _glass(vessels: Sequence[Fillable]) -> Glass:
@@ -99,12 +110,7 @@ def _shapes(model: mujoco.MjModel, geoms: NDArray[np.intp]) -> Shapes:
     kinds = [_KINDS.get(mujoco.mjtGeom(kind), BOX) for kind in model.geom_type[geoms]]
     boxed = np.isin(model.geom_type[geoms], [int(kind) for kind in _KINDS], invert=True)
     size = np.where(boxed[:, None], model.geom_aabb[geoms, 3:], model.geom_size[geoms])
-    radius = np.linalg.norm(size, axis=1)
-    radius[np.array(kinds) == CAPSULE] = size[np.array(kinds) == CAPSULE, :2].sum(axis=1)
-    radius[np.array(kinds) == PLANE] = _ENDLESS
-    return Shapes(
-        np.array(kinds, dtype=np.int64), size, radius, *_frames(len(geoms)), *_frames(len(geoms))
-    )
+    return Shapes(np.array(kinds, dtype=np.int64), size, *_frames(len(geoms)), *_frames(len(geoms)))
 
 
 def _frames(count: int) -> tuple[FloatArray, FloatArray]:

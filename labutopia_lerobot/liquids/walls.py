@@ -89,6 +89,29 @@ def in_glass(edges: Edges, x: float, y: float, z: float) -> bool:
 
 
 @kernel
+def distance_to_glass(edges: Edges, radius: float, height: float) -> float:
+    """Return the distance [m] of a point from the surface of the glass, on either side of it.
+
+    What is nearest on a surface of revolution lies in the half-plane through the axis and the
+    point, so that this is the distance from the edges of the half-section.
+
+    Args:
+        edges: Of the glass.
+        radius: Of the point [m], vessel's frame.
+        height: Of the point [m], vessel's frame.
+    """
+    least = np.inf
+    for k in range(len(edges)):
+        r, z = radius - edges[k, RADIUS], height - edges[k, HEIGHT]
+        place = edges[k, ALONG_R] * r + edges[k, ALONG_Z] * z
+        beyond = place - min(max(place, 0.0), edges[k, LENGTH])
+        across = edges[k, NORMAL_R] * r + edges[k, NORMAL_Z] * z
+        least = min(least, across * across + beyond * beyond)
+    distance: float = np.sqrt(least)
+    return distance
+
+
+@kernel
 def _crossing(
     edge: NDArray[np.float64], px: float, py: float, pz: float, dx: float, dy: float, dz: float
 ) -> float:

@@ -1,6 +1,7 @@
 """Nothing gets through glass, tried by random paths against an independent test of points."""
 
 import importlib.util
+from itertools import pairwise
 from pathlib import Path
 from types import ModuleType
 
@@ -18,6 +19,7 @@ from labutopia_lerobot.labware.profile import Profile
 from labutopia_lerobot.liquids.walls import (
     SKIN,
     Edges,
+    distance_to_glass,
     edges_of,
     first_crossing,
     holds,
@@ -129,6 +131,16 @@ def test_a_hole_in_the_wall_is_noticed(profile: Profile) -> None:
     starts, ends = paths(profile, "slow")
     leaks = [deepest(profile, np.delete(edges, k, axis=0), starts, ends) for k in range(1, 3)]
     assert min(leaks) > 10 * ROUNDING
+
+
+def test_the_distance_to_glass_is_that_of_its_nearest_point(profile: Profile) -> None:
+    corners = [(0.0, profile.bottom), *profile.inner, *profile.outer[::-1], (0.0, 0.0)]
+    part = np.linspace(0, 1, 2001)[:, None]
+    surface = np.concatenate([a + part * (np.array(b) - a) for a, b in pairwise(corners)])
+    for x, y, z in around(profile, 300, np.random.default_rng(5)):
+        radius = float(np.hypot(x, y))
+        nearest = np.hypot(*(surface - (radius, z)).T).min()
+        assert distance_to_glass(edges_of(profile), radius, z) == pytest.approx(nearest, abs=1e-5)
 
 
 def test_a_free_path_is_left_alone(profile: Profile) -> None:

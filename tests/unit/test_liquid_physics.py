@@ -286,6 +286,19 @@ def test_every_particle_is_in_the_vessel_on_the_bench_or_on_its_way() -> None:
     assert not liquid.diverged
 
 
+def test_a_drop_that_a_box_closes_on_leaves_it_without_being_shot_out() -> None:
+    depth, top = 0.045, 0.15
+    model, data = world(boxes=[((0, 0, top - 0.05), (0.05, 0.05, 0.05))])
+    liquid = Liquid(model, data, [], Filling(100.0))
+    liquid.release(np.array([[0.0, 0.0, top - depth]]), np.zeros((1, 3)))
+    fastest = 0.0
+    for _ in range(LIQUID_HZ // 10):
+        liquid.step()
+        fastest = max(fastest, float(np.abs(liquid.velocities).max()))
+    assert liquid.positions[0, 2] > top
+    assert fastest < 0.5 * depth * LIQUID_HZ  # in one step it would leave twice as fast
+
+
 @pytest.mark.parametrize("velocity", [np.nan, np.inf, 1e3, 1e30])
 def test_a_solver_that_fails_says_so_and_keeps_finite_positions(velocity: float) -> None:
     _, data, liquid = filled(beaker("glass"), Filling(100.0), 200)
