@@ -14,6 +14,7 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.options import LIQUID, SPLITS
+from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
 from labutopia_lerobot.video import write_video
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -78,7 +79,11 @@ def _write_files(env: LabEnv, seed: int, folder: Path) -> None:
 def _open_viewer(env: LabEnv, seed: int) -> None:
     """Play episodes of the expert at real time until the window is closed."""
     simulation = env.simulation
-    with mujoco.viewer.launch_passive(simulation.scene.model, simulation.data) as viewer:
+    with mujoco.viewer.launch_passive(
+        simulation.scene.model, simulation.data, show_left_ui=False, show_right_ui=False
+    ) as viewer:
+        viewer.cam.lookat[:] = (0.2, 0.0, BENCH_HEIGHT + 0.15)
+        viewer.cam.distance, viewer.cam.azimuth, viewer.cam.elevation = 1.3, 150.0, -20.0
         while viewer.is_running():
             env.reset(seed=seed)
             expert = env.expert()
@@ -87,6 +92,8 @@ def _open_viewer(env: LabEnv, seed: int) -> None:
             while viewer.is_running() and not over:
                 began = time.monotonic()
                 _, _, terminated, truncated, _ = env.step(expert.act())
+                with viewer.lock():
+                    simulation.draw_particles(viewer.user_scn)
                 viewer.sync()
                 time.sleep(max(0.0, 1.0 / CONTROL_HZ - (time.monotonic() - began)))
                 over = terminated or truncated

@@ -23,6 +23,7 @@ QUADS_PER_PARTICLE = 64
 most (of 2,000), and particles that touch have fewer."""
 
 _SPECULAR, _SHININESS = 0.6, 0.9
+_BALL = (3 / (4 * np.pi)) ** (1 / 3)  # radius of the ball with the volume of a cube of edge 1
 _FAR = 100.0  # where liquids are, to the sorting of transparent things [m]
 
 
@@ -30,7 +31,7 @@ class LiquidDrawing:
     """One liquid as it is drawn: made with a scene's specification, used after its compilation.
 
     Drawing takes three calls: `add_to` at compile time, `extract` once per frame, and `draw` once
-    per picture, after the scene was updated.
+    per picture, after the scene was updated. Without any skin, `draw_particles` shows balls.
 
     Attributes:
         name: Name of the liquid, of its skin and of its body, by which segmentation calls it.
@@ -139,3 +140,16 @@ class LiquidDrawing:
         geom.specular, geom.shininess = _SPECULAR, _SHININESS
         geom.segid = scene.ngeom
         scene.ngeom += 1
+
+    def draw_particles(self, scene: mujoco.MjvScene, positions_w: NDArray[np.float64]) -> None:
+        """Fill a scene with a ball for every particle, for viewers that draw no changing skin.
+
+        Args:
+            scene: That of the viewer's user; what was in it goes.
+            positions_w: The particles, shape (n, 3), metres, world frame.
+        """
+        size = np.array([_BALL * self.spacing, 0.0, 0.0])
+        scene.ngeom = len(positions_w)
+        for geom, position in zip(scene.geoms, positions_w, strict=False):
+            kind = mujoco.mjtGeom.mjGEOM_SPHERE
+            mujoco.mjv_initGeom(geom, kind, size, position, np.eye(3).ravel(), self.rgba)

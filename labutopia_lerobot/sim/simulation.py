@@ -196,6 +196,11 @@ class Simulation:
             ]
             self.scene.liquid.extract(self.liquid.positions, vessels, BENCH_HEIGHT)
 
+    def draw_particles(self, scene: mujoco.MjvScene) -> None:
+        """Fill a user's scene, as MuJoCo's viewer has one, with the particles of the liquid."""
+        if self.liquid is not None and self.scene.liquid is not None:
+            self.scene.liquid.draw_particles(scene, self.liquid.positions)
+
     def _frame(self, name: str) -> tuple[FloatArray, FloatArray]:
         body = self.data.body(name)
         return body.xpos, body.xmat.reshape(3, 3)

@@ -170,3 +170,13 @@ def test_more_particles_than_were_promised_are_refused():
     apart = np.array([[0.0, 0.0, 1.0], [0.1, 0.0, 1.0], [0.2, 0.0, 1.0]])
     with pytest.raises(RuntimeError, match="3 particles of few"):
         drawing.extract(apart, [], BENCH_HEIGHT)
+
+
+def test_a_viewer_is_given_as_much_liquid_as_there_is_and_forgets_what_was(scene: Scene) -> None:
+    shown = mujoco.MjvScene(scene.model, 10_000)
+    for positions in (scene.contents("left"), puddle()):
+        scene.blue.draw_particles(shown, positions)
+        balls = shown.geoms[: shown.ngeom]
+        assert np.allclose([ball.pos for ball in balls], positions, atol=1e-6)
+        volume = sum(4 / 3 * np.pi * ball.size[0] ** 3 for ball in balls)
+        assert volume == pytest.approx(len(positions) * SPACING**3, rel=1e-5)
