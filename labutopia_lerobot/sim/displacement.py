@@ -1,10 +1,32 @@
 """What a squeezed bottle gives away: the fall of the volume inside its wall."""
 
+from typing import Protocol, runtime_checkable
+
 import mujoco
 
-from labutopia_lerobot.labware.shell import enclosed_volume
-from labutopia_lerobot.labware.wash_bottle import WashBottle
+from labutopia_lerobot.labware.shell import Shell, enclosed_volume
+from labutopia_lerobot.liquids.filling import Dispenser
 from labutopia_lerobot.world import FloatArray
+
+
+@runtime_checkable
+class SqueezeBottle(Dispenser, Protocol):
+    """A bottle with a wall that can be pressed in."""
+
+    @property
+    def shell(self) -> Shell:
+        """The wall."""
+        ...
+
+    @property
+    def wall(self) -> str:
+        """Name of the flex of the wall."""
+        ...
+
+    @property
+    def spout_volume(self) -> float:
+        """Volume of the spout's bore, which fills before anything leaves [m^3]."""
+        ...
 
 
 class Displacement:
@@ -19,7 +41,7 @@ class Displacement:
     stands at the end of the spout, and what has left [m^3].
     """
 
-    def __init__(self, model: mujoco.MjModel, bottle: WashBottle) -> None:
+    def __init__(self, model: mujoco.MjModel, bottle: SqueezeBottle) -> None:
         self.bottle = bottle
         self._triangles = bottle.shell.triangles
         flex = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_FLEX, bottle.wall)

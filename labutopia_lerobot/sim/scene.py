@@ -7,13 +7,13 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.liquids.drawing import LiquidDrawing
 from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.liquids.liquid import PARTICLES
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory
+from labutopia_lerobot.sim.displacement import SqueezeBottle
 from labutopia_lerobot.views import View
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
 
@@ -95,7 +95,7 @@ def compile_scene(
         spec.option.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
     # Two numbers per switch: whether it is on, and whether its button is in. After them, two per
     # bottle that can be squeezed (see `Displacement`).
-    bottles = sum(isinstance(piece, WashBottle) for piece in pieces)
+    bottles = sum(isinstance(piece, SqueezeBottle) for piece in pieces)
     spec.nuserdata = 2 * (sum(len(piece.switches) for piece in pieces) + bottles)
     contents = contents or {}
     liquid = _drawing(spec, contents, particles) if contents else None

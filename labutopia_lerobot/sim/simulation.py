@@ -7,13 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.surface import VesselPose
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
-from labutopia_lerobot.sim.displacement import Displacement
+from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
 from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 
@@ -55,7 +54,7 @@ class Simulation:
         self._displacements = {
             piece.name: Displacement(scene.model, piece)
             for piece in scene.pieces
-            if isinstance(piece, WashBottle)
+            if isinstance(piece, SqueezeBottle)
         }
         self.liquid = _liquid(scene, self.data) if scene.contents else None
         self.volumes = None if self.liquid is None else self.liquid.volumes()
