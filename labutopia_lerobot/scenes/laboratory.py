@@ -29,7 +29,7 @@ _TOP = (0.33, 0.37, 0.42, 1.0)
 
 
 def laboratory(view: View) -> mujoco.MjSpec:
-    """Return the room: floor, walls, bench, robot pedestal, lights, the cameras `front` and `top`.
+    """Return the room, with bench, robot pedestal, lights and the cameras `front` and `top`.
 
     The world frame has its origin on the floor, x from the robot to the bench, z up.
     """
@@ -69,6 +69,16 @@ def _room(spec: mujoco.MjSpec) -> None:
         type=mujoco.mjtGeom.mjGEOM_PLANE,
         size=[3.0, 3.0, 0.1],
         material="floor",
+    )
+    room.add_geom(
+        name="ceiling",
+        type=mujoco.mjtGeom.mjGEOM_PLANE,
+        pos=[0.0, 0.0, 3.0],
+        quat=[0.0, 1.0, 0.0, 0.0],  # downwards; MuJoCo lets one look through from above
+        size=[3.0, 3.0, 0.1],
+        material="wall",
+        contype=0,
+        conaffinity=0,
     )
     walls = {
         "wall_back": ([-1.5, 0.0, 1.5], [0.05, 3.0, 1.5]),
