@@ -29,6 +29,8 @@ TURN_SPEED, TURN_ACCELERATION = 2.5, 25.0
 """Limits of the same for rotation [rad/s], [rad/s^2]."""
 DROP = 0.10
 """Height of a fall [m]."""
+FLOOR = -2.5
+"""Height of the floor [m]; the vessel begins at 0 and comes no lower than -1 (measured)."""
 VESSELS: tuple[Callable[[str], Vessel], ...] = (beaker, erlenmeyer_flask, graduated_cylinder)
 
 
@@ -64,7 +66,7 @@ def handle(seed: int) -> dict[str, int]:
     rng = np.random.default_rng([seed, 41])
     vessel = VESSELS[seed % len(VESSELS)]("vessel")
     filling = Filling(rng.uniform(0.2, 0.8) * vessel.capacity)
-    model, data = _bench_with(vessel)
+    model, data = _room_with(vessel)
     liquid = Liquid(model, data, [vessel], filling)
     liquid.fill({vessel: filling}, rng)
     swing = _Swing(rng, data.qpos.copy())
@@ -90,14 +92,14 @@ def handle(seed: int) -> dict[str, int]:
     }
 
 
-def _bench_with(vessel: Vessel) -> tuple[mujoco.MjModel, mujoco.MjData]:
+def _room_with(vessel: Vessel) -> tuple[mujoco.MjModel, mujoco.MjData]:
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
-    spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=(5, 5, 0.1))
+    # Out of reach: nobody swings glass through a floor, and liquid between the two has no way out.
+    spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=(5, 5, 0.1), pos=(0, 0, FLOOR))
     vessel.add_to(spec, spec.worldbody).add_freejoint()
     model = spec.compile()
     data = mujoco.MjData(model)
-    data.qpos[2] = 0.5
     mujoco.mj_forward(model, data)
     return model, data
 
