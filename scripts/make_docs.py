@@ -45,6 +45,7 @@ def main() -> None:
         task = load_task(task_id)
         gallery += [f"## {task_id}", "", task.instruction, ""]
         gallery += [f"![{task_id}](gallery/{picture.name})", ""]
+    Image.fromarray(pouring()).quantize(256).save(DOCS / "gallery" / "pouring.png", optimize=True)
     (DOCS / "gallery.md").write_text("\n".join(gallery))
     readme = (ROOT / "README.md").read_text()
     before, _, rest = readme.partition(BEGIN)
@@ -53,6 +54,19 @@ def main() -> None:
     (ROOT / "README.md").write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
     (DOCS / "starts.md").write_text("\n".join(start_table()) + "\n")
     (DOCS / "failures.md").write_text("\n".join(failure_table(summaries)) + "\n")
+
+
+def pouring() -> NDArray[np.uint8]:
+    """Return pictures of a pour when a third is in the target, all cameras side by side."""
+    env = LabEnv("level1/pour", width=384, height=384)
+    env.reset(seed=1)
+    expert = env.expert()
+    expert.start()
+    while True:
+        observation, *_ = env.step(expert.act())
+        liquid = env.world.liquid
+        if liquid is not None and liquid.poured > liquid.total / 3:
+            return np.hstack(list(observation["pixels"].values()))
 
 
 def start_and_end(task_id: str) -> NDArray[np.uint8]:
