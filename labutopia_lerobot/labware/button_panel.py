@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.mounting import Fixed
 from labutopia_lerobot.labware.push_button import PushButton
 from labutopia_lerobot.labware.solid import CYLINDER, Quaternion, add_look, add_part
-from labutopia_lerobot.layout import Switch
 
 _SLANT = math.radians(35.0)
 _ROLL = math.radians(45.0)
@@ -38,7 +38,7 @@ _INTO_FRONT: Quaternion = (-_SINE, _COSINE, -_SINE, _COSINE)
 
 
 @dataclass(frozen=True)
-class ButtonPanel:
+class ButtonPanel(Fixed):
     """A panel that faces -x of its own frame and leans back; its origin is the middle of its front.
 
     Attributes:
@@ -71,16 +71,6 @@ class ButtonPanel:
     def joints(self) -> tuple[str, ...]:
         """The slides of its buttons."""
         return tuple(button.joint for button in self.buttons)
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """None: its buttons do not latch."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """It is fixed to the bench."""
-        return False
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.mounting import Fixed
 from labutopia_lerobot.labware.openable import Drawer, Handle
 from labutopia_lerobot.labware.solid import Vector, add_part
-from labutopia_lerobot.layout import Switch
 
 _DEPTH, _WIDTH, _HEIGHT = 0.560, 0.420, 0.480
 """Outer size [m]; ours: the top handle is as high as the original's, 1.15 m above the floor, and
@@ -37,7 +37,7 @@ _LEVELS = ("bottom", "middle", "top")
 
 
 @dataclass(frozen=True)
-class Cabinet:
+class Cabinet(Fixed):
     """A cabinet with a bottom, a middle and a top drawer; its front faces -x of its own frame.
 
     Attributes:
@@ -78,16 +78,6 @@ class Cabinet:
     def joints(self) -> tuple[str, ...]:
         """Its slides."""
         return tuple(drawer.joint for drawer in self.drawers)
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """It has none."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """It is bolted to the bench."""
-        return False
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

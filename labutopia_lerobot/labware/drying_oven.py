@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.mounting import Fixed
 from labutopia_lerobot.labware.openable import Door, Handle
 from labutopia_lerobot.labware.solid import CYLINDER, Vector, add_feet, add_look, add_part
-from labutopia_lerobot.layout import Switch
 
 _DEPTH, _WIDTH, _HEIGHT = 0.576, 0.741, 0.630
 """Outer size [m] (original, DryingBox_01)."""
@@ -38,10 +38,10 @@ _QUARTER = math.sqrt(0.5)
 
 
 @dataclass(frozen=True)
-class DryingOven:
+class DryingOven(Fixed):
     """A drying oven whose door is hinged on the left of who stands before it.
 
-    Its front faces -x of its own frame.
+    Its front faces -x of its own frame. It weighs 50 kg and stays where it is.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -71,16 +71,6 @@ class DryingOven:
     def joints(self) -> tuple[str, ...]:
         """Its hinge."""
         return (self.door.joint,)
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """None that can be worked."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """It weighs 50 kg and stays where it is."""
-        return False
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.mounting import Loose
 from labutopia_lerobot.labware.profile import BOROSILICATE_DENSITY
 from labutopia_lerobot.labware.vessel import (
     COLLISION_GROUP,
@@ -13,7 +14,6 @@ from labutopia_lerobot.labware.vessel import (
     SOLREF,
     VISUAL_GROUP,
 )
-from labutopia_lerobot.layout import Switch
 
 LENGTH = 0.25
 """Length [m]. Original: 0.2, too short for fingers above a rack of 0.193 m; rods are usually 0.1 to
@@ -30,7 +30,7 @@ _GLASS = (0.80, 0.93, 0.98, 0.85)
 
 
 @dataclass(frozen=True)
-class GlassRod:
+class GlassRod(Loose):
     """A round rod: origin at its lower tip, z along it.
 
     Attributes:
@@ -53,21 +53,6 @@ class GlassRod:
     def footprint_radius(self) -> float:
         """Radius of the circle around its axis that it needs when upright [m]."""
         return DIAMETER / 2
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """Glass does not move in itself."""
-        return ()
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """Glass has none."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """It is loose."""
-        return True
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build one jointless body into a spec, at the origin of the parent.

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.mounting import Fixed
 from labutopia_lerobot.labware.push_button import PushButton
 from labutopia_lerobot.labware.solid import CYLINDER, Quaternion, Vector, add_look, add_part
 from labutopia_lerobot.labware.vessel import VISUAL_GROUP
@@ -33,8 +34,10 @@ joint 7 of a Panda in the middle of its range."""
 
 
 @dataclass(frozen=True)
-class Heater:
+class Heater(Fixed):
     """A hot plate that faces -x of its own frame; its origin is below the middle of its top.
+
+    It weighs 3 kg and stands on rubber feet.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -77,11 +80,6 @@ class Heater:
     def switches(self) -> tuple[Switch, ...]:
         """Its one switch."""
         return (self.switch,)
-
-    @property
-    def movable(self) -> bool:
-        """It weighs 3 kg and stands on rubber feet."""
-        return False
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.mounting import Fixed
 from labutopia_lerobot.labware.openable import Door, Handle
 from labutopia_lerobot.labware.solid import CYLINDER, Vector, add_feet, add_look, add_part
-from labutopia_lerobot.layout import Switch
 
 _DEPTH, _WIDTH, _HEIGHT = 0.555, 0.644, 0.842
 """Outer size [m] (original, MuffleFurnace)."""
@@ -60,10 +60,10 @@ _CHAMBER = _Hollow(0.150, 0.170, 0.410, 0.360)
 
 
 @dataclass(frozen=True)
-class MuffleFurnace:
+class MuffleFurnace(Fixed):
     """A muffle furnace whose door is hinged on the left of who stands before it.
 
-    Its front faces -x of its own frame. It is cold.
+    Its front faces -x of its own frame. It weighs 60 kg and stays where it is. It is cold.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -98,16 +98,6 @@ class MuffleFurnace:
     def joints(self) -> tuple[str, ...]:
         """Its hinge."""
         return (self.door.joint,)
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """None that can be worked."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """It weighs 60 kg and stays where it is."""
-        return False
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

@@ -7,10 +7,10 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
+from labutopia_lerobot.labware.mounting import Fixed
 from labutopia_lerobot.labware.shell import OWN_CONTYPE, Elastic
 from labutopia_lerobot.labware.solid import CYLINDER, Quaternion, add_look, add_part
 from labutopia_lerobot.labware.vessel import SOLIMP, VISUAL_GROUP
-from labutopia_lerobot.layout import Switch
 from labutopia_lerobot.world import FloatArray
 
 SILICONE = Elastic(young=3.0e6, poisson=0.49, density=1150.0, damping=0.02)
@@ -43,13 +43,15 @@ _ALONG_X: Quaternion = (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
 
 
 @dataclass(frozen=True)
-class SiliconeTube:
+class SiliconeTube(Fixed):
     """A tube whose first edge sits on a nozzle that is screwed to the bench; it leaves along x.
 
     It is an elastic rod (MuJoCo flex of dimension 1) that bends and keeps its length, and that is
     at rest in the bow that it is made in. MuJoCo's rods are solid: their modulus is the rubber's
     times 1 - (bore / outside)^4, the share that a tube has of a rod's second moment of area. Left
     out: twist, of which a round tube that is free at one end stores none, and kinks.
+
+    The slides of its points are its shape, too many to be observed one by one: `joints` is empty.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -68,21 +70,6 @@ class SiliconeTube:
     def footprint_radius(self) -> float:
         """Radius of the circle around its origin that it needs on the bench [m]."""
         return float(np.hypot(*self.path[:, :2].T).max()) + _OUTER
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """None: the slides of its points are its shape, too many to be observed one by one."""
-        return ()
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """It has none."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """The nozzle is screwed to the bench."""
-        return False
 
     @property
     def mass(self) -> float:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.mesh import revolve
+from labutopia_lerobot.labware.mounting import Loose
 from labutopia_lerobot.labware.solid import BOX
 from labutopia_lerobot.labware.vessel import (
     COLLISION_GROUP,
@@ -15,7 +16,6 @@ from labutopia_lerobot.labware.vessel import (
     SOLREF,
     VISUAL_GROUP,
 )
-from labutopia_lerobot.layout import Switch
 
 type Color = tuple[float, float, float, float]
 
@@ -35,7 +35,7 @@ _PRINT_HEIGHT = 0.0003  # of the printing above the glaze, so that the two never
 
 
 @dataclass(frozen=True)
-class TargetPlate:
+class TargetPlate(Loose):
     """A porcelain tile that lies free on the bench: origin at the centre of its underside, z up.
 
     Attributes:
@@ -55,21 +55,6 @@ class TargetPlate:
     def footprint_radius(self) -> float:
         """Radius of the circle around it [m]."""
         return SIDE / math.sqrt(2.0)
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """A tile does not move in itself."""
-        return ()
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """A tile has none."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """It lies free."""
-        return True
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build one jointless body into a spec, at the origin of the parent.

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from labutopia_lerobot.labware.mounting import Fixed
 from labutopia_lerobot.labware.solid import BOX, Vector, add_look
 from labutopia_lerobot.labware.vessel import COLLISION_GROUP, FRICTION, HULL_GROUP, SOLIMP, SOLREF
-from labutopia_lerobot.layout import Switch
 
 WIDTH, LENGTH, HEIGHT = 0.085, 0.286, 0.193
 """Outer dimensions along x, y and z [m] (original)."""
@@ -27,7 +27,7 @@ _BLUE = (0.16, 0.38, 0.62, 1.0)
 
 
 @dataclass(frozen=True)
-class TestTubeRack:
+class TestTubeRack(Fixed):
     """A polypropylene rack that is fixed to the bench: origin at the centre of its base, z up.
 
     Attributes:
@@ -45,21 +45,6 @@ class TestTubeRack:
     def footprint_radius(self) -> float:
         """Radius of the circle around it [m]."""
         return float(np.hypot(WIDTH, LENGTH)) / 2
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """A rack does not move in itself."""
-        return ()
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """A rack has none."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """It is fixed (original)."""
-        return False
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build one jointless body into a spec, at the origin of the parent.

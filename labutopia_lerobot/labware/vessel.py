@@ -8,8 +8,8 @@ import mujoco
 import numpy as np
 
 from labutopia_lerobot.labware.mesh import SEGMENTS, Mesh, bead, join, revolve
+from labutopia_lerobot.labware.mounting import Loose
 from labutopia_lerobot.labware.profile import MassProperties, Point, Profile
-from labutopia_lerobot.layout import Switch
 
 VISUAL_GROUP, COLLISION_GROUP, HULL_GROUP = 2, 3, 4
 """Geom groups: cameras draw 0 to 2; contacts come from 3; the motion planner measures to 4."""
@@ -43,7 +43,7 @@ _PRINT = (0.97, 0.98, 1.0, 0.95)
 
 
 @dataclass(frozen=True)
-class Vessel:
+class Vessel(Loose):
     """A glass vessel: a value, usable as a dictionary key; `add_to` makes its MuJoCo body.
 
     Attributes:
@@ -82,21 +82,6 @@ class Vessel:
     def footprint_radius(self) -> float:
         """Radius of the circle around its axis that it needs on the bench [m]: its largest."""
         return max(radius for radius, _ in self.profile.outer)
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """Glass does not move in itself."""
-        return ()
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """Glass has none."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """Vessels stand free."""
-        return True
 
     @property
     def capacity(self) -> float:

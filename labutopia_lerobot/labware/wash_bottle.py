@@ -8,10 +8,10 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.labware.mounting import Fixed
 from labutopia_lerobot.labware.shell import OWN_CONTYPE, SKIN, Elastic, Shell
 from labutopia_lerobot.labware.solid import CYLINDER, Vector, add_look, add_part
 from labutopia_lerobot.labware.vessel import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
-from labutopia_lerobot.layout import Switch
 
 LDPE = Elastic(young=1.0e8, poisson=0.45, density=920.0, damping=0.1)
 """Low-density polyethylene, of which squeeze bottles are blown.
@@ -68,7 +68,7 @@ _SPOUT: tuple[tuple[float, float], ...] = (
 
 
 @dataclass(frozen=True)
-class WashBottle:
+class WashBottle(Fixed):
     """A 250 ml wash bottle; its origin is the centre of its holder's base, z up, spout along x.
 
     Holder, cap and spout are rigid, the wall between them is an elastic shell. What is squeezed out
@@ -82,7 +82,8 @@ class WashBottle:
     The holder is screwed to the bench, so that the bottle is neither knocked over nor dragged; a
     pinch from two sides needs no such help. One that stands free would cost five times as much per
     step (measured on a finer mesh: 4.1 against 0.8 ms), since MuJoCo solves flexes on moving bodies
-    without the sparsity of those on fixed ones. The contents' mass moves with the wall.
+    without the sparsity of those on fixed ones. The contents' mass moves with the wall, whose
+    vertices are too many to be observed one by one: `joints` is empty.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -157,21 +158,6 @@ class WashBottle:
     def bodies(self) -> frozenset[str]:
         """Names that it is touched under: holder with wall, cap with spout."""
         return frozenset({self.name, self.cap})
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """None: the slides of its vertices are its shape, too many to be observed one by one."""
-        return ()
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
-        """It has none."""
-        return ()
-
-    @property
-    def movable(self) -> bool:
-        """Its holder is screwed to the bench."""
-        return False
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

@@ -1,0 +1,35 @@
+"""How things stand: free on the bench, or fixed to it; what most of them are is said once, here."""
+
+from labutopia_lerobot.layout import Switch
+
+
+class _Still:
+    """A `Piece` of which nothing moves or switches, unless it says otherwise."""
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of its hinges and slides that are its state: none."""
+        return ()
+
+    @property
+    def switches(self) -> tuple[Switch, ...]:
+        """Its electric switches: none."""
+        return ()
+
+
+class Loose(_Still):
+    """A piece that stands free, as glassware does."""
+
+    @property
+    def movable(self) -> bool:
+        """It can be picked up, pushed and knocked over."""
+        return True
+
+
+class Fixed(_Still):
+    """A piece that is screwed to the bench or too heavy to be moved, as instruments are."""
+
+    @property
+    def movable(self) -> bool:
+        """It stays where it is."""
+        return False
