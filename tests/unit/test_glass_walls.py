@@ -1,14 +1,12 @@
 """Nothing gets through glass, tried by random paths against an independent test of points."""
 
-import importlib.util
 from itertools import pairwise
-from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+import leak_rate
 from labutopia_lerobot.labware.glassware import (
     beaker,
     erlenmeyer_flask,
@@ -180,27 +178,16 @@ def test_cavity_and_glass_are_where_the_profile_has_them(profile: Profile) -> No
         assert in_glass(edges, x, y, z) == glass
 
 
-@pytest.fixture(scope="module")
-def leak_rate() -> ModuleType:
-    path = Path(__file__).parents[2] / "scripts" / "leak_rate.py"
-    spec = importlib.util.spec_from_file_location("leak_rate", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))  # each another vessel
-def test_nothing_leaks_from_a_vessel_that_is_swung_about(leak_rate: ModuleType, seed: int) -> None:
+def test_nothing_leaks_from_a_vessel_that_is_swung_about(seed: int) -> None:
     row = leak_rate.handle(seed)
     assert row["crossings"] == 0
     assert row["lost_particles"] == 0
 
 
 def test_the_leak_rate_counts_what_runs_through_a_hole(
-    leak_rate: ModuleType, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     def without_neck(profile: Profile) -> Edges:
         return np.delete(edges_of(profile), 2, axis=0)

@@ -3,81 +3,20 @@
 import os
 import subprocess
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
-from scipy.special import j1, jn_zeros
 
 from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask
 from labutopia_lerobot.labware.vessel import Vessel
 from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.liquids.liquid import Liquid
-from labutopia_lerobot.liquids.solver import LIQUID_HZ
+from labutopia_lerobot.liquids.solver import GRAVITY, LIQUID_HZ
 from labutopia_lerobot.liquids.substance import SUBSTANCES, WATER
-
-GRAVITY = 9.81
-PHYSICS_HZ = 300
-
-# Martin and Moyce (1952), "An Experimental Study of the Collapse of Liquid Columns on a Rigid
-# Horizontal Plane", Phil. Trans. R. Soc. A 244, 312-324, table 2: a column of water 2.25 inches
-# wide and twice as high (n^2 = 2). Time in units of sqrt(a / 2 g), front in units of a.
-COLUMN = 2.25 * 0.0254
-FRONT_TIMES = (0.41, 0.84, 1.19, 1.43, 1.63, 1.83, 1.98, 2.20, 2.32, 2.51, 2.65, 2.83, 2.98, 3.11)
-FRONTS = (1.11, 1.22, 1.44, 1.67, 1.89, 2.11, 2.33, 2.56, 2.78, 3.00, 3.22, 3.44, 3.67, 3.89)
-
-
-def world(
-    *vessels: Vessel, boxes: Sequence[tuple[object, object]] = (), bench: bool = True
-) -> tuple[mujoco.MjModel, mujoco.MjData]:
-    spec = mujoco.MjSpec()
-    spec.compiler.degree = False
-    spec.option.timestep = 1.0 / PHYSICS_HZ
-    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
-    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
-    if bench:
-        spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=(5, 5, 0.1))
-    for position, size in boxes:
-        spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, pos=position, size=size)
-    for vessel in vessels:
-        vessel.add_to(spec, spec.worldbody).add_freejoint()
-    model = spec.compile()
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    return model, data
-
-
-def filled(
-    vessel: Vessel, filling: Filling, count: int = 1000, height: float = 0.0, bench: bool = True
-) -> tuple[mujoco.MjModel, mujoco.MjData, Liquid]:
-    model, data = world(vessel, bench=bench)
-    move_to(model, data, (0, 0, height), 0.0)
-    liquid = Liquid(model, data, [vessel], filling, count)
-    liquid.fill({vessel: filling}, np.random.default_rng(0))
-    return model, data, liquid
-
-
-def move_to(
-    model: mujoco.MjModel, data: mujoco.MjData, position: Sequence[float], tilt: float
-) -> None:
-    """Put the only vessel there, turned about the y axis [rad]."""
-    data.qpos[:] = (*position, np.cos(tilt / 2), 0.0, np.sin(tilt / 2), 0.0)
-    mujoco.mj_kinematics(model, data)
-    mujoco.mj_comPos(model, data)
-
-
-def surface(liquid: Liquid) -> tuple[float, float]:
-    """Fit a plane to the highest particle of every cell; return mean height [m] and tilt [rad]."""
-    spacing = liquid.volume ** (1 / 3)
-    positions = liquid.positions[np.argsort(liquid.positions[:, 2])]
-    cells = np.floor(positions[:, :2] / (1.5 * spacing)).astype(int)
-    highest = positions[list({tuple(cell): index for index, cell in enumerate(cells)}.values())]
-    # Cells that hang over the wall or the bottom catch no surface.
-    highest = highest[highest[:, 2] > np.median(highest[:, 2]) - 1.5 * spacing]
-    plane, *_ = np.linalg.lstsq(np.insert(highest[:, :2], 2, 1.0, axis=1), highest[:, 2])
-    return float(highest[:, 2].mean() + spacing / 2), float(np.arctan(np.hypot(*plane[:2])))
+from labutopia_lerobot.sim.scene import PHYSICS_HZ
+from liquid_experiments import FRONTS, collapse, filled, move_to, surface, swirl, world
 
 
 @pytest.mark.parametrize("count", [1000, 2000])
@@ -144,59 +83,15 @@ def test_a_vessel_held_at_a_tilt_feels_the_weight_where_the_liquid_is() -> None:
 
 
 def test_a_breaking_dam_runs_as_in_martin_and_moyces_experiment() -> None:
-    across, deep = 12, 6
-    spacing = COLUMN / across
-    side = deep * spacing / 2
-    boxes = [
-        ((-0.05, 0, 0.1), (0.05, 0.3, 0.2)),
-        ((0, side + 0.05, 0.1), (0.6, 0.05, 0.2)),
-        ((0, -side - 0.05, 0.1), (0.6, 0.05, 0.2)),
-    ]
-    model, data = world(boxes=boxes)
-    places = np.moveaxis(np.indices((across, deep, 2 * across)), 0, -1).reshape(-1, 3) + 0.5
-    places = places * spacing - (0, side, 0)
-    places += np.random.default_rng(0).uniform(-0.05, 0.05, places.shape) * spacing
-    filling = Filling(len(places) * spacing**3 * 1e6)
-    liquid = Liquid(model, data, [], filling, len(places))
-    liquid.release(places, np.zeros_like(places))
-    unit = np.sqrt(COLUMN / (2 * GRAVITY))
-    times, fronts = [0.0], [1.0]
-    while times[-1] < FRONT_TIMES[-1]:
-        liquid.step()
-        times.append(times[-1] + 1.0 / (LIQUID_HZ * unit))
-        foremost = np.sort(liquid.positions[:, 0])[-deep:].mean()
-        fronts.append((foremost + spacing / 2) / COLUMN)
-    assert np.interp(FRONT_TIMES, times, fronts) == pytest.approx(FRONTS, rel=0.15)
-
-
-def swirl_decay(substance: str) -> tuple[float, float]:
-    """Return at what rate [1/s] a swirl in an upright cylinder of glass dies away, and should.
-
-    It sticks to wall and bottom and has a free surface: separating the unsteady Stokes equation
-    gives v = J1(j r / R) sin(pi z / 2 H) exp(-nu ((j / R)^2 + (pi / 2 H)^2) t), where J1(j) = 0.
-    """
-    vessel, ml = beaker("glass", "150 ml"), 60.0
-    _, _, liquid = filled(vessel, Filling(ml, substance))
-    radius, zero = vessel.profile.inner_radius(0.02), jn_zeros(1, 1)[0]
-    depth = ml * 1e-6 / (np.pi * radius**2)
-    x, y, z = liquid.positions.T
-    distance, height = np.hypot(x, y), z - vessel.profile.bottom
-    shape = j1(zero * distance / radius) * np.sin(np.pi * height / (2 * depth)) / distance
-    liquid.velocities[:] = 0.2 * shape[:, None] * np.column_stack([-y, x, np.zeros_like(x)])
-    seconds, spins = np.arange(1, LIQUID_HZ // 5) / LIQUID_HZ, []
-    for _ in seconds:
-        liquid.step()
-        spins.append(abs(np.cross(liquid.positions, liquid.velocities)[:, 2].mean()))
-    squares = (zero / radius) ** 2 + (np.pi / (2 * depth)) ** 2
-    right = SUBSTANCES[substance].kinematic_viscosity * squares
-    return -float(np.polyfit(seconds, np.log(spins), 1)[0]), float(right)
+    times, fronts, _ = collapse(across=12)
+    assert np.interp(FRONTS[:, 0], times, fronts) == pytest.approx(FRONTS[:, 1], rel=0.15)
 
 
 def test_glycerol_brakes_a_swirl_as_fast_as_its_viscosity_and_far_faster_than_water() -> None:
-    (water, _), (ethanol, _), (glycerol, right) = map(swirl_decay, SUBSTANCES)
-    assert glycerol == pytest.approx(right, rel=0.25)
-    assert glycerol > 5 * water
-    assert ethanol == pytest.approx(water, rel=0.5)  # both below what particles can show
+    water, ethanol, glycerol = map(swirl, SUBSTANCES)
+    assert glycerol.rate == pytest.approx(glycerol.stokes, rel=0.25)
+    assert glycerol.rate > 5 * water.rate
+    assert ethanol.rate == pytest.approx(water.rate, rel=0.5)  # both below what particles can show
 
 
 def test_a_falling_blob_moves_as_one_body() -> None:
@@ -249,7 +144,8 @@ def test_the_same_seed_gives_the_same_bits() -> None:
 def test_the_process_that_compiles_the_kernels_computes_the_same_bits(tmp_path: Path) -> None:
     spilling = f"import runpy; liquid = runpy.run_path({__file__!r})['spill'](30)[2]"
     command = [sys.executable, "-c", f"{spilling}; print(liquid.state().tobytes().hex())"]
-    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    paths = {"NUMBA_CACHE_DIR": str(tmp_path), "PYTHONPATH": os.pathsep.join(sys.path)}
+    environment = os.environ | paths
     first, later = (subprocess.check_output(command, env=environment) for _ in range(2))
     assert first == later
 
