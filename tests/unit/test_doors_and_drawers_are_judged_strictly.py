@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
+from adversary import play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.skills.close import Close
-from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.handle import Operable, move_by_handle
 from labutopia_lerobot.skills.open import Open
 from labutopia_lerobot.skills.skill import Phase, Skill, arrived, waited
@@ -27,18 +27,6 @@ def envs() -> Callable[[str], LabEnv]:
 
 def part_of(env: LabEnv) -> Operable:
     return env.definition.expert[0].part
-
-
-def play(env: LabEnv, *skills: Skill, spoil=lambda expert, action: action):
-    """Play skills, by default the expert's, with their actions spoilt; return the last info."""
-    env.reset(seed=5)
-    expert = Expert(skills or env.definition.expert, env.world, env.motion)
-    expert.start()
-    over = False
-    while not over:
-        _, _, terminated, truncated, info = env.step(spoil(expert, expert.act()))
-        over = terminated or truncated
-    return info
 
 
 @dataclass(frozen=True)
@@ -111,7 +99,6 @@ def let_go_half_way(env: LabEnv):
     def spoil(expert, action):
         if expert.label.endswith("/move") and (env.world.joint(joint) - half) * (start - half) < 0:
             action[-1] = 0.05
-        return action
 
     return spoil
 
@@ -147,7 +134,6 @@ def test_what_something_else_shut_cannot_be_closed_any_more(envs, task):
     def knocked(expert, action):
         if env.world.time < 1.0:
             env.simulation.data.joint(part.joint).qvel = -1.0
-        return action
 
     info = play(env, spoil=knocked)
     assert env.world.joint(part.joint) < part.closed_within

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from adversary import play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop
-from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.press import Press
@@ -45,27 +45,12 @@ class Strike:
         yield Phase("strike", lambda w: there, 0.0, waited(2.0), self.touches)
 
 
-def play(env: LabEnv, *skills, spoil=None):
-    """Play skills with their actions spoilt; return the last info."""
-    expert = Expert(skills, env.world, env.motion)
-    expert.start()
-    over = False
-    while not over:
-        action = expert.act()
-        if spoil is not None:
-            spoil(expert, action)
-        _, _, terminated, truncated, info = env.step(action)
-        over = terminated or truncated
-    return info
-
-
-def start(env: LabEnv):
-    env.reset(seed=5)
+def things(env: LabEnv):
     return tuple(env.definition.start)
 
 
 def test_the_unspoilt_expert_succeeds_and_the_lamp_is_lit(env):
-    _, heater = start(env)
+    _, heater = things(env)
     info = play(env, *env.definition.expert)
     assert info["outcome"] == "success"
     lamp = env.simulation.scene.model.geom(heater.switch.lamp)
@@ -73,7 +58,7 @@ def test_the_unspoilt_expert_succeeds_and_the_lamp_is_lit(env):
 
 
 def test_a_beaker_carried_nineteen_centimetres_high_is_not_picked(env):
-    beaker, heater = start(env)
+    beaker, heater = things(env)
     place, press = Place(beaker, OnTop(heater), hover=0.02), Press(heater.button, hold=0.3)
     info = play(env, Pick(beaker, lift=0.19), place, press)
     assert info["outcome"] == "timeout"
@@ -82,7 +67,7 @@ def test_a_beaker_carried_nineteen_centimetres_high_is_not_picked(env):
 
 
 def test_a_button_that_is_half_way_in_switches_nothing_on(env):
-    _, heater = start(env)
+    _, heater = things(env)
     pick, place, _ = env.definition.expert
     info = play(env, pick, place, Press(heater.button, hold=0.3, beyond=-0.001))
     assert info["outcome"] == "timeout"
@@ -91,7 +76,7 @@ def test_a_button_that_is_half_way_in_switches_nothing_on(env):
 
 
 def test_a_heater_switched_on_before_the_beaker_comes_does_not_count(env):
-    _, heater = start(env)
+    _, heater = things(env)
     pick, place, press = env.definition.expert
     info = play(env, press, pick, place)
     assert info["outcome"] == "timeout"
@@ -100,7 +85,6 @@ def test_a_heater_switched_on_before_the_beaker_comes_does_not_count(env):
 
 
 def test_a_button_pressed_twice_switches_the_heater_off_again(env):
-    start(env)
     pick, place, press = env.definition.expert
     info = play(env, pick, place, press, press)
     assert info["outcome"] == "timeout"
@@ -108,7 +92,7 @@ def test_a_button_pressed_twice_switches_the_heater_off_again(env):
 
 
 def test_a_finger_that_stays_on_the_button_is_not_gone(env):
-    _, heater = start(env)
+    _, heater = things(env)
     pick, place, _ = env.definition.expert
     info = play(env, pick, place, Press(heater.button, hold=60.0))
     assert info["outcome"] == "timeout"
@@ -117,7 +101,7 @@ def test_a_finger_that_stays_on_the_button_is_not_gone(env):
 
 
 def test_a_beaker_that_overhangs_the_plate_is_not_on_it(env):
-    beaker, heater = start(env)
+    beaker, heater = things(env)
     pick, _, press = env.definition.expert
     info = play(env, pick, Place(beaker, OffCentre(heater, left=0.056)), press)
     assert info["outcome"] == "timeout"
@@ -126,7 +110,7 @@ def test_a_beaker_that_overhangs_the_plate_is_not_on_it(env):
 
 
 def test_a_beaker_struck_at_its_lip_is_knocked_over(env):
-    beaker, heater = start(env)
+    beaker, heater = things(env)
     everything = frozenset({beaker.name, "bench"}) | heater.bodies
     pick, place, press = env.definition.expert
     info = play(env, pick, place, press, Strike(beaker, everything))
@@ -135,7 +119,7 @@ def test_a_beaker_struck_at_its_lip_is_knocked_over(env):
 
 
 def test_a_hand_on_the_plate_has_collided(env):
-    beaker, heater = start(env)
+    beaker, heater = things(env)
 
     def bow(expert, action):
         if expert.label == "place/done":

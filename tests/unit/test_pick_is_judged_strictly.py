@@ -1,13 +1,10 @@
 """Adversarial cases of `level1/pick`, played in the real simulation: nearly is not enough."""
 
-from collections.abc import Callable
-
 import numpy as np
 import pytest
 
+from adversary import play
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.sim.motion import ReactiveMotion
-from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.pick import Pick
 
 
@@ -16,26 +13,13 @@ def env() -> LabEnv:
     return LabEnv("level1/pick", obs="state")
 
 
-def play(env: LabEnv, spoil: Callable[[Expert, np.ndarray], np.ndarray], lift: float = 0.25):
-    """Play the expert with its actions spoilt; return the last info."""
-    env.reset(seed=5)
-    flask = next(iter(env.definition.start))
-    motion = ReactiveMotion(env.simulation, env.world)
-    expert = Expert((Pick(flask, lift=lift),), env.world, motion)
-    expert.start()
-    over = False
-    while not over:
-        _, _, terminated, truncated, info = env.step(spoil(expert, expert.act()))
-        over = terminated or truncated
-    return info
-
-
 def test_the_unspoilt_expert_succeeds(env):
-    assert play(env, lambda expert, action: action)["outcome"] == "success"
+    assert play(env)["outcome"] == "success"
 
 
 def test_a_flask_held_at_nineteen_centimetres_is_not_picked(env):
-    info = play(env, lambda expert, action: action, lift=0.19)
+    (flask,) = env.definition.start
+    info = play(env, Pick(flask, lift=0.19))
     assert info["outcome"] == "timeout"
     assert not info["ever_success"]
     assert info["substeps"]["gripped"] > 0
@@ -49,9 +33,8 @@ def test_a_flask_dropped_after_one_and_a_half_seconds_is_dropped(env):
             begun.append(env.world.time)
             if env.world.time - begun[0] > 1.5:
                 action[-1] = 0.08
-        return action
 
-    info = play(env, drop)
+    info = play(env, spoil=drop)
     assert info["ever_success"]
     assert not info["is_success"]
     assert info["outcome"] == "dropped"
@@ -60,18 +43,16 @@ def test_a_flask_dropped_after_one_and_a_half_seconds_is_dropped(env):
 def test_a_flask_pushed_over_is_knocked_over(env):
     def shut(expert, action):
         action[-1] = 0.0  # a closed gripper runs into the neck
-        return action
 
-    assert play(env, shut)["outcome"] == "knocked_over"
+    assert play(env, spoil=shut)["outcome"] == "knocked_over"
 
 
 def test_a_flask_held_aslant_is_not_picked(env):
     def tilt(expert, action):
         if expert.label == "pick/hold":
             action[6] += 0.6
-        return action
 
-    info = play(env, tilt)
+    info = play(env, spoil=tilt)
     assert info["outcome"] == "timeout"
     assert not info["facts"]["flask upright within 20 deg"]
 
@@ -80,8 +61,7 @@ def test_a_shaken_flask_is_not_held_steadily(env):
     def shake(expert, action):
         if expert.label == "pick/hold":
             action[0] += 0.12 * np.sin(12.0 * env.world.time)
-        return action
 
-    info = play(env, shake)
+    info = play(env, spoil=shake)
     assert info["outcome"] != "success"
     assert np.isfinite(info["substeps"]["lifted"])

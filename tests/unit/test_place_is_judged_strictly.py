@@ -1,14 +1,13 @@
 """Adversarial cases of placing and transporting, played in the real simulation."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
 
+from adversary import play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop
-from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.pick import OPEN, Pick
 from labutopia_lerobot.skills.place import Place
 
@@ -28,32 +27,17 @@ class Aside(OnTop):
         return super().position_w(world) + self.x * world.pose(self.of).x_axis
 
 
-def play(env: LabEnv, *skills, spoil: Callable[[Expert, np.ndarray], None] | None = None):
-    """Play skills after the reset, with their actions spoilt; return the last info."""
-    expert = Expert(skills, env.world, env.motion)
-    expert.start()
-    over = False
-    while not over:
-        action = expert.act()
-        if spoil is not None:
-            spoil(expert, action)
-        _, _, terminated, truncated, info = env.step(action)
-        over = terminated or truncated
-    return info
-
-
-def start(env: LabEnv):
-    env.reset(seed=5)
+def things(env: LabEnv):
     return tuple(env.definition.start)
 
 
 def test_the_unspoilt_skill_succeeds(env):
-    beaker, plate = start(env)
+    beaker, plate = things(env)
     assert play(env, Place(beaker, OnTop(plate)))["outcome"] == "success"
 
 
 def test_a_beaker_that_stays_in_the_hand_is_not_placed(env):
-    beaker, plate = start(env)
+    beaker, plate = things(env)
 
     def keep_shut(expert, action):
         action[-1] = beaker.grip_width - 0.012
@@ -65,7 +49,7 @@ def test_a_beaker_that_stays_in_the_hand_is_not_placed(env):
 
 
 def test_a_hand_that_stays_around_the_beaker_has_not_withdrawn(env):
-    beaker, plate = start(env)
+    beaker, plate = things(env)
     info = play(env, Place(beaker, OnTop(plate), retreat=0.0))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["released"])
@@ -73,7 +57,7 @@ def test_a_hand_that_stays_around_the_beaker_has_not_withdrawn(env):
 
 
 def test_a_base_that_overhangs_the_plate_is_not_in_full_contact(env):
-    beaker, plate = start(env)
+    beaker, plate = things(env)
     info = play(env, Place(beaker, Aside(plate, x=0.048)))
     assert info["outcome"] == "timeout"
     assert info["facts"]["beaker released"]
@@ -81,7 +65,7 @@ def test_a_base_that_overhangs_the_plate_is_not_in_full_contact(env):
 
 
 def test_a_beaker_beside_the_plate_is_not_at_the_target(env):
-    beaker, plate = start(env)
+    beaker, plate = things(env)
 
     class Bench(Aside):
         support = "bench"
@@ -95,7 +79,7 @@ def test_a_beaker_beside_the_plate_is_not_at_the_target(env):
 
 
 def test_a_beaker_let_go_above_the_plate_is_dropped(env):
-    beaker, plate = start(env)
+    beaker, plate = things(env)
 
     def let_go(expert, action):
         if env.world.pose(beaker).position_w[2] < env.world.bench_height + 0.09:
@@ -105,7 +89,7 @@ def test_a_beaker_let_go_above_the_plate_is_dropped(env):
 
 
 def test_a_beaker_let_go_aslant_is_knocked_over(env):
-    beaker, plate = start(env)
+    beaker, plate = things(env)
 
     def slant(expert, action):
         if expert.label in {"place/settle", "place/open"}:
@@ -116,7 +100,7 @@ def test_a_beaker_let_go_aslant_is_knocked_over(env):
 
 
 def test_a_hand_on_the_plate_has_collided(env):
-    beaker, plate = start(env)
+    beaker, plate = things(env)
 
     def bow(expert, action):
         if expert.label == "place/done":
@@ -128,7 +112,7 @@ def test_a_hand_on_the_plate_has_collided(env):
 
 def test_a_beaker_carried_nineteen_centimetres_high_is_not_transported():
     env = LabEnv("level2/transport_beaker", obs="state")
-    beaker, plate = start(env)
+    beaker, plate = things(env)
     info = play(env, Pick(beaker, lift=0.19), Place(beaker, OnTop(plate)))
     assert info["outcome"] == "timeout"
     assert info["facts"]["beaker standing on target_plate"]

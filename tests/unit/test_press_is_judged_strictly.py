@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from adversary import play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
-from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.press import Press
 from labutopia_lerobot.skills.skill import Phase, arrived
 from labutopia_lerobot.world import Pose
@@ -46,18 +46,6 @@ class Ram(Press):
         inside = before.advanced(self.standoff + 0.02)
         yield Phase("approach", lambda w: before, 0.0, arrived(0.01, 0.1))
         yield Phase("ram", lambda w: inside, 0.0, arrived(0.001), self.touches)
-
-
-def play(env: LabEnv, *skills, seed: int = 5):
-    """Play skills; return the last info."""
-    env.reset(seed=seed)
-    expert = Expert(skills, env.world, env.motion)
-    expert.start()
-    over = False
-    while not over:
-        _, _, terminated, truncated, info = env.step(expert.act())
-        over = terminated or truncated
-    return info
 
 
 def buttons(env: LabEnv):

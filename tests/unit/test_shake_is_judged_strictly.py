@@ -1,14 +1,13 @@
 """Adversarial cases of shaking, played in the real simulation: nearly is not enough."""
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from adversary import play
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.pick import OPEN, Pick
 from labutopia_lerobot.skills.shake import Shake
 
@@ -16,21 +15,6 @@ from labutopia_lerobot.skills.shake import Shake
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
     return LabEnv("level1/shake", obs="state")
-
-
-def play(env: LabEnv, *skills, spoil: Callable[[Expert, np.ndarray], None] | None = None):
-    """Play skills from a reset, with their actions spoilt; return the last info."""
-    env.reset(seed=5)
-    expert = Expert(skills, env.world, env.motion)
-    expert.start()
-    over = False
-    while not over:
-        action = expert.act()
-        if spoil is not None:
-            spoil(expert, action)
-        _, _, terminated, truncated, info = env.step(action)
-        over = terminated or truncated
-    return info
 
 
 def shake(env: LabEnv) -> Shake:

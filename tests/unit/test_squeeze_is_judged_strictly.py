@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
+from adversary import play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.pick import OPEN, Pick
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
 from labutopia_lerobot.skills.squeeze import Squeeze
@@ -24,18 +24,6 @@ def env() -> LabEnv:
 def things(env: LabEnv):
     """Return the bottle and the beaker."""
     return tuple(env.definition.start)
-
-
-def play(env: LabEnv, *skills, seed: int = 5):
-    """Play skills; return the last info."""
-    env.reset(seed=seed)
-    expert = Expert(skills, env.world, env.motion)
-    expert.start()
-    over = False
-    while not over:
-        _, _, terminated, truncated, info = env.step(expert.act())
-        over = terminated or truncated
-    return info
 
 
 @dataclass(frozen=True)

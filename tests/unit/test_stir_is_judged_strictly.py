@@ -6,12 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from adversary import Spoil, play
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.pick import OPEN
 from labutopia_lerobot.skills.stir import Stir
-
-Spoil = Callable[[Expert, np.ndarray], None]
 
 
 @pytest.fixture(scope="module")
@@ -22,21 +20,6 @@ def env() -> LabEnv:
 @pytest.fixture(scope="module")
 def from_the_rack() -> LabEnv:
     return LabEnv("level2/stir_glassrod", obs="state")
-
-
-def play(env: LabEnv, *skills, spoil: Spoil | None = None):
-    """Play skills from a reset, with their actions spoilt; return the last info."""
-    env.reset(seed=5)
-    expert = Expert(skills or env.definition.expert, env.world, env.motion)
-    expert.start()
-    over = False
-    while not over:
-        action = expert.act()
-        if spoil is not None:
-            spoil(expert, action)
-        _, _, terminated, truncated, info = env.step(action)
-        over = terminated or truncated
-    return info
 
 
 def stir(env: LabEnv) -> Stir:

@@ -1,0 +1,29 @@
+"""Playing a task badly on purpose: what the tests of strict judging share."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.skills.skill import Skill
+
+type Spoil = Callable[[Expert, NDArray[np.float32]], None]
+"""Changes an action in place, knowing where the expert is."""
+
+
+def play(env: LabEnv, *skills: Skill, spoil: Spoil | None = None, seed: int = 5) -> dict[str, Any]:
+    """Play skills from a reset, the task's own by default; return the last info."""
+    env.reset(seed=seed)
+    expert = Expert(skills or env.definition.expert, env.world, env.motion)
+    expert.start()
+    over = False
+    while not over:
+        action = expert.act()
+        if spoil is not None:
+            spoil(expert, action)
+        _, _, terminated, truncated, info = env.step(action)
+        over = terminated or truncated
+    return info
