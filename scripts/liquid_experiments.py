@@ -60,12 +60,13 @@ def filled(
     count: int = PARTICLES,
     height: float = 0.0,
     bench: bool = True,
+    seed: int = 0,
 ) -> tuple[mujoco.MjModel, mujoco.MjData, Liquid]:
     """Return a vessel that stands at a height [m], with liquid at rest in it."""
     model, data = world(vessel, bench=bench)
     move_to(model, data, (0, 0, height), 0.0)
     liquid = Liquid(model, data, [vessel], filling, count)
-    liquid.fill({vessel: filling}, np.random.default_rng(0))
+    liquid.fill({vessel: filling}, np.random.default_rng(seed))
     return model, data, liquid
 
 

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, graduated_cylinder
+from labutopia_lerobot.labware.vessel import Vessel
 from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver import LIQUID_HZ
@@ -22,6 +23,8 @@ from liquid_experiments import FRONTS, collapse, filled, move_to, surface, swirl
 
 DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = DOCS / "liquids"
+SEEDS = 3
+"""How often every fill height is measured."""
 
 type Texts = dict[str, str]
 
@@ -56,17 +59,23 @@ def heights() -> Texts:
         right = [vessel.profile.fill_height(ml * 1e-6) - bottom for ml in fine]
         (line,) = axes.plot(fine, np.multiply(right, 1e3), label=name)
         for ml in volumes:
-            _, _, liquid = filled(vessel, Filling(ml))
-            for _ in range(LIQUID_HZ):
-                liquid.step()
-            height = surface(liquid)[0] - bottom
+            found = [at_rest(vessel, ml, seed) for seed in range(SEEDS)]
+            height, left = np.mean(found, axis=0)
             off = height / (vessel.profile.fill_height(ml * 1e-6) - bottom) - 1
-            rows.append(f"| {name} | {ml} | {off:+.1%} | {speed(liquid) * 1e3:.0f} |")
+            rows.append(f"| {name} | {ml} | {off:+.1%} | {left * 1e3:.0f} |")
             axes.plot(ml, height * 1e3, "o", color=line.get_color())
     axes.set(xlabel="volume [ml]", ylabel="height over the bottom [mm]")
     axes.legend(title="lines: from the volume")
     save(figure, "heights")
     return {"heights": table("vessel | ml | height off by | speed [mm/s]", rows)}
+
+
+def at_rest(vessel: Vessel, ml: float, seed: int) -> tuple[float, float]:
+    """Return how high liquid stands over the bottom [m], and the speed left in it [m/s]."""
+    _, _, liquid = filled(vessel, Filling(ml), seed=seed)
+    for _ in range(liquid.hertz):
+        liquid.step()
+    return surface(liquid)[0] - vessel.profile.bottom, speed(liquid)
 
 
 def levels() -> Texts:
