@@ -185,7 +185,7 @@ def leaks() -> Texts:
     found = json.loads(file.read_text())
     text = "{crossings} crossings and {lost_particles} lost in {particle_steps:,} particle steps "
     text += "({episodes:,} episodes of 10 s); {left_through_the_mouth:,} left through the mouth. "
-    text += "The solver diverged in {diverged} episodes, which ended there."
+    text += "The solver diverged in {diverged} episodes."
     return {"leaks": text.format(**found)}
 
 
