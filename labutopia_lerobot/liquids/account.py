@@ -25,7 +25,7 @@ def whereabouts(
         edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
         for a in range(len(positions)):
             if places[a] < 0:
-                into(glass.origin[v], glass.rotation[v], positions[a], local)
+                into(glass.now, v, positions[a], local)
                 if holds(edges, inner[v], local[0], local[1], local[2]):
                     places[a] = v
     return places

@@ -9,74 +9,76 @@ from labutopia_lerobot.liquids.compilation import kernel
 from labutopia_lerobot.liquids.walls import distance_to_glass, stop_at_glass
 
 
+class Frames(NamedTuple):
+    """Where bodies are.
+
+    Attributes:
+        origin: Shape (bodies, 3), metres, world frame.
+        rotation: Axes as columns, world frame, shape (bodies, 3, 3).
+    """
+
+    origin: NDArray[np.float64]
+    rotation: NDArray[np.float64]
+
+
 class Glass(NamedTuple):
-    """The vessels: where they were, where they are, what they are made of.
+    """The vessels.
 
     Attributes:
         edges: Of all vessels, one after the other, shape (edges, 9) (see `walls`).
         starts: Index of the first edge of each vessel, shape (vessels + 1,).
         middle: Height of the middle of each vessel [m], shape (vessels,).
         radius: Of the ball around that, which holds the vessel [m], shape (vessels,).
-        old_origin: Shape (vessels, 3), metres, world frame.
-        old_rotation: Axes as columns, shape (vessels, 3, 3).
-        origin: As `old_origin`, at the end of the step.
-        rotation: As `old_rotation`, at the end of the step.
+        before: Where they were at the beginning of the step.
+        now: Where they are at its end.
     """
 
     edges: NDArray[np.float64]
     starts: NDArray[np.int64]
     middle: NDArray[np.float64]
     radius: NDArray[np.float64]
-    old_origin: NDArray[np.float64]
-    old_rotation: NDArray[np.float64]
-    origin: NDArray[np.float64]
-    rotation: NDArray[np.float64]
+    before: Frames
+    now: Frames
 
 
 class Shapes(NamedTuple):
-    """Everything else, in the same manner.
+    """Everything else.
 
     Attributes:
         kind: See `obstacles`, shape (shapes,).
         size: As MuJoCo's geom_size, shape (shapes, 3), metres.
-        old_origin: Shape (shapes, 3), metres, world frame.
-        old_rotation: Axes as columns, shape (shapes, 3, 3).
-        origin: As `old_origin`, at the end of the step.
-        rotation: As `old_rotation`, at the end of the step.
+        before: Where they were at the beginning of the step.
+        now: Where they are at its end.
     """
 
     kind: NDArray[np.int64]
     size: NDArray[np.float64]
-    old_origin: NDArray[np.float64]
-    old_rotation: NDArray[np.float64]
-    origin: NDArray[np.float64]
-    rotation: NDArray[np.float64]
+    before: Frames
+    now: Frames
 
 
 @kernel
 def into(
-    origin: NDArray[np.float64],
-    rotation: NDArray[np.float64],
-    point: NDArray[np.float64],
-    result: NDArray[np.float64],
+    frames: Frames, body: int, point: NDArray[np.float64], result: NDArray[np.float64]
 ) -> None:
-    """Express a point of the world in a frame; all shapes (3,) but the rotation's (3, 3)."""
-    x, y, z = point[0] - origin[0], point[1] - origin[1], point[2] - origin[2]
+    """Express a point of the world, shape (3,), in the frame of a body."""
+    origin, rotation = frames.origin, frames.rotation
+    x, y, z = point[0] - origin[body, 0], point[1] - origin[body, 1], point[2] - origin[body, 2]
     for k in range(3):
-        result[k] = rotation[0, k] * x + rotation[1, k] * y + rotation[2, k] * z
+        result[k] = rotation[body, 0, k] * x + rotation[body, 1, k] * y + rotation[body, 2, k] * z
 
 
 @kernel
 def out_of(
-    origin: NDArray[np.float64],
-    rotation: NDArray[np.float64],
-    point: NDArray[np.float64],
-    result: NDArray[np.float64],
+    frames: Frames, body: int, point: NDArray[np.float64], result: NDArray[np.float64]
 ) -> None:
-    """Express a point of a frame in the world."""
+    """Express a point in the frame of a body, shape (3,), in the world."""
+    origin, rotation = frames.origin, frames.rotation
     for k in range(3):
-        result[k] = origin[k] + (
-            rotation[k, 0] * point[0] + rotation[k, 1] * point[1] + rotation[k, 2] * point[2]
+        result[k] = origin[body, k] + (
+            rotation[body, k, 0] * point[0]
+            + rotation[body, k, 1] * point[1]
+            + rotation[body, k, 2] * point[2]
         )
 
 
@@ -102,8 +104,8 @@ def clearances(
         edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
         middle, radius = glass.middle[v], glass.radius[v]
         for a in range(len(start)):
-            into(glass.old_origin[v], glass.old_rotation[v], start[a], p)
-            into(glass.origin[v], glass.rotation[v], end[a], q)
+            into(glass.before, v, start[a], p)
+            into(glass.now, v, end[a], q)
             square = p[0] * p[0] + p[1] * p[1]
             away = np.sqrt(square + (p[2] - middle) ** 2) - radius
             far = np.sqrt((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2)
@@ -137,11 +139,11 @@ def stop_at_vessels(
         for a in range(len(start)):
             if clear[v, a] >= 0.0:
                 continue
-            into(glass.old_origin[v], glass.old_rotation[v], start[a], p)
-            into(glass.origin[v], glass.rotation[v], end[a], q)
+            into(glass.before, v, start[a], p)
+            into(glass.now, v, end[a], q)
             if stop_at_glass(edges, p, q):
                 moved[:] = end[a]
-                out_of(glass.origin[v], glass.rotation[v], q, end[a])
+                out_of(glass.now, v, q, end[a])
                 moved[:] = end[a] - moved
                 add_moment(impulse[v], end[a], moved)
                 clear[:, a] -= np.sqrt(np.sum(moved**2))

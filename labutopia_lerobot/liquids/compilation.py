@@ -21,8 +21,8 @@ def _forget_stale_kernels() -> None:
     if _DIGEST.exists() and _DIGEST.read_text() == digest:
         return
     try:
-        for index in _DIGEST.parent.glob("*.nbi"):
-            index.unlink(missing_ok=True)
+        for compiled in _DIGEST.parent.glob("*.nb[ic]"):
+            compiled.unlink(missing_ok=True)
         _DIGEST.parent.mkdir(exist_ok=True)
         _DIGEST.write_text(digest)
     except OSError:

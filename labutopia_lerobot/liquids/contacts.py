@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.bodies import Glass, Shapes, into
+from labutopia_lerobot.liquids.bodies import Frames, Glass, Shapes, into
 from labutopia_lerobot.liquids.compilation import kernel
 from labutopia_lerobot.liquids.obstacles import distance
 from labutopia_lerobot.liquids.walls import (
@@ -87,7 +87,7 @@ def find_contacts(
     chosen = 0
     local, scratch, count = np.empty(3), np.empty((3, 3)), 0
     for s in range(len(shapes.kind)):
-        into(shapes.origin[s], shapes.rotation[s], middle, local)
+        into(shapes.now, s, middle, local)
         far, _ = distance(shapes.kind[s], shapes.size[s], local[0], local[1], local[2])
         if far < around:
             candidates[chosen] = s
@@ -99,7 +99,7 @@ def find_contacts(
         for v in range(vessels):
             if clear[v, a] >= reach:
                 continue
-            into(glass.origin[v], glass.rotation[v], point, local)
+            into(glass.now, v, point, local)
             radius = np.sqrt(local[0] ** 2 + local[1] ** 2)
             ux, uy = (local[0] / radius, local[1] / radius) if radius > 0.0 else (1.0, 0.0)
             for e in range(glass.starts[v], glass.starts[v + 1]):
@@ -111,7 +111,7 @@ def find_contacts(
                 part = _extent(edges, e, edges[e, ALONG_R] * r + edges[e, ALONG_Z] * z, reach)
                 if part <= 0.0 or count == limit:
                     continue
-                _turn(glass.rotation[v], nr * ux, nr * uy, nz, normal[count])
+                _turn(glass.now, v, nr * ux, nr * uy, nz, normal[count])
                 if _another_is_nearer(clear, a, v, far) and _behind_glass(
                     glass, clear, a, v, normal[count], point, far, scratch
                 ):
@@ -121,13 +121,13 @@ def find_contacts(
                 count += 1
         for index in range(chosen):
             s = candidates[index]
-            into(shapes.origin[s], shapes.rotation[s], point, local)
+            into(shapes.now, s, point, local)
             far, (nx, ny, nz) = distance(
                 shapes.kind[s], shapes.size[s], local[0], local[1], local[2]
             )
             if far >= reach or count == limit:
                 continue
-            _turn(shapes.rotation[s], nx, ny, nz, normal[count])
+            _turn(shapes.now, s, nx, ny, nz, normal[count])
             if _another_is_nearer(clear, a, -1, far) and _behind_glass(
                 glass, clear, a, -1, normal[count], point, far, scratch
             ):
@@ -148,10 +148,12 @@ def find_contacts(
 
 @kernel
 def _turn(
-    rotation: NDArray[np.float64], x: float, y: float, z: float, result: NDArray[np.float64]
+    frames: Frames, body: int, x: float, y: float, z: float, result: NDArray[np.float64]
 ) -> None:
+    """Express a direction in the frame of a body in the world."""
+    rotation = frames.rotation
     for k in range(3):
-        result[k] = rotation[k, 0] * x + rotation[k, 1] * y + rotation[k, 2] * z
+        result[k] = rotation[body, k, 0] * x + rotation[body, k, 1] * y + rotation[body, k, 2] * z
 
 
 @kernel
@@ -187,8 +189,8 @@ def _behind_glass(
     for v in range(len(clear)):
         if v == owner or clear[v, a] >= far:
             continue
-        into(glass.origin[v], glass.rotation[v], point, start)
-        into(glass.origin[v], glass.rotation[v], foot, end)
+        into(glass.now, v, point, start)
+        into(glass.now, v, foot, end)
         if first_crossing(glass.edges[glass.starts[v] : glass.starts[v + 1]], start, end)[1] >= 0:
             return True
     return False

@@ -110,8 +110,8 @@ class Liquid:
                 continue
             index = self.vessels.index(vessel)
             local = lattice(vessel.profile, share, self._flow.spacing, rng)
-            glass = self._around.glass
-            heaps.append(glass.origin[index] + local @ glass.rotation[index].T)
+            origin, rotation = self._around.glass.now
+            heaps.append(origin[index] + local @ rotation[index].T)
         self._filled = dict(self._waiting)
         self._start(np.vstack(heaps))
         self._sources = frozenset(vessel.name for vessel in contents)

@@ -147,6 +147,7 @@ def advance(
         _LEAST_GAP * flow.spacing,
         flow.spacing,
     )
+    # What has been moved may be nearer to all glass by as much.
     clear -= np.sqrt(np.sum((ends - unpacked) ** 2, axis=1))
     stop_at_vessels(positions, ends, glass, clear, impulse)
     velocities[:] = (ends - positions) / dt
@@ -189,12 +190,12 @@ def _drag(
             part = 2.0 * contacts.extent[c] * look_up(BEHIND_WALL, distance / reach)
             rate = viscous
             if owner < vessels:
-                into(glass.origin[owner], glass.rotation[owner], positions[a], local)
-                out_of(glass.old_origin[owner], glass.old_rotation[owner], local, before)
+                into(glass.now, owner, positions[a], local)
+                out_of(glass.before, owner, local, before)
             else:
                 s = owner - vessels
-                into(shapes.origin[s], shapes.rotation[s], positions[a], local)
-                out_of(shapes.old_origin[s], shapes.old_rotation[s], local, before)
+                into(shapes.now, s, positions[a], local)
+                out_of(shapes.before, s, local, before)
                 rate = max(rate, _WETTING * dt)
                 if distance < flow.spacing:
                     on_surface[a] = True

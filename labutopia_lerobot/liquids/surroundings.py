@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.bodies import Glass, Shapes
+from labutopia_lerobot.liquids.bodies import Frames, Glass, Shapes
 from labutopia_lerobot.liquids.compilation import kernel
 from labutopia_lerobot.liquids.filling import Fillable
 from labutopia_lerobot.liquids.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
@@ -57,13 +57,13 @@ class Surroundings:
         """Read where the walls are now, and remember where they were."""
         data = self._data
         for walls in (self.glass, self.shapes):
-            walls.old_origin[:], walls.old_rotation[:] = walls.origin, walls.rotation
-        self.glass.origin[:] = data.xpos[self._vessels]
-        self.glass.rotation[:] = data.xmat[self._vessels].reshape(-1, 3, 3)
+            walls.before.origin[:], walls.before.rotation[:] = walls.now
+        self.glass.now.origin[:] = data.xpos[self._vessels]
+        self.glass.now.rotation[:] = data.xmat[self._vessels].reshape(-1, 3, 3)
         rotation = data.geom_xmat[self._geoms].reshape(-1, 3, 3)
         offset = np.einsum("sij,sj->si", rotation, self._centres)
-        self.shapes.origin[:] = data.geom_xpos[self._geoms] + offset
-        self.shapes.rotation[:] = rotation
+        self.shapes.now.origin[:] = data.geom_xpos[self._geoms] + offset
+        self.shapes.now.rotation[:] = rotation
 
     def push(self, wrench: FloatArray) -> None:
         """Apply forces until the next call, through MuJoCo's `xfrc_applied`.
@@ -101,8 +101,8 @@ def _glass(vessels: Sequence[Fillable]) -> Glass:
         np.cumsum([0, *(len(part) for part in edges)]),
         heights / 2,
         np.hypot(heights / 2, widest),
-        *_frames(len(vessels)),
-        *_frames(len(vessels)),
+        _frames(len(vessels)),
+        _frames(len(vessels)),
     )
 
 
@@ -110,8 +110,8 @@ def _shapes(model: mujoco.MjModel, geoms: NDArray[np.intp]) -> Shapes:
     kinds = [_KINDS.get(mujoco.mjtGeom(kind), BOX) for kind in model.geom_type[geoms]]
     boxed = np.isin(model.geom_type[geoms], [int(kind) for kind in _KINDS], invert=True)
     size = np.where(boxed[:, None], model.geom_aabb[geoms, 3:], model.geom_size[geoms])
-    return Shapes(np.array(kinds, dtype=np.int64), size, *_frames(len(geoms)), *_frames(len(geoms)))
+    return Shapes(np.array(kinds, dtype=np.int64), size, _frames(len(geoms)), _frames(len(geoms)))
 
 
-def _frames(count: int) -> tuple[FloatArray, FloatArray]:
-    return np.zeros((count, 3)), np.tile(np.eye(3), (count, 1, 1))
+def _frames(count: int) -> Frames:
+    return Frames(np.zeros((count, 3)), np.tile(np.eye(3), (count, 1, 1)))
