@@ -10,6 +10,7 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.evaluation.config import EvaluationConfig, require_known_options
 from labutopia_lerobot.evaluation.run import run
+from labutopia_lerobot.setting import as_lists
 
 ConfigStore.instance().store(name="evaluation", node=EvaluationConfig)
 
@@ -18,6 +19,7 @@ ConfigStore.instance().store(name="evaluation", node=EvaluationConfig)
 def main() -> None:
     """Evaluate what the command line asks for."""
     require_known_options(sys.argv[1:])
+    sys.argv[1:] = as_lists(sys.argv[1:])
     evaluate_composed()
 
 

@@ -3,7 +3,7 @@
 from importlib.metadata import version
 
 from labutopia_lerobot.gymnasium_ids import register_tasks
-from labutopia_lerobot.opengl import choose_backend
+from labutopia_lerobot.sim.opengl import choose_backend
 
 __version__ = version("lerobot_env_labutopia")
 

@@ -4,24 +4,25 @@ The environment's spaces, LeRobot's `EnvConfig.features` and the dataset's featu
 from what is here, so that keys, shapes and order cannot diverge. Imports neither mujoco nor torch.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.filling import Fillable
-from labutopia_lerobot.options import UnknownOptionError, require_choices
+from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.task import Task
+from labutopia_lerobot.world import FloatArray, World
 
 STATE_NAMES = (*(f"joint{number}" for number in range(1, 8)), "gripper")
 """Elements of state and action: seven joint angles [rad], distance between the pads [m]."""
 
-CAMERAS = ("front", "top", "wrist")
-"""Every camera of a scene: facing the robot, overhead, on the hand."""
-
-IMAGE_SIZE = 256
-"""Width and height of a picture by default [pixels] (paper, "Model Input And Output")."""
-
-OBSERVATION_KINDS = ("pixels", "state")
-"""`pixels`: cameras and `agent_pos`. `state`: `agent_pos` and privileged `environment_state`."""
+_LARGEST = 10.0
+"""No observed number is larger: angles [rad], positions in the room [m], cosines."""
 
 _POSE_NAMES = ("x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz")
 
@@ -56,42 +57,29 @@ ACTION = _numbers("action", STATE_NAMES)
 """What is commanded: absolute targets of the state."""
 
 
-def observation_features(
-    load_task: Callable[[], Task],
-    obs: str = "pixels",
-    cameras: Sequence[str] = CAMERAS,
-    width: int = IMAGE_SIZE,
-    height: int = IMAGE_SIZE,
-) -> dict[str, Feature]:
+def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dict[str, Feature]:
     """Declare what is observed.
 
     Args:
-        load_task: Returns the task; called for `obs="state"` only, since it may import mujoco.
-        obs: `pixels` or `state`.
-        cameras: Which cameras `obs="pixels"` has.
-        width: Width of the pictures [pixels].
-        height: Height of the pictures [pixels].
+        setting: What is played and observed.
+        load_task: Returns the canonical task; called for `obs="state"` only, since it may import
+            mujoco.
 
     Returns:
         The path in the environment's observation (`agent_pos`, `environment_state`,
         `pixels/<camera>`) -> the feature.
-
-    Raises:
-        UnknownOptionError: If `obs` or a camera is unknown, or no camera is named.
     """
-    require_choices("obs", [obs], OBSERVATION_KINDS)
-    require_choices("cameras", cameras, CAMERAS)
-    if not cameras:
-        raise UnknownOptionError(f"cameras names none. Choose from: {', '.join(CAMERAS)}")
     features = {"agent_pos": _numbers("observation.state", STATE_NAMES)}
-    if obs == "state":
+    if setting.obs == "state":
         names = environment_state_names(load_task())
         features["environment_state"] = _numbers("observation.environment_state", names)
         return features
     axes = ("height", "width", "channels")
-    for camera in cameras:
+    for camera in setting.cameras:
         key = f"observation.images.{camera}"
-        features[f"pixels/{camera}"] = Feature(key, "uint8", (height, width, 3), axes)
+        features[f"pixels/{camera}"] = Feature(
+            key, "uint8", (setting.height, setting.width, 3), axes
+        )
     return features
 
 
@@ -114,3 +102,42 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
             *([f"{piece.name}.fill"] if task.contents and isinstance(piece, Fillable) else []),
         )
     )
+
+
+def environment_state(task: Task, world: World) -> NDArray[np.float32]:
+    """Return the elements that `environment_state_names` names, shape (elements,)."""
+    to_base = world.robot_base.inverse()
+    parts: list[FloatArray] = []
+    for piece, region in task.start.items():
+        pose_b = to_base @ world.pose(piece)
+        joints = np.array([world.joint(name) for name in piece.joints])
+        shuffled = [(to_base @ world.frame(name)).position_w for name in region.shuffled]
+        parts += [pose_b.position_w, pose_b.x_axis, pose_b.y_axis, joints, *shuffled]
+        if world.liquid is not None and isinstance(piece, Fillable):
+            parts.append(np.array([piece.profile.depth(world.liquid.inside[piece.name])]))
+    state: NDArray[np.float32] = np.concatenate(parts).astype(np.float32)
+    return state
+
+
+def observation_space(features: Mapping[str, Feature]) -> spaces.Dict:
+    """Return the space of observations; pictures are a space of their own, `pixels`."""
+    boxes = {path: _box(feature) for path, feature in features.items()}
+    pictures = {
+        path.removeprefix("pixels/"): boxes.pop(path)
+        for path, feature in features.items()
+        if feature.is_picture
+    }
+    return spaces.Dict({**boxes, "pixels": spaces.Dict(pictures)} if pictures else boxes)
+
+
+def _box(feature: Feature) -> spaces.Space[Any]:
+    if feature.is_picture:
+        return spaces.Box(0, 255, feature.shape, np.uint8)
+    return spaces.Box(-_LARGEST, _LARGEST, feature.shape, np.float32)
+
+
+def action_space() -> spaces.Box[np.float32]:
+    """Return the space of actions: every element between its limits."""
+    low = np.array([*PANDA.joint_lower, 0.0], dtype=np.float32)
+    high = np.array([*PANDA.joint_upper, PANDA.gripper_max_opening], dtype=np.float32)
+    return spaces.Box(low, high, dtype=np.float32)

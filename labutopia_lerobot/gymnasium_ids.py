@@ -1,8 +1,14 @@
 """Gymnasium ids: `labutopia/level1-pick-v0` makes the task `level1/pick`."""
 
+from typing import TYPE_CHECKING, Any
+
 import gymnasium
 
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.setting import setting_from
+
+if TYPE_CHECKING:
+    from labutopia_lerobot.env import LabEnv
 
 
 def gymnasium_id(task_id: str) -> str:
@@ -13,6 +19,16 @@ def gymnasium_id(task_id: str) -> str:
 def register_tasks() -> None:
     """Register every task; what an environment needs is imported when the first is made."""
     for task_id in task_files():
-        gymnasium.register(
-            gymnasium_id(task_id), "labutopia_lerobot.env:LabEnv", kwargs={"task": task_id}
-        )
+        gymnasium.register(gymnasium_id(task_id), make_env, kwargs={"task": task_id})
+
+
+def make_env(render_mode: str = "rgb_array", **options: Any) -> "LabEnv":
+    """Return the environment of some options, which are the fields of `Setting`.
+
+    Raises:
+        UnknownOptionError: If there is no such option, or a value is impossible.
+        UnknownTaskError: If there is no such task.
+    """
+    from labutopia_lerobot.env import LabEnv  # here: it imports mujoco
+
+    return LabEnv(setting_from(options), render_mode)

@@ -19,23 +19,33 @@ CLEARANCE = 0.01
 _TRIES = 1000
 
 
-@dataclass(frozen=True)
-class Switch:
-    """A push-button that toggles a lamp each time it passes its travel.
+class Switch(Protocol):
+    """A push-button that toggles a lamp each time it passes its travel."""
 
-    Attributes:
-        name: What the world calls it.
-        button: Slide of the button; positive is in.
-        travel: Where it clicks [m].
-        lamp: Geom that is lit while it is on.
-        lit: Colour of the lit lamp.
-    """
+    @property
+    def name(self) -> str:
+        """What the world calls it."""
+        ...
 
-    name: str
-    button: str
-    travel: float
-    lamp: str
-    lit: tuple[float, float, float, float] = (1.0, 0.35, 0.1, 1.0)
+    @property
+    def button(self) -> str:
+        """Slide of the button; positive is in."""
+        ...
+
+    @property
+    def travel(self) -> float:
+        """Where it clicks [m]."""
+        ...
+
+    @property
+    def lamp(self) -> str:
+        """Geom that is lit while it is on."""
+        ...
+
+    @property
+    def lit(self) -> tuple[float, float, float, float]:
+        """Colour of the lit lamp."""
+        ...
 
 
 class Piece(Thing, Protocol):

@@ -1,8 +1,8 @@
 """`--env.type=labutopia` for LeRobot's programs. Imports mujoco only where it is needed."""
 
-from dataclasses import dataclass, field
+from dataclasses import asdict
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from draccus.utils import DecodingError
 from gymnasium.vector import VectorEnv
@@ -10,10 +10,19 @@ from lerobot.configs import FeatureType, PolicyFeature
 from lerobot.envs.configs import EnvConfig
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.features import ACTION, CAMERAS, IMAGE_SIZE, Feature, observation_features
-from labutopia_lerobot.options import LIQUID, SPLITS, UnknownOptionError, require_choices
-from labutopia_lerobot.registry import load_task, require_task, tasks_of_levels
+from labutopia_lerobot.features import ACTION, Feature, observation_features
+from labutopia_lerobot.registry import tasks_of_levels
+from labutopia_lerobot.setting import (
+    Setting,
+    UnknownOptionError,
+    require_choices,
+    setting_of,
+    with_setting,
+)
 from labutopia_lerobot.world import CONTROL_HZ
+
+if TYPE_CHECKING:
+    from labutopia_lerobot.task import Task
 
 
 class InvalidEnvError(UserError, DecodingError):
@@ -21,21 +30,16 @@ class InvalidEnvError(UserError, DecodingError):
 
 
 @EnvConfig.register_subclass("labutopia")
-@dataclass
+@with_setting
 class LabUtopiaEnvConfig(EnvConfig):
     """Which environments LeRobot plays; every field is a flag `--env.<field>`.
+
+    The fields of `Setting` are fields of this too.
 
     Attributes:
         task: A task id, a level such as `level1` for all of its tasks, or several of either,
             separated by commas.
         fps: Control rate, which cannot be changed.
-        obs: `pixels` or `state`.
-        split: `id` or `train`.
-        cameras: Which cameras `pixels` has.
-        width: Width of the pictures [pixels].
-        height: Height of the pictures [pixels].
-        tasks_dir: A further folder of tasks.
-        liquid: `on`, or `off` for empty vessels.
 
     `features` and `features_map` follow from these; what they are given is not used.
 
@@ -45,18 +49,9 @@ class LabUtopiaEnvConfig(EnvConfig):
 
     task: str | None = "level1/pick"
     fps: int = CONTROL_HZ
-    obs: str = "pixels"
-    split: str = "id"
-    cameras: list[str] = field(default_factory=lambda: list(CAMERAS))
-    width: int = IMAGE_SIZE
-    height: int = IMAGE_SIZE
-    tasks_dir: str | None = None
-    liquid: str = "on"
 
     def __post_init__(self) -> None:
         try:
-            require_choices("split", [self.split], SPLITS)
-            require_choices("liquid", [self.liquid], LIQUID)
             require_choices("fps", [self.fps], [CONTROL_HZ])
             observed = self._observed()
         except UserError as error:
@@ -71,34 +66,29 @@ class LabUtopiaEnvConfig(EnvConfig):
         self.features_map = {name: feature.key for name, feature in declared.items()}
 
     @property
-    def task_ids(self) -> list[str]:
-        """Ids of the tasks that `task` names.
+    def settings(self) -> list[Setting]:
+        """The setting of every task that `task` names.
 
         Raises:
+            UnknownOptionError: If a value is impossible.
             UnknownTaskError: If a task or level does not exist.
         """
+        tasks_dir: str | None = getattr(self, "tasks_dir", None)
         chosen: list[str] = []
         for word in (self.task or "").split(","):
             level = word.strip().removeprefix("level")
             if level.isdigit():
-                chosen += tasks_of_levels([int(level)], self.tasks_dir)
+                chosen += tasks_of_levels([int(level)], tasks_dir)
             else:
-                require_task(word.strip(), self.tasks_dir)
                 chosen.append(word.strip())
-        return list(dict.fromkeys(chosen))
+        return [setting_of(self, task=task) for task in dict.fromkeys(chosen)]
 
     @property
     def gym_kwargs(self) -> dict[str, Any]:
-        """Arguments of `LabEnv` beside the task."""
-        return {
-            "obs": self.obs,
-            "cameras": tuple(self.cameras),
-            "width": self.width,
-            "height": self.height,
-            "split": self.split,
-            "tasks_dir": self.tasks_dir,
-            "liquid": self.liquid,
-        }
+        """Arguments of `gymnasium.make` beside the task."""
+        options = asdict(self.settings[0])
+        del options["task"]
+        return options
 
     def create_envs(
         self, n_envs: int, use_async_envs: bool = False
@@ -108,30 +98,31 @@ class LabUtopiaEnvConfig(EnvConfig):
 
         asynchronous = use_async_envs and n_envs > 1
         suites: dict[str, dict[str, VectorEnv[Any, Any, Any]]] = {}
-        for task_id in self.task_ids:
-            level, name = task_id.split("/")
-            envs = LabVectorEnv(task_id, n_envs, asynchronous, **self.gym_kwargs)
+        for setting in self.settings:
+            level, name = setting.task.split("/")
+            envs = LabVectorEnv(setting, n_envs, asynchronous)
             suites.setdefault(level, {})[name] = envs
         return suites
 
     def _observed(self) -> dict[str, Feature]:
         """Declare what is observed, which must be the same in every task."""
+        settings = self.settings
         first, *others = (
-            observation_features(
-                partial(load_task, task_id, self.tasks_dir, self.liquid),
-                self.obs,
-                self.cameras,
-                self.width,
-                self.height,
-            )
-            for task_id in self.task_ids
+            observation_features(setting, partial(_canonical_task, setting)) for setting in settings
         )
         if any(other != first for other in others):
             raise UnknownOptionError(
-                f"obs={self.obs!r} differs between the tasks {', '.join(self.task_ids)}. "
+                f"obs={settings[0].obs!r} differs between the tasks "
+                f"{', '.join(setting.task for setting in settings)}. "
                 "Name one at a time, or use obs=pixels"
             )
         return first
+
+
+def _canonical_task(setting: Setting) -> "Task":
+    from labutopia_lerobot.scenario import canonical_task  # here: it imports mujoco
+
+    return canonical_task(setting)
 
 
 _TYPES = {

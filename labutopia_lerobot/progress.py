@@ -1,35 +1,77 @@
-"""The memory of an episode: latched sub-steps, the hold clock, the first breach."""
+"""The memory of an episode: latched milestones, the hold clock, the first breach."""
 
-from labutopia_lerobot.task import HOLD_S, INTERRUPTED, Substep, Task
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from labutopia_lerobot.predicates import Predicate
+from labutopia_lerobot.task import (
+    HOLD_S,
+    INTERRUPTED,
+    RUNNING,
+    SUCCESS,
+    TIMEOUT,
+    Milestone,
+    Step,
+    Task,
+)
 from labutopia_lerobot.world import CONTROL_HZ, World
 
-SUCCESS = "success"
-TIMEOUT = "timeout"
-DIVERGED = "diverged"
-RUNNING = "running"
+
+@dataclass
+class History:
+    """When a fact held in an episode.
+
+    Attributes:
+        first: Time at which it first held [s], or None.
+        last: Time at which it last held [s], or None.
+        times: How often it came to hold.
+        holds: Whether it holds now.
+    """
+
+    first: float | None = None
+    last: float | None = None
+    times: int = 0
+    holds: bool = False
+
+    def note(self, holds: bool, time: float) -> None:
+        """Take note of whether the fact holds at a time [s]."""
+        if holds:
+            self.first = time if self.first is None else self.first
+            self.last = time
+            self.times += not self.holds
+        self.holds = holds
 
 
 class Progress:
     """Judges one episode of a task; `update` is called once per control step.
 
+    Args:
+        task: What is judged.
+        after: Step behind which the episode begins: its milestones and those before have latched.
+
     Attributes:
-        facts: Every named predicate of the task, as of the last update.
-        substeps: Sub-step name -> time at which it latched [s], or None.
-        outcome: "running", "success", "timeout", "diverged", "interrupted" (a sub-step's `keeping`
-            broke), or the key of the breached `Task.never`.
-        ever: Whether the goal held at any instant after the last sub-step.
+        history: Every named predicate of the task, when it held.
+        milestones: Milestone -> time at which it latched [s], or None.
+        outcome: "running", "success", "timeout", "diverged", "interrupted" (a milestone's `keeping`
+            broke), or the key of the breached `never`.
+        ever: Whether the goal held at any instant after the last step.
+
+    Raises:
+        TaskError: If there is no step `after`.
     """
 
-    def __init__(self, task: Task) -> None:
+    def __init__(self, task: Task, after: str | None = None) -> None:
         self._task = task
         self._predicates = task.facts
         self._hold_steps = round(HOLD_S * CONTROL_HZ)
-        self.start()
-
-    def start(self) -> None:
-        """Forget the previous episode."""
-        self.facts: dict[str, bool] = dict.fromkeys(self._predicates, False)
-        self.substeps: dict[str, float | None] = {step.name: None for step in self._task.substeps}
+        self._course = [(step, milestone) for step in task.steps for milestone in step.milestones]
+        done = task.steps_until(after) if after is not None else ()
+        self._latched = sum(len(step.milestones) for step in done)
+        self.history = {name: History() for name in self._predicates}
+        self.milestones: dict[str, float | None] = {
+            milestone.name: 0.0 if index < self._latched else None
+            for index, (_, milestone) in enumerate(self._course)
+        }
         self.outcome = RUNNING
         self.ever = False
         self._passed = 0
@@ -37,9 +79,19 @@ class Progress:
         self._goal_since: int | None = None
 
     @property
+    def facts(self) -> dict[str, bool]:
+        """Every named predicate of the task, as of the last update."""
+        return {name: fact.holds for name, fact in self.history.items()}
+
+    @property
     def over(self) -> bool:
         """Whether the episode has ended."""
         return self.outcome != RUNNING
+
+    @property
+    def step(self) -> Step | None:
+        """The first step that is not done, or None behind the last."""
+        return self._course[self._latched][0] if self._latched < len(self._course) else None
 
     def end(self, outcome: str) -> None:
         """End the episode for a reason that no predicate sees."""
@@ -49,12 +101,11 @@ class Progress:
         """Judge the present world, one control step after the previous call."""
         if self.over:
             return
-        self.facts = {name: fact.holds(world) for name, fact in self._predicates.items()}
-        self._latch_substeps(world.time)
+        for name, fact in self._predicates.items():
+            self.history[name].note(bool(fact.holds(world)), world.time)
+        breach = next((name for name, fact in self._forbidden() if self._holds(fact)), None)
+        self._latch(world.time)
         self._clock_the_goal()
-        breach = next(
-            (name for name, fact in self._task.never.items() if self.facts[fact.name]), None
-        )
         if breach is not None:
             self.outcome = breach
         elif self.over:
@@ -65,29 +116,37 @@ class Progress:
             self.outcome = TIMEOUT
         self._steps += 1
 
-    def _latch_substeps(self, time: float) -> None:
-        for substep in self._task.substeps:
-            if self.substeps[substep.name] is not None:
-                continue
-            if not self._pass_through(substep):
+    def _holds(self, *facts: Predicate) -> bool:
+        return all(self.history[fact.name].holds for fact in facts)
+
+    def _forbidden(self) -> Iterator[tuple[str, Predicate]]:
+        """Yield what must not occur now: at any time, and in the step that is being done."""
+        yield from self._task.never.items()
+        if self.step is not None:
+            yield from self.step.never.items()
+
+    def _latch(self, time: float) -> None:
+        for _, milestone in self._course[self._latched :]:
+            if not self._pass_through(milestone):
                 return
-            self.substeps[substep.name] = time
+            self.milestones[milestone.name] = time
+            self._latched += 1
             self._passed = 0
 
-    def _pass_through(self, substep: Substep) -> bool:
-        """Advance along the sub-step's `via`; tell whether it latches now."""
-        begun = self._passed > 0
-        while self._passed < len(substep.via) and self.facts[substep.via[self._passed].name]:
+    def _pass_through(self, milestone: Milestone) -> bool:
+        """Advance along the course of a milestone; tell whether it latches now."""
+        course = milestone.via
+        while self._passed < len(course) and self._holds(course[self._passed]):
+            if not self._passed and not self._holds(*milestone.begins):
+                break
             self._passed += 1
-        if begun and not all(self.facts[fact.name] for fact in substep.keeping):
+        if self._passed and not self._holds(*milestone.keeping):
             self.outcome = INTERRUPTED
             return False
-        arrived = self._passed == len(substep.via)
-        return arrived and all(self.facts[fact.name] for fact in substep.when)
+        return self._passed == len(course) and self._holds(*milestone.when)
 
     def _clock_the_goal(self) -> None:
-        done = all(latched is not None for latched in self.substeps.values())
-        if done and all(self.facts[fact.name] for fact in self._task.goal):
+        if self.step is None and self._holds(*self._task.goal):
             self.ever = True
             self._goal_since = self._steps if self._goal_since is None else self._goal_since
         else:

@@ -12,8 +12,9 @@ package with such folders), and those that the user names with `tasks_dir`.
 import difflib
 import importlib.metadata
 import importlib.util
+import inspect
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -22,6 +23,7 @@ from typing import TYPE_CHECKING
 from labutopia_lerobot.errors import UserError
 
 if TYPE_CHECKING:
+    from labutopia_lerobot.scenario.draw import Draw
     from labutopia_lerobot.task import Task
 
 LEVELS = (1, 2, 3, 4, 5)
@@ -136,24 +138,28 @@ def require_task(task_id: str, tasks_dir: str | Path | None = None) -> Path:
     return files[task_id]
 
 
-def load_task(task_id: str, tasks_dir: str | Path | None = None, liquid: str = "on") -> "Task":
-    """Return the task with this id; with `liquid="off"`, its vessels are empty.
+@cache
+def task_function(task_id: str, tasks_dir: str | Path | None = None) -> "Callable[[Draw], Task]":
+    """Return the function that makes the task with this id of a draw.
+
+    A function without an argument, whose task is always the same, is called once.
 
     Raises:
-        UnknownTaskError: If there is none; the message lists the tasks and the nearest match.
+        UnknownTaskError: If there is no such task, or its file defines no such function.
     """
-    task = _build(task_id, require_task(task_id, tasks_dir))
-    return task if liquid == "on" else task.without_liquid()
-
-
-@cache
-def _build(task_id: str, path: Path) -> "Task":
-    from labutopia_lerobot.task import Task  # here: listing tasks must not import what they need
-
+    path = require_task(task_id, tasks_dir)
     function = getattr(_import(task_id, path), path.stem, None)
     if not callable(function):
         raise UnknownTaskError(f"{path} must define the function `{path.stem}() -> Task`")
-    task = function()
+    if inspect.signature(function).parameters:
+        return lambda draw: _require_task_value(function(draw), path)
+    task = _require_task_value(function(), path)
+    return lambda draw: task
+
+
+def _require_task_value(task: object, path: Path) -> "Task":
+    from labutopia_lerobot.task import Task  # here: listing tasks must not import what they need
+
     if not isinstance(task, Task):
         raise UnknownTaskError(f"`{path.stem}` in {path} returned {task!r}, which is no Task")
     return task

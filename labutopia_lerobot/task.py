@@ -1,11 +1,13 @@
-"""A task is a value: what stands where, what the expert does, what counts as success."""
+"""A task is a value: what stands where, what is done step by step, what counts as success."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields, replace
 
+from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.layout import Piece, Start
 from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import Predicate
+from labutopia_lerobot.predicates.predicate import same
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.views import VESSEL_VIEW, View
 from labutopia_lerobot.world import CONTROL_HZ
@@ -13,27 +15,82 @@ from labutopia_lerobot.world import CONTROL_HZ
 HOLD_S = 2.0
 """How long the goal must hold without a break (paper, "Evaluation Execution")."""
 
-
+RUNNING = "running"
+SUCCESS = "success"
+TIMEOUT = "timeout"
+DIVERGED = "diverged"
 INTERRUPTED = "interrupted"
-"""Outcome of an episode in which a sub-step's `keeping` broke."""
+"""Outcome of an episode in which a milestone's `keeping` broke."""
+
+_RESERVED = {RUNNING, SUCCESS, TIMEOUT, DIVERGED, INTERRUPTED}
+
+
+class TaskError(UserError, ValueError):
+    """A task that is written wrongly; the message names what is wrong and says the cure."""
 
 
 @dataclass(frozen=True)
-class Substep:
-    """A milestone: latched, in the order of the task, once all of `when` holds together.
+class Milestone:
+    """A moment on the way: latched, in the order of the task, once all of `when` holds together.
 
     Attributes:
         name: A participle; a column of the result tables.
         when: What must hold together at the moment of latching.
-        via: What must have held before, one after the other, since the previous sub-step.
+        via: What must have held before, one after the other, since the previous milestone.
+        begins: What must hold together for the first of `via` to count.
         keeping: What must not cease to hold from the first of `via` until the latch; if it does,
             the episode is over.
+
+    Raises:
+        TaskError: If anything is no tuple of predicates.
     """
 
     name: str
     when: tuple[Predicate, ...]
     via: tuple[Predicate, ...] = ()
+    begins: tuple[Predicate, ...] = ()
     keeping: tuple[Predicate, ...] = ()
+
+    def __post_init__(self) -> None:
+        for part in fields(self)[1:]:
+            _require_all(Predicate, getattr(self, part.name), f"`{part.name}` of '{self.name}'")
+
+    @property
+    def facts(self) -> tuple[Predicate, ...]:
+        """Every predicate of the milestone."""
+        return (*self.via, *self.begins, *self.keeping, *self.when)
+
+
+@dataclass(frozen=True)
+class Step:
+    """One action of the paper, such as its "Pick": done when its last milestone has latched.
+
+    Attributes:
+        name: A verb, such as `pick`.
+        skills: What the scripted expert plays.
+        milestones: What latches within it, in this order.
+        never: Outcome that ends the episode -> the fact that must not occur during this step.
+
+    Raises:
+        TaskError: If it has no milestone, or anything is of the wrong kind.
+    """
+
+    name: str
+    skills: tuple[Skill, ...]
+    milestones: tuple[Milestone, ...]
+    never: Mapping[str, Predicate] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        _require_all(Skill, self.skills, f"`skills` of step '{self.name}'")
+        _require_all(Milestone, self.milestones, f"`milestones` of step '{self.name}'")
+        _require_outcomes(self.never, f"step '{self.name}'")
+        if not self.milestones:
+            raise TaskError(f"Step '{self.name}' has no milestone: say what tells that it is done")
+
+    def named(self, name: str) -> "Step":
+        """Return the same step under another name, which its milestones bear before their own."""
+        milestones = (replace(m, name=f"{name}/{m.name}") for m in self.milestones)
+        return replace(self, name=name, milestones=tuple(milestones))
 
 
 @dataclass(frozen=True)
@@ -43,22 +100,24 @@ class Task:
     Attributes:
         instruction: The canonical instruction, the same string in dataset and environment.
         start: Where each thing stands at the start, as a distribution.
+        steps: What is done, in this order.
+        goal: What must hold together for `HOLD_S` after the last step.
+        never: Outcome that ends the episode -> the fact that must not occur at any time.
+        time_limit_s: Simulated time after which the episode is over [s].
         prelude: Skills that the expert has played when the episode starts, such as the pick
             before a pour (paper: "relies on Pick as a prerequisite").
-        expert: The skills that the scripted expert plays, in order.
-        substeps: Milestones on the way; they latch in this order.
-        goal: What must hold together for `HOLD_S` after the last sub-step.
-        never: Outcome that ends the episode -> the fact that must not occur.
-        time_limit_s: Simulated time after which the episode is over [s].
-        contents: What vessels hold; they are filled when the prelude is over.
+        contents: What vessels hold from the beginning.
         view: Where the two fixed cameras are.
         paraphrases: Other ways to say the instruction.
+
+    Raises:
+        TaskError: If two steps or two milestones share a name, two predicates share a name without
+            being the same, an outcome is reserved, or anything is of the wrong kind.
     """
 
     instruction: str
     start: Mapping[Piece, Start]
-    expert: tuple[Skill, ...]
-    substeps: tuple[Substep, ...]
+    steps: tuple[Step, ...]
     goal: tuple[Predicate, ...]
     never: Mapping[str, Predicate]
     time_limit_s: float
@@ -67,22 +126,88 @@ class Task:
     view: View = VESSEL_VIEW
     paraphrases: tuple[str, ...] = ()
 
+    def __post_init__(self) -> None:
+        _require_all(Step, self.steps, "`steps` of the task")
+        _require_all(Predicate, self.goal, "`goal` of the task")
+        _require_all(str, self.paraphrases, "`paraphrases` of the task")
+        _require_outcomes(self.never, "the task")
+        _require_unique("step", [step.name for step in self.steps])
+        _require_unique("milestone", [milestone.name for milestone in self.milestones])
+        _require_unique("thing", [piece.name for piece in self.start])
+        named: dict[str, Predicate] = {}
+        for fact in self._all_facts():
+            if not same(fact, named.setdefault(fact.name, fact)):
+                raise TaskError(
+                    f"Two different predicates are called '{fact.name}': judging goes by names, so "
+                    "put what tells them apart, such as a threshold, into the name"
+                )
+
+    @property
+    def milestones(self) -> tuple[Milestone, ...]:
+        """The milestones of all steps, in order."""
+        return tuple(milestone for step in self.steps for milestone in step.milestones)
+
+    @property
+    def skills(self) -> tuple[Skill, ...]:
+        """The skills of all steps, in order."""
+        return tuple(skill for step in self.steps for skill in step.skills)
+
     @property
     def max_steps(self) -> int:
         """Control steps of an episode at most."""
         return round(self.time_limit_s * CONTROL_HZ)
 
+    @property
+    def facts(self) -> dict[str, Predicate]:
+        """Every named predicate of the task, by name: milestones, goal, breaches."""
+        return {fact.name: fact for fact in self._all_facts()}
+
+    def steps_until(self, name: str) -> tuple[Step, ...]:
+        """Return the steps up to and with the one of this name.
+
+        Raises:
+            TaskError: If there is none; the message lists the steps.
+        """
+        names = [step.name for step in self.steps]
+        if name not in names:
+            raise TaskError(f"There is no step '{name}'. Steps of this task: {', '.join(names)}")
+        return self.steps[: names.index(name) + 1]
+
     def without_liquid(self) -> "Task":
         """Return the same task with empty vessels: what is poured or spilled is judged by tilts."""
         return replace(self, contents={})
 
-    @property
-    def facts(self) -> dict[str, Predicate]:
-        """Every named predicate of the task, by name: sub-steps, goal, breaches."""
-        milestones = [
-            predicate
-            for substep in self.substeps
-            for predicate in (*substep.via, *substep.keeping, *substep.when)
-        ]
-        everything = [*milestones, *self.goal, *self.never.values()]
-        return {predicate.name: predicate for predicate in everything}
+    def _all_facts(self) -> Iterable[Predicate]:
+        for step in self.steps:
+            for milestone in step.milestones:
+                yield from milestone.facts
+        yield from self.goal
+        yield from self.never.values()
+        for step in self.steps:
+            yield from step.never.values()
+
+
+def _require_all(kind: type, items: object, where: str) -> None:
+    """Make sure that something is a tuple of one kind of thing."""
+    if not isinstance(items, tuple):
+        cure = " (is a comma missing?)" if isinstance(items, kind) else ""
+        raise TaskError(f"{where} must be a tuple, not {items!r}{cure}")
+    for item in items:
+        if not isinstance(item, kind):
+            raise TaskError(f"{where} holds {item!r}, which is no {kind.__name__}")
+
+
+def _require_outcomes(never: Mapping[str, Predicate], where: str) -> None:
+    reserved = _RESERVED & never.keys()
+    if reserved:
+        raise TaskError(
+            f"`never` of {where} uses the reserved outcomes {', '.join(sorted(reserved))}: "
+            "call them otherwise"
+        )
+    _require_all(Predicate, tuple(never.values()), f"`never` of {where}")
+
+
+def _require_unique(kind: str, names: list[str]) -> None:
+    twice = {name for name in names if names.count(name) > 1}
+    if twice:
+        raise TaskError(f"Two {kind}s are called {', '.join(sorted(twice))}: name them apart")

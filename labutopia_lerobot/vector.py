@@ -16,6 +16,7 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import Info, LabEnv, Observation
+from labutopia_lerobot.setting import Setting
 
 type Flags = NDArray[np.bool_]
 type Actions = NDArray[np.float32]
@@ -62,22 +63,20 @@ class LabVectorEnv(VectorEnv[Observation, Actions, NDArray[Any]]):
     and after `close` it starts again when it is needed again: LeRobot plays one task after another.
 
     Args:
-        task: Task id, such as `level1/pick`.
+        setting: What is played and observed.
         num_envs: How many.
         asynchronous: Each in a worker process of its own, or one after another in this process.
-        **options: Further arguments of `LabEnv`.
 
     Raises:
-        UnknownOptionError: If an option is not one of its choices.
-        UnknownTaskError: If there is no such task.
+        UserError: If the task cannot be played in this setting.
     """
 
-    def __init__(self, task: str, num_envs: int, asynchronous: bool = True, **options: Any) -> None:
+    def __init__(self, setting: Setting, num_envs: int, asynchronous: bool = True) -> None:
         self.num_envs = num_envs
         self._asynchronous = asynchronous
-        self._make_member = partial(_make_member, task, **options)
+        self._make_member = partial(_make_member, setting)
         self._members: AsyncVectorEnv | SyncVectorEnv | None = None
-        example = LabEnv(task, **options)
+        example = LabEnv(setting)
         self.metadata = example.metadata | {"autoreset_mode": AutoresetMode.DISABLED}
         self.render_mode = example.render_mode
         self.single_observation_space = example.observation_space
@@ -130,11 +129,11 @@ class LabVectorEnv(VectorEnv[Observation, Actions, NDArray[Any]]):
         return self._members
 
 
-def _make_member(task: str, **options: Any) -> FreezeWhenOver:
+def _make_member(setting: Setting) -> FreezeWhenOver:
     if multiprocessing.parent_process() is not None:
         # One process per core draws faster than Mesa's threads, which would share the cores.
         os.environ.setdefault("LP_NUM_THREADS", "1")
-    return FreezeWhenOver(LabEnv(task, **options))
+    return FreezeWhenOver(LabEnv(setting))
 
 
 def _start_workers(makers: list[partial[FreezeWhenOver]]) -> AsyncVectorEnv:

@@ -19,7 +19,8 @@ from scipy.spatial.transform import Rotation
 from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, graduated_cylinder
 from labutopia_lerobot.labware.vessel import Vessel
 from labutopia_lerobot.liquids.filling import Filling
-from labutopia_lerobot.liquids.liquid import PARTICLES, Liquid
+from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.sim.scene import PHYSICS_HZ
 
 SECONDS = 10.0

@@ -11,9 +11,10 @@ from scipy.special import j1, jn_zeros
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.vessel import Vessel
 from labutopia_lerobot.liquids.filling import Filling
-from labutopia_lerobot.liquids.liquid import PARTICLES, Liquid
+from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver import GRAVITY, LIQUID_HZ
 from labutopia_lerobot.liquids.substance import SUBSTANCES
+from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.sim.scene import PHYSICS_HZ
 
 COLUMN = 2.25 * 0.0254

@@ -16,7 +16,9 @@ from PIL import Image
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.result import RESULT
 from labutopia_lerobot.layout import Inside
-from labutopia_lerobot.registry import is_beyond_paper, load_task, task_files
+from labutopia_lerobot.registry import is_beyond_paper, task_files
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import Setting
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -42,7 +44,7 @@ def main() -> None:
         picture = DOCS / "gallery" / f"{task_id.replace('/', '-')}.png"
         picture.parent.mkdir(parents=True, exist_ok=True)
         Image.fromarray(start_and_end(task_id)).quantize(256).save(picture, optimize=True)
-        task = load_task(task_id)
+        task = canonical_task(Setting(task_id))
         gallery += [f"## {task_id}", "", task.instruction, ""]
         gallery += [f"![{task_id}](gallery/{picture.name})", ""]
     Image.fromarray(pouring()).quantize(256).save(DOCS / "gallery" / "pouring.png", optimize=True)
@@ -58,20 +60,20 @@ def main() -> None:
 
 def pouring() -> NDArray[np.uint8]:
     """Return pictures of a pour when a third is in the target, all cameras side by side."""
-    env = LabEnv("level1/pour", width=384, height=384)
+    env = LabEnv(Setting("level1/pour", width=384, height=384))
     env.reset(seed=1)
     expert = env.expert()
     expert.start()
     while True:
         observation, *_ = env.step(expert.act())
-        liquid = env.world.liquid
+        liquid = env.workcell.world.liquid
         if liquid is not None and liquid.poured > liquid.total / 3:
             return np.hstack(list(observation["pixels"].values()))
 
 
 def start_and_end(task_id: str) -> NDArray[np.uint8]:
     """Return the first picture above the last, all cameras side by side."""
-    env = LabEnv(task_id)
+    env = LabEnv(Setting(task_id))
     observation, _ = env.reset(seed=0)
     first = np.hstack(list(observation["pixels"].values()))
     expert = env.expert()
@@ -95,7 +97,7 @@ def task_table(summaries: dict[str, dict[str, Any]]) -> list[str]:
         if is_beyond_paper(task_id) and not beyond:
             beyond = True
             lines.append("| *beyond the paper* | | | | |")
-        line, instruction = summaries.get(task_id), load_task(task_id).instruction
+        line, instruction = summaries.get(task_id), canonical_task(Setting(task_id)).instruction
         cells = ["not measured", "", ""]
         if line is not None:
             low, high = line["wilson95"]
@@ -122,7 +124,7 @@ def start_table() -> list[str]:
         "| --- | --- | --- | --- | --- |",
     ]
     for task_id in task_files():
-        for piece, region in load_task(task_id).start.items():
+        for piece, region in canonical_task(Setting(task_id)).start.items():
             if isinstance(region, Inside):
                 lines.append(f"| `{task_id}` | {piece.name} | in {region.holder.name} | | any |")
                 continue

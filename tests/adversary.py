@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
 
@@ -14,10 +15,17 @@ type Spoil = Callable[[Expert, NDArray[np.float32]], None]
 """Changes an action in place, knowing where the expert is."""
 
 
+def begun(task: str, **options: Any) -> LabEnv:
+    """Return an environment, without pictures, in which an episode has begun."""
+    env = LabEnv(Setting(task, obs="state", **options))
+    env.reset(seed=0)
+    return env
+
+
 def play(env: LabEnv, *skills: Skill, spoil: Spoil | None = None, seed: int = 5) -> dict[str, Any]:
     """Play skills from a reset, the task's own by default; return the last info."""
     env.reset(seed=seed)
-    expert = Expert(skills or env.definition.expert, env.world, env.motion)
+    expert = Expert(skills or env.workcell.task.skills, env.workcell.world, env.workcell.motion)
     expert.start()
     over = False
     while not over:

@@ -7,8 +7,8 @@ import sys
 from rich.console import Console
 from rich.table import Table
 
-from labutopia_lerobot.benchmark import all_tasks, measure
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.speed import all_tasks, measure
 from labutopia_lerobot.registry import require_task
 
 _TARGETS = {  # on two cores without a GPU

@@ -19,6 +19,7 @@ from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.setting import as_lists, option_help
 
 
 class OverrideError(UserError):
@@ -58,7 +59,7 @@ def parse(overrides: Sequence[str]) -> RecordingConfig:
     try:
         # The compose API makes neither an output folder nor a log file, as hydra.main would.
         with initialize(version_base=None, config_path=None):
-            composed = compose("record", list(overrides))
+            composed = compose("record", as_lists(overrides))
         if OmegaConf.is_missing(composed, "task"):
             raise OverrideError(f"Name a task, such as task=level1/pick: {', '.join(task_files())}")
         config = OmegaConf.to_object(composed)
@@ -70,11 +71,7 @@ def parse(overrides: Sequence[str]) -> RecordingConfig:
 
 
 def _help() -> str:
-    options = "\n".join(
-        f"  {line.strip()}"
-        for line in (RecordingConfig.__doc__ or "").partition("Attributes:")[2].splitlines()
-        if line.strip()
-    )
+    options = "\n".join(f"  {name}: {text}" for name, text in option_help(RecordingConfig).items())
     return f"Usage: labutopia-record task=level1/pick [name=value ...]\n\n{options}"
 
 

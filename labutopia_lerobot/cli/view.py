@@ -3,20 +3,20 @@
 import argparse
 import os
 import sys
-import time
 from pathlib import Path
 
-import mujoco.viewer
 import numpy as np
 from PIL import Image
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.setting_flags import add_setting_flags, setting_of_flags
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.options import LIQUID, SPLITS
-from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
-from labutopia_lerobot.video import write_video
-from labutopia_lerobot.world import CONTROL_HZ
+from labutopia_lerobot.runtime.video import require_filmable, write_video
+from labutopia_lerobot.sim.viewer import Viewer
+
+_SIZE = 512
+"""Width and height of a picture by default [pixels]: more than policies see."""
 
 
 @clear_errors
@@ -25,24 +25,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="labutopia-view", description=__doc__)
     parser.add_argument("task", help="task id, such as level1/pick")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--split", choices=SPLITS, default="id")
-    parser.add_argument("--tasks-dir", type=Path, help="a further folder of tasks")
-    parser.add_argument("--liquid", choices=LIQUID, default="on")
-    parser.add_argument("--size", type=int, default=512, help="picture size when headless [pixels]")
     parser.add_argument("--out", type=Path, default=Path(), help="folder for the files")
     parser.add_argument("--headless", action="store_true", help="write files even with a display")
+    add_setting_flags(parser, width=_SIZE, height=_SIZE)
     arguments = parser.parse_args()
-    size = arguments.size
     headless = arguments.headless or not _has_display()
-    env = LabEnv(
-        arguments.task,
-        obs="pixels" if headless else "state",
-        width=size,
-        height=size,
-        split=arguments.split,
-        tasks_dir=arguments.tasks_dir,
-        liquid=arguments.liquid,
-    )
+    obs = "pixels" if headless else "state"
+    setting = setting_of_flags(arguments, arguments.task, obs=obs)
+    require_filmable(setting.width, setting.height)
+    env = LabEnv(setting)
     if headless:
         _write_files(env, arguments.seed, arguments.out)
     else:
@@ -67,34 +58,35 @@ def _write_files(env: LabEnv, seed: int, folder: Path) -> None:
         frames.append(np.hstack(list(observation["pixels"].values())))
         over = terminated or truncated
     folder.mkdir(parents=True, exist_ok=True)
-    stem = folder / env.task_id.replace("/", "-")
+    stem = folder / env.setting.task.replace("/", "-")
     Image.fromarray(frames[0]).save(stem.with_suffix(".png"))
     write_video(stem.with_suffix(".mp4"), frames)
     Console().print(
-        f"{env.task_id}, seed {seed}: {info['outcome']}. Wrote {stem}.png and {stem}.mp4",
+        f"{env.setting.task}, seed {seed}: {info['outcome']}. Wrote {stem}.png and {stem}.mp4",
         soft_wrap=True,
     )
 
 
 def _open_viewer(env: LabEnv, seed: int) -> None:
     """Play episodes of the expert at real time until the window is closed."""
-    simulation = env.simulation
-    with mujoco.viewer.launch_passive(
-        simulation.scene.model, simulation.data, show_left_ui=False, show_right_ui=False
-    ) as viewer:
-        viewer.cam.lookat[:] = (0.2, 0.0, BENCH_HEIGHT + 0.15)
-        viewer.cam.distance, viewer.cam.azimuth, viewer.cam.elevation = 1.3, 150.0, -20.0
-        while viewer.is_running():
-            env.reset(seed=seed)
-            expert = env.expert()
-            expert.start()
-            over = False
-            while viewer.is_running() and not over:
-                began = time.monotonic()
-                _, _, terminated, truncated, _ = env.step(expert.act())
-                with viewer.lock():
-                    simulation.draw_particles(viewer.user_scn)
-                viewer.sync()
-                time.sleep(max(0.0, 1.0 / CONTROL_HZ - (time.monotonic() - began)))
-                over = terminated or truncated
-            seed += 1
+    running = True
+    while running:
+        env.reset(seed=seed)
+        cell = env.workcell
+        with Viewer(cell.simulation, cell.world.bench_height) as viewer:
+            while viewer.is_open and env.workcell is cell:
+                _play(env, viewer)
+                seed += 1
+                env.reset(seed=seed)
+            running = viewer.is_open
+
+
+def _play(env: LabEnv, viewer: Viewer) -> None:
+    """Show the expert's episode, unless the window is closed before its end."""
+    expert = env.expert()
+    expert.start()
+    over = False
+    while viewer.is_open and not over:
+        _, _, terminated, truncated, _ = env.step(expert.act())
+        viewer.show()
+        over = terminated or truncated

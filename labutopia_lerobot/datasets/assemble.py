@@ -21,10 +21,9 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.candidate import COLUMNS, HISTOGRAM, Candidate, candidate_folder
 from labutopia_lerobot.datasets.features import IMAGES, dataset_features
-from labutopia_lerobot.datasets.layout import OUTCOME, PHASES, RECORDING, SEED
+from labutopia_lerobot.datasets.layout import DRAWN, OUTCOME, PHASES, RECORDING, SEED
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
-from labutopia_lerobot.registry import load_task
-from labutopia_lerobot.video import (
+from labutopia_lerobot.runtime.video import (
     CODEC,
     KEYFRAME_INTERVAL,
     PIXEL_FORMAT,
@@ -51,13 +50,11 @@ class DatasetAssembler:
         disable_progress_bars()  # LeRobot maps every episode through `datasets`, one bar each
         av.logging.set_libav_level(av.logging.ERROR)  # LeRobot lets FFmpeg chat on the terminal
         self._config, self._work, self._root = config, work, root
-        self._task = load_task(config.task, config.tasks_dir, config.liquid)
+        self._setting = setting = config.setting
         self._meta = _AnnotatedMetadata.create(
             repo_id=config.repo_id,
             fps=CONTROL_HZ,
-            features=dataset_features(
-                self._task, config.obs, config.cameras, config.width, config.height
-            ),
+            features=dataset_features(setting),
             robot_type="panda",
             root=root,
             video_files_size_in_mb=_VIDEO_FILE_MB,
@@ -76,7 +73,7 @@ class DatasetAssembler:
             depth_encoder=None,
             encoder_threads=None,
             batch_encoding_size=1,
-            streaming_encoder=self._videos if config.obs == "pixels" else None,
+            streaming_encoder=self._videos if setting.obs == "pixels" else None,
         )
 
     def add(self, candidate: Candidate) -> None:
@@ -84,7 +81,7 @@ class DatasetAssembler:
         folder = candidate_folder(self._work, candidate.index)
         with np.load(folder / COLUMNS) as stored:
             columns = dict(stored)
-        cameras = self._config.cameras if self._config.obs == "pixels" else []
+        cameras = self._setting.cameras if self._setting.obs == "pixels" else ()
         self._videos.next_episode = {
             f"{IMAGES}{camera}": (
                 folder / f"{camera}.mp4",
@@ -96,6 +93,7 @@ class DatasetAssembler:
             SEED: candidate.seed,
             OUTCOME: candidate.outcome,
             PHASES: json.dumps(candidate.phases),
+            DRAWN: json.dumps(candidate.drawn),
         }
         frame_index = np.arange(candidate.frames)
         filled_by_lerobot = {"index", "task_index"}
@@ -106,7 +104,7 @@ class DatasetAssembler:
                 "frame_index": frame_index,
                 "timestamp": frame_index / CONTROL_HZ,
                 "episode_index": self._meta.total_episodes,
-                "task": [self._task.instruction] * candidate.frames,
+                "task": [candidate.instruction] * candidate.frames,
                 "size": candidate.frames,
             }
         )

@@ -15,10 +15,11 @@ import numpy as np
 from labutopia_lerobot.datasets.demonstration import Demonstration, Pictures, demonstrate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.progress import SUCCESS
+from labutopia_lerobot.runtime.video import VideoWriter
+from labutopia_lerobot.runtime.workers import become_worker
+from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
-from labutopia_lerobot.video import VideoWriter
-from labutopia_lerobot.worker_process import become_worker
+from labutopia_lerobot.task import SUCCESS
 
 SUMMARY = "candidate.json"
 COLUMNS = "columns.npz"
@@ -41,6 +42,8 @@ class Candidate:
         frames: Number of frames played.
         phases: Label of each phase of the expert and the frame in which it began.
         renderer: What drew the pictures, or None.
+        drawn: Axis -> what the episode drew on it.
+        instruction: What was to be done, as the episode says it.
     """
 
     index: int
@@ -50,6 +53,8 @@ class Candidate:
     frames: int
     phases: tuple[tuple[str, int], ...]
     renderer: str | None
+    drawn: dict[str, Value]
+    instruction: str
 
     @property
     def success(self) -> bool:
@@ -103,9 +108,9 @@ def _play_into(folder: Path, config: RecordingConfig, index: int) -> Candidate:
     with ExitStack() as stack:
         videos = {
             camera: stack.enter_context(
-                VideoWriter(folder / f"{camera}.mp4", config.width, config.height)
+                VideoWriter(folder / f"{camera}.mp4", env.setting.width, env.setting.height)
             )
-            for camera in (env.cameras if env.obs_kind == "pixels" else ())
+            for camera in (env.setting.cameras if env.setting.obs == "pixels" else ())
         }
 
         def film(pictures: Pictures) -> None:
@@ -126,7 +131,6 @@ def _play_into(folder: Path, config: RecordingConfig, index: int) -> Candidate:
 
 
 def _summary(env: LabEnv, seed: int, index: int, demonstration: Demonstration) -> Candidate:
-    pixels = env.obs_kind == "pixels"
     return Candidate(
         index=index,
         seed=seed,
@@ -134,5 +138,7 @@ def _summary(env: LabEnv, seed: int, index: int, demonstration: Demonstration) -
         cause=demonstration.cause,
         frames=demonstration.frames,
         phases=demonstration.phases,
-        renderer=opengl_renderer_name(env.renderer) if pixels else None,
+        renderer=opengl_renderer_name() if env.setting.obs == "pixels" else None,
+        drawn=demonstration.drawn,
+        instruction=env.task,
     )

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from labutopia_lerobot.datasets.features import state_keys
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import ACTION
-from labutopia_lerobot.progress import SUCCESS
+from labutopia_lerobot.scenario.draw import Value
+from labutopia_lerobot.task import SUCCESS
 
 Pictures = Mapping[str, NDArray[np.uint8]]
 """Camera -> picture, shape (height, width, 3)."""
@@ -25,12 +26,14 @@ class Demonstration:
         columns: Feature key -> values, shape (frames, elements), float32. Row k holds the
             observation before action k, and the action that acted.
         phases: Label of each phase of the expert and the frame in which it began.
+        drawn: Axis -> what the episode drew on it.
     """
 
     outcome: str
     cause: str | None
     columns: dict[str, NDArray[np.float32]]
     phases: tuple[tuple[str, int], ...]
+    drawn: dict[str, Value]
 
     @property
     def frames(self) -> int:
@@ -46,7 +49,7 @@ def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Dem
         seed: The episode to play.
         film: Gets the pictures of each frame with `obs="pixels"`.
     """
-    keys = state_keys(env.obs_kind)
+    keys = state_keys(env.setting.obs)
     rows: dict[str, list[NDArray[np.float32]]] = {key: [] for key in keys.values()}
     actions: list[NDArray[np.float32]] = []
     phases: list[tuple[str, int]] = []
@@ -62,7 +65,7 @@ def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Dem
             phases.append((expert.label, len(actions)))
         rows[keys["agent_pos"]].append(observation["agent_pos"])
         rows[keys["environment_state"]].append(env.environment_state())
-        if env.obs_kind == "pixels":
+        if env.setting.obs == "pixels":
             film(observation["pixels"])
         observation, _, terminated, truncated, info = env.step(action)
         actions.append(info["applied_action"])
@@ -74,4 +77,5 @@ def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Dem
         cause=None if outcome == SUCCESS else expert.failure or outcome,
         columns={key: np.array(values, dtype=np.float32) for key, values in rows.items()},
         phases=tuple(phases),
+        drawn=info["drawn"],
     )

@@ -1,6 +1,5 @@
 """The features of a dataset, made from the one declaration of what is observed and commanded."""
 
-from collections.abc import Sequence
 from typing import Any
 
 from labutopia_lerobot.features import (
@@ -9,7 +8,8 @@ from labutopia_lerobot.features import (
     environment_state_names,
     observation_features,
 )
-from labutopia_lerobot.task import Task
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import Setting
 
 PRIVILEGED_STATE = "privileged.environment_state"
 """Where `environment_state` lives beside pictures: LeRobot would feed its usual key to policies."""
@@ -18,21 +18,11 @@ IMAGES = "observation.images."
 """Prefix of the keys of pictures; the camera follows."""
 
 
-def dataset_features(
-    task: Task, obs: str, cameras: Sequence[str], width: int, height: int
-) -> dict[str, dict[str, Any]]:
-    """Return LeRobot's declaration of a dataset: key -> dtype, shape and names.
-
-    Args:
-        task: What is demonstrated.
-        obs: `pixels` or `state`.
-        cameras: Which cameras `obs="pixels"` has.
-        width: Width of the pictures [pixels].
-        height: Height of the pictures [pixels].
-    """
-    observed = observation_features(lambda: task, obs, cameras, width, height)
-    features = [*observed.values(), ACTION]
-    if obs == "pixels":
+def dataset_features(setting: Setting) -> dict[str, dict[str, Any]]:
+    """Return LeRobot's declaration of a dataset: key -> dtype, shape and names."""
+    task = canonical_task(setting)
+    features = [*observation_features(setting, lambda: task).values(), ACTION]
+    if setting.obs == "pixels":
         names = environment_state_names(task)
         features.append(Feature(PRIVILEGED_STATE, "float32", (len(names),), names))
     return {

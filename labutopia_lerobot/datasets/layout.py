@@ -24,7 +24,9 @@ STATISTICS = "meta/stats.json"
 SEED = "labutopia/seed"
 OUTCOME = "labutopia/outcome"
 PHASES = "labutopia/phases"
-"""Columns of the episode table: seed, outcome, JSON of [label, first frame] of each phase."""
+DRAWN = "labutopia/drawn"
+"""Columns of the episode table: seed, outcome, JSON of [label, first frame] of each phase, JSON of
+axis -> what the episode drew on it."""
 
 
 class DamagedDatasetError(UserError):

@@ -1,8 +1,9 @@
 """Replaying a recording: same seeds, same actions; are the states the same, bit for bit?"""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +20,8 @@ from labutopia_lerobot.datasets.layout import (
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.features import ACTION
-from labutopia_lerobot.progress import SUCCESS
+from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.task import SUCCESS
 
 
 class ForeignDatasetError(UserError):
@@ -59,13 +61,7 @@ def replay(root: Path, episodes: int | None = None) -> Iterator[Replay]:
     if not (root / RECORDING).exists():
         raise ForeignDatasetError(f"{root} has no {RECORDING}: labutopia-record did not make it")
     config = read_json(root, RECORDING)["config"]
-    env = LabEnv(
-        config["task"],
-        obs="state",
-        split=config["split"],
-        tasks_dir=config["tasks_dir"],
-        liquid=config["liquid"],
-    )
+    env = LabEnv(recorded_setting(config, obs="state"))
     table = read_frames(root)
     actions = column(table, ACTION.key)
     keys = state_keys(config["obs"])
@@ -78,6 +74,19 @@ def replay(root: Path, episodes: int | None = None) -> Iterator[Replay]:
         if first is None and len(seen) < row["length"]:
             first = len(seen)
         yield Replay(row["episode_index"], row[SEED], outcome, first)
+
+
+def recorded_setting(config: Mapping[str, Any], **chosen: Any) -> Setting:
+    """Return the setting that a dataset was recorded in; options that were not there are defaults.
+
+    Args:
+        config: Options of the recording.
+        **chosen: Fields that take other values.
+    """
+    known = {
+        option.name: config[option.name] for option in fields(Setting) if option.name in config
+    }
+    return Setting(**(known | chosen))
 
 
 def _play(

@@ -21,8 +21,8 @@ from labutopia_lerobot.datasets.layout import (
     read_frames,
     read_json,
 )
-from labutopia_lerobot.progress import SUCCESS
-from labutopia_lerobot.video import video_size_and_frames
+from labutopia_lerobot.runtime.video import video_size_and_frames
+from labutopia_lerobot.task import SUCCESS
 
 _FORMAT = "v3.0"
 

@@ -4,7 +4,7 @@ Reads only the JSON beside the weights, so that a mistake is told before torch i
 """
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -12,12 +12,11 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.policies import Policy
 from labutopia_lerobot.features import (
     ACTION,
-    CAMERAS,
-    IMAGE_SIZE,
     STATE_NAMES,
     environment_state_names,
 )
-from labutopia_lerobot.registry import load_task
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import CAMERAS, IMAGE_SIZE, Setting
 
 _CONFIG = "config.json"
 _PREPROCESSOR = "policy_preprocessor.json"
@@ -41,18 +40,12 @@ class Checkpoint:
     Attributes:
         folder: LeRobot's `pretrained_model` folder.
         device: Device of torch, or None for CUDA where there is one.
-        obs: `pixels` or `state`.
-        cameras: Which cameras it looks through.
-        width: Width of its pictures [pixels].
-        height: Height of its pictures [pixels].
+        setting: What it plays and observes.
     """
 
     folder: Path
     device: str | None
-    obs: str
-    cameras: tuple[str, ...]
-    width: int
-    height: int
+    setting: Setting
 
     def __call__(self) -> Policy:
         """Load the policy."""
@@ -63,13 +56,7 @@ class Checkpoint:
 
 
 def open_checkpoint(
-    path: Path,
-    policy: str,
-    task_id: str,
-    obs: str | None = None,
-    device: str | None = None,
-    tasks_dir: str | None = None,
-    liquid: str = "on",
+    path: Path, policy: str, setting: Setting, obs: str | None = None, device: str | None = None
 ) -> Checkpoint:
     """Find the checkpoint for a task and make sure that it can play it.
 
@@ -77,16 +64,14 @@ def open_checkpoint(
         path: A `pretrained_model` folder, an `output_dir` of `lerobot-train`, or a folder that
             holds either of them per task, such as `level1/pick`.
         policy: LeRobot's name of the policy, such as `act`.
-        task_id: The task to play.
+        setting: What to play; observed is what the checkpoint was trained on.
         obs: What it must have been trained on, `pixels` or `state`, or None for either.
         device: Device of torch, or None for CUDA where there is one.
-        tasks_dir: A further folder of tasks.
-        liquid: `on` or `off`; the privileged state tells how full vessels are where it is on.
 
     Raises:
         CheckpointError: If there is none, or it cannot play the task.
     """
-    folder = _find(path, policy, task_id, obs)
+    folder = _find(path, policy, setting.task, obs)
     _require_files(folder)
     config = _read(folder / _CONFIG)
     _require_type(folder, config, policy)
@@ -100,9 +85,9 @@ def open_checkpoint(
     pictures = {key: shape for key, shape in inputs.items() if key.startswith(_IMAGES)}
     _require_obs(folder, "pixels" if pictures else "state", obs)
     if not pictures:
-        names = environment_state_names(load_task(task_id, tasks_dir, liquid))
+        names = environment_state_names(canonical_task(setting))
         _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
-        return Checkpoint(folder, device, "state", CAMERAS, IMAGE_SIZE, IMAGE_SIZE)
+        return Checkpoint(folder, device, replace(setting, obs="state"))
     if _PRIVILEGED in inputs:
         raise CheckpointError(
             f"{folder} wants both pictures and {_PRIVILEGED}, but obs=pixels and obs=state offer "
@@ -110,7 +95,8 @@ def open_checkpoint(
         )
     cameras = _cameras(folder, pictures)
     height, width = (IMAGE_SIZE, IMAGE_SIZE) if adapts else _picture_size(folder, pictures)
-    return Checkpoint(folder, device, "pixels", cameras, width, height)
+    seen = replace(setting, obs="pixels", cameras=cameras, width=width, height=height)
+    return Checkpoint(folder, device, seen)
 
 
 def _find(path: Path, policy: str, task_id: str, obs: str | None) -> Path:

@@ -9,9 +9,8 @@ from typing import Any
 from omegaconf import MISSING
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.features import OBSERVATION_KINDS
-from labutopia_lerobot.options import LIQUID, SPLITS, require_choices
 from labutopia_lerobot.registry import choose_tasks, levels_with_tasks
+from labutopia_lerobot.setting import SPLITS, require_choices, with_setting
 
 
 class EvaluationOptionError(UserError, ValueError):
@@ -33,22 +32,20 @@ class PolicyConfig:
     device: str | None = None
 
 
-@dataclass
+@with_setting
 class EvaluationConfig:
-    """Options of an evaluation.
+    """Options of an evaluation; the fields of `Setting` are options too.
 
     Attributes:
         policy: Which policy plays.
         task: Task id, or the bare name of a task of the level.
         level: 1 to 5, a list of these, or `all`.
-        split: `id`, `train`, or a list.
+        split: `id`, `train`, `ood`, or a list.
         episodes: Episodes per task and split.
         seed: Episode i resets with `seed + i`; training seeds begin at 0.
         obs: `pixels` or `state`; what the checkpoint was trained on, or else `state`, when null.
         workers: Processes that play; the result does not depend on it.
         videos: How many successes and how many failures to film, per task and split.
-        tasks_dir: A further folder of tasks.
-        liquid: `on`, or `off` for empty vessels: pouring and spilling are then judged by tilts.
         out: Folder of the result.
     """
 
@@ -61,8 +58,6 @@ class EvaluationConfig:
     obs: str | None = None
     workers: int = field(default_factory=lambda: len(os.sched_getaffinity(0)))
     videos: int = 2
-    tasks_dir: str | None = None
-    liquid: str = "on"
     out: str = MISSING
 
     @property
@@ -72,7 +67,7 @@ class EvaluationConfig:
         Raises:
             UnknownTaskError: If none is named, or one that does not exist.
         """
-        return choose_tasks(self.task, self._levels, self.tasks_dir)
+        return choose_tasks(self.task, self._levels, getattr(self, "tasks_dir", None))
 
     @property
     def splits(self) -> list[str]:
@@ -92,16 +87,13 @@ class EvaluationConfig:
                     f"{name}={getattr(self, name)} is too small: {name} is at least {least}"
                 )
         require_choices("split", self.splits, SPLITS)
-        require_choices("liquid", [self.liquid], LIQUID)
-        if self.obs is not None:
-            require_choices("obs", [self.obs], OBSERVATION_KINDS)
 
     @property
     def _levels(self) -> list[int] | None:
         if self.level is None:
             return None
         if self.level == "all":
-            return levels_with_tasks(self.tasks_dir)
+            return levels_with_tasks(getattr(self, "tasks_dir", None))
         return list(dict.fromkeys(_listed(self.level)))
 
 
@@ -118,7 +110,7 @@ def require_known_options(arguments: Sequence[str]) -> None:
     options += [f"policy.{option.name}" for option in fields(PolicyConfig)]
     for argument in arguments:
         name, equals, _ = argument.partition("=")
-        if equals and name[0].isalpha() and name not in options and not name.startswith("hydra"):
+        if equals and name[:1].isalpha() and name not in options and not name.startswith("hydra"):
             near = difflib.get_close_matches(name, options, n=1)
             hint = f" Did you mean '{near[0]}='?" if near else ""
             raise EvaluationOptionError(

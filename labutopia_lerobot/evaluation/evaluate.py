@@ -6,8 +6,10 @@ from pathlib import Path
 from labutopia_lerobot.evaluation.checkpoint import open_checkpoint
 from labutopia_lerobot.evaluation.config import EvaluationConfig, EvaluationOptionError
 from labutopia_lerobot.evaluation.policies import REFERENCE_POLICIES
-from labutopia_lerobot.evaluation.processes import in_processes
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
+from labutopia_lerobot.runtime.workers import in_processes
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import setting_of
 
 
 def make_pairings(config: EvaluationConfig) -> list[Pairing]:
@@ -43,35 +45,14 @@ def in_order(episodes: Sequence[Episode], pairings: Sequence[Pairing]) -> list[E
 
 def _pairing(config: EvaluationConfig, task: str, split: str) -> Pairing:
     policy = config.policy
-    if policy.name in REFERENCE_POLICIES:
-        if policy.path is not None or policy.device is not None:
-            raise EvaluationOptionError(
-                f"policy={policy.name} takes neither policy.path nor policy.device"
-            )
-        maker = REFERENCE_POLICIES[policy.name]
-        obs = config.obs or "state"
-        return Pairing(
-            task,
-            split,
-            policy.name,
-            maker,
-            obs,
-            tasks_dir=config.tasks_dir,
-            liquid=config.liquid,
+    setting = setting_of(config, task=task, split=split, obs=config.obs or "state")
+    if policy.name not in REFERENCE_POLICIES:
+        path = Path(policy.path or f"outputs/train/{policy.name}")
+        checkpoint = open_checkpoint(path, policy.name, setting, config.obs, policy.device)
+        return Pairing(checkpoint.setting, policy.name, checkpoint)
+    if policy.path is not None or policy.device is not None:
+        raise EvaluationOptionError(
+            f"policy={policy.name} takes neither policy.path nor policy.device"
         )
-    path = Path(policy.path or f"outputs/train/{policy.name}")
-    checkpoint = open_checkpoint(
-        path, policy.name, task, config.obs, policy.device, config.tasks_dir, config.liquid
-    )
-    return Pairing(
-        task,
-        split,
-        policy.name,
-        checkpoint,
-        checkpoint.obs,
-        checkpoint.cameras,
-        checkpoint.width,
-        checkpoint.height,
-        config.tasks_dir,
-        config.liquid,
-    )
+    canonical_task(setting)  # so that impossible axes are told at once
+    return Pairing(setting, policy.name, REFERENCE_POLICIES[policy.name])

@@ -1,26 +1,28 @@
 """Films of the first successes and the first failures of each task and split."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import groupby, islice
 from pathlib import Path
+from typing import Any
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing
-from labutopia_lerobot.sim.renderer import NoOpenGLError
-from labutopia_lerobot.video import write_video
+from labutopia_lerobot.runtime.video import write_video
+from labutopia_lerobot.setting import IMAGE_SIZE
+from labutopia_lerobot.sim.renderer import NoOpenGLError, require_opengl
 
 _CAMERA = "front"
 
 
-def require_camera(pairing: Pairing) -> None:
+def require_camera() -> None:
     """Make sure, before hours of playing, that films can be drawn.
 
     Raises:
         NoOpenGLError: If there is no OpenGL.
     """
-    env = _env(pairing)
     try:
-        env.renderer.close()
+        require_opengl()
     except NoOpenGLError as error:
         raise NoOpenGLError(f"{error}\nvideos=0 films nothing and needs no OpenGL.") from None
 
@@ -68,13 +70,8 @@ def film(episode: Episode, file: Path) -> None:
 
 
 def _env(pairing: Pairing) -> LabEnv:
-    return LabEnv(
-        pairing.task,
-        cameras=(_CAMERA,),
-        split=pairing.split,
-        tasks_dir=pairing.tasks_dir,
-        liquid=pairing.liquid,
-    )
+    size: dict[str, Any] = {"width": IMAGE_SIZE, "height": IMAGE_SIZE}
+    return LabEnv(replace(pairing.setting, obs="pixels", cameras=(_CAMERA,), **size))
 
 
 def _name(episode: Episode) -> str:

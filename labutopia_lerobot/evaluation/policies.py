@@ -51,7 +51,7 @@ class StillPolicy:
 
     def start(self, env: LabEnv, seed: int) -> None:
         """Remember the command in force."""
-        self._command = env.simulation.command.astype(np.float32)
+        self._command = env.workcell.simulation.command.astype(np.float32)
 
     def act(self, observation: Observation) -> Action:
         """Return that command."""
@@ -73,7 +73,7 @@ class RandomPolicy:
         self._high = np.array([*PANDA.joint_upper, PANDA.gripper_max_opening])
         speed = np.array([*PANDA.joint_velocity_limits, PANDA.gripper_max_speed])
         self._reach = speed / CONTROL_HZ
-        self._command = env.simulation.command.copy()
+        self._command = env.workcell.simulation.command.copy()
         self._target = self._rng.uniform(self._low, self._high)
 
     def act(self, observation: Observation) -> Action:

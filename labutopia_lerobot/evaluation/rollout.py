@@ -1,16 +1,18 @@
 """Playing one episode."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import Info, LabEnv
 from labutopia_lerobot.evaluation.policies import Policy, PolicyMaker
-from labutopia_lerobot.features import CAMERAS, IMAGE_SIZE
-from labutopia_lerobot.registry import load_task
+from labutopia_lerobot.progress import History
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenario.draw import Value
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -20,44 +22,17 @@ PLAY = "single"
 
 @dataclass(frozen=True)
 class Pairing:
-    """One policy in one task and split: whatever an episode depends on beside its seed.
+    """One policy in one setting: whatever an episode depends on beside its seed.
 
     Attributes:
-        task: Task id, such as `level1/pick`.
-        split: `train` or `id`.
+        setting: What is played and observed.
         policy: What the policy is called.
         make_policy: Makes it.
-        obs: `pixels` or `state`.
-        cameras: Which cameras `pixels` has.
-        width: Width of the pictures [pixels].
-        height: Height of the pictures [pixels].
-        tasks_dir: A further folder of tasks.
-        liquid: `on`, or `off` for empty vessels.
     """
 
-    task: str
-    split: str
+    setting: Setting
     policy: str
     make_policy: PolicyMaker
-    obs: str = "state"
-    cameras: tuple[str, ...] = CAMERAS
-    width: int = IMAGE_SIZE
-    height: int = IMAGE_SIZE
-    tasks_dir: str | None = None
-    liquid: str = "on"
-
-    def make_env(self) -> LabEnv:
-        """Return the environment that the policy plays in; nothing is compiled yet."""
-        return LabEnv(
-            self.task,
-            self.obs,
-            self.cameras,
-            self.width,
-            self.height,
-            self.split,
-            self.tasks_dir,
-            self.liquid,
-        )
 
 
 @dataclass(frozen=True)
@@ -66,7 +41,9 @@ class Row:
 
     Attributes:
         task: Task id.
-        split: `train` or `id`.
+        split: `train`, `id` or `ood`.
+        axes: Axes that were to vary, or with `ood` to be shifted, beside the task's own.
+        drawn: Axis -> what the episode drew on it.
         policy: What the policy is called.
         play: How the sequence was played.
         obs: `pixels` or `state`.
@@ -78,6 +55,7 @@ class Row:
         seconds: The same in simulated time [s].
         substeps: Sub-step -> time at which it latched [s], or None.
         facts: Every predicate of the task, as it was at the end.
+        history: Predicate -> when it first and last held [s], and how often it came to hold.
         liquid: `on` or `off`; None for a task whose vessels are empty anyway.
         ml_poured: Liquid at the end in other vessels than at the start [ml]; None without liquid.
         ml_spilled: Liquid on the bench, or on something else that is no vessel [ml].
@@ -88,6 +66,8 @@ class Row:
 
     task: str
     split: str
+    axes: list[str]
+    drawn: dict[str, Value]
     policy: str
     play: str
     obs: str
@@ -99,6 +79,7 @@ class Row:
     seconds: float
     substeps: dict[str, float | None]
     facts: dict[str, bool]
+    history: dict[str, dict[str, float | int | None]]
     liquid: str | None
     ml_poured: float | None
     ml_spilled: float | None
@@ -138,26 +119,31 @@ def play(pairing: Pairing, seed: int) -> Episode:
         over = terminated or truncated
     return Episode(
         pairing,
-        _row(pairing, seed, len(actions), info),
+        _row(pairing, seed, len(actions), info, env.workcell.progress.history),
         np.array(actions, dtype=np.float32),
-        opengl_renderer_name(env.renderer) if pairing.obs == "pixels" else None,
+        opengl_renderer_name() if pairing.setting.obs == "pixels" else None,
     )
 
 
 @lru_cache(maxsize=1)
 def _prepare(pairing: Pairing) -> tuple[LabEnv, Policy]:
     """Compile the scene and load the policy once per process, not once per episode."""
-    return pairing.make_env(), pairing.make_policy()
+    return LabEnv(pairing.setting), pairing.make_policy()
 
 
-def _row(pairing: Pairing, seed: int, steps: int, info: Info) -> Row:
-    latched: dict[str, Any] = info["substeps"]
+def _row(
+    pairing: Pairing, seed: int, steps: int, info: Info, history: Mapping[str, History]
+) -> Row:
+    setting, latched = pairing.setting, info["substeps"]
+    filled = canonical_task(replace(setting, liquid="on")).contents
     return Row(
-        task=pairing.task,
-        split=pairing.split,
+        task=setting.task,
+        split=setting.split,
+        axes=list(setting.axes),
+        drawn=info["drawn"],
         policy=pairing.policy,
         play=PLAY,
-        obs=pairing.obs,
+        obs=setting.obs,
         seed=seed,
         success=info["is_success"],
         ever_success=info["ever_success"],
@@ -165,17 +151,24 @@ def _row(pairing: Pairing, seed: int, steps: int, info: Info) -> Row:
         steps=steps,
         seconds=round(steps / CONTROL_HZ, 3),
         substeps={
-            name: round(float(time), 3) if np.isfinite(time) else None
-            for name, time in latched.items()
+            name: _time(time if np.isfinite(time) else None) for name, time in latched.items()
         },
         facts=info["facts"],
-        liquid=pairing.liquid if load_task(pairing.task, pairing.tasks_dir).contents else None,
+        history={
+            name: {"first": _time(fact.first), "last": _time(fact.last), "times": fact.times}
+            for name, fact in history.items()
+        },
+        liquid=setting.liquid if filled else None,
         ml_poured=_millilitres(info.get("ml_poured")),
         ml_spilled=_millilitres(info.get("ml_spilled")),
         ml_retained=_millilitres(info.get("ml_retained")),
         clipped_actions=info["clipped_actions"],
         nonfinite_actions=info["nonfinite_actions"],
     )
+
+
+def _time(seconds: float | None) -> float | None:
+    return None if seconds is None else round(float(seconds), 3)
 
 
 def _millilitres(volume: float | None) -> float | None:

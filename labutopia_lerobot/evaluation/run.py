@@ -10,11 +10,11 @@ from rich.progress import track
 from labutopia_lerobot.evaluation.config import EvaluationConfig
 from labutopia_lerobot.evaluation.evaluate import evaluate, in_order, make_pairings
 from labutopia_lerobot.evaluation.films import choose, film, require_camera
-from labutopia_lerobot.evaluation.processes import in_processes
 from labutopia_lerobot.evaluation.result import ResultFolder, provenance
 from labutopia_lerobot.evaluation.rollout import Episode
 from labutopia_lerobot.evaluation.statistics import summarise
 from labutopia_lerobot.evaluation.table import summary_table
+from labutopia_lerobot.runtime.workers import in_processes
 
 
 def run(config: EvaluationConfig, console: Console) -> Path:
@@ -30,7 +30,7 @@ def run(config: EvaluationConfig, console: Console) -> Path:
     config.check()
     pairings = make_pairings(config)
     if config.videos:
-        require_camera(pairings[0])
+        require_camera()
     folder = ResultFolder(Path(config.out))
     seeds = range(config.seed, config.seed + config.episodes)
     episodes: list[Episode] = []

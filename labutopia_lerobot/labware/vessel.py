@@ -69,9 +69,9 @@ class Vessel(Loose):
         return self.profile.height
 
     @property
-    def rim_height(self) -> float:
-        """Height of the mouth above the base [m]; for a vessel of revolution, its height."""
-        return self.profile.height
+    def rim(self) -> str:
+        """Name of the frame in the middle of the mouth; z out of it."""
+        return f"{self.name}_rim"
 
     @property
     def mouth_radius(self) -> float:
@@ -112,8 +112,8 @@ class Vessel(Loose):
         body.explicitinertial = True
         body.mass, body.ipos = mass, (0, 0, com_height)
         body.inertia = (transverse, transverse, axial)
-        for site, height in (("grasp", self.grip_height), ("rim", self.rim_height)):
-            body.add_site(name=f"{self.name}_{site}", pos=(0, 0, height), group=COLLISION_GROUP)
+        for site, height in ((f"{self.name}_grasp", self.grip_height), (self.rim, self.height)):
+            body.add_site(name=site, pos=(0, 0, height), group=COLLISION_GROUP)
         self._add_look(spec, body)
         self._add_base(body)
         for band, (lower, upper) in enumerate(pairwise(self.profile.inner)):
@@ -217,18 +217,22 @@ class Vessel(Loose):
             )
 
     def _add_hull(self, body: mujoco.MjsBody) -> None:
-        """Enclose the vessel in the two stacked cylinders of least volume, for distance queries."""
+        """Enclose the vessel in two stacked cylinders of least volume, for distance queries.
+
+        A wall without a corner in between needs one only.
+        """
         outer = self.profile.outer
 
         def stack(split: int) -> list[tuple[float, float, float]]:
             halves = (outer[: split + 1], outer[split:])
-            return [(max(r for r, _ in half), half[0][1], half[-1][1]) for half in halves]
+            return [(max(r for r, _ in half), half[0][1], half[-1][1]) for half in halves if half]
 
         def volume(split: int) -> float:
             return sum(radius**2 * (top - bottom) for radius, bottom, top in stack(split))
 
-        best = stack(min(range(1, len(outer) - 1), key=volume))
-        for part, (radius, bottom, top) in zip(("lower", "upper"), best, strict=True):
+        splits = range(1, len(outer) - 1)
+        best = stack(min(splits, key=volume)) if splits else stack(len(outer))[:1]
+        for part, (radius, bottom, top) in zip(("lower", "upper"), best, strict=False):
             body.add_geom(
                 name=f"{self.name}_hull_{part}",
                 type=mujoco.mjtGeom.mjGEOM_CYLINDER,

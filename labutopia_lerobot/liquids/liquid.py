@@ -11,10 +11,8 @@ from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver import Flow, advance
 from labutopia_lerobot.liquids.surroundings import Surroundings
+from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.world import FloatArray, Pose, Volumes
-
-PARTICLES = 1000
-"""Particles of a scene by default: 0.1 ml each in 100 ml."""
 
 _SETTLE_STEPS = 120
 """Steps in which a new filling comes to rest, the vessels standing still."""

@@ -4,6 +4,7 @@ Depth and segmentation take liquids and glass for what they are, surfaces: neith
 """
 
 from collections.abc import Sequence
+from functools import cache
 
 import mujoco
 import numpy as np
@@ -43,10 +44,7 @@ class Renderer:
         height: int,
         liquids: Sequence[LiquidDrawing] = (),
     ) -> None:
-        try:
-            self._renderer = mujoco.Renderer(model, height=height, width=width)
-        except Exception as error:  # every backend raises a type of its own
-            raise NoOpenGLError(f"{_CURE}\nThe cause: {error}") from error
+        self._renderer = _open(model, width, height)
         self._options = mujoco.MjvOption()
         self._options.geomgroup[3:] = 0  # collision geometry and planner hulls stay unseen
         self._options.sitegroup[:] = 0
@@ -102,10 +100,32 @@ class Renderer:
         self._renderer.close()
 
 
-def opengl_renderer_name(renderer: Renderer) -> str:
-    """Return what OpenGL calls its device, such as `llvmpipe (LLVM 15.0.6, 256 bits)`."""
-    del renderer  # its context must be current, which constructing it made so
+def require_opengl() -> None:
+    """Make sure, before hours of playing, that pictures can be drawn.
+
+    Raises:
+        NoOpenGLError: If there is no working OpenGL.
+    """
+    _open(mujoco.MjSpec().compile(), width=16, height=16).close()
+
+
+@cache
+def opengl_renderer_name() -> str:
+    """Return what OpenGL calls its device, such as `llvmpipe (LLVM 15.0.6, 256 bits)`.
+
+    Raises:
+        NoOpenGLError: If there is no working OpenGL.
+    """
+    renderer = _open(mujoco.MjSpec().compile(), width=16, height=16)
     from OpenGL import GL
 
     name: bytes = GL.glGetString(GL.GL_RENDERER)
+    renderer.close()
     return name.decode()
+
+
+def _open(model: mujoco.MjModel, width: int, height: int) -> mujoco.Renderer:
+    try:
+        return mujoco.Renderer(model, height=height, width=width)
+    except Exception as error:  # every backend raises a type of its own
+        raise NoOpenGLError(f"{_CURE}\nThe cause: {error}") from error

@@ -61,8 +61,15 @@ class Simulation:
         self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
         self._built = scene.model.body_pos.copy()
 
-    def reset(self, layout: Mapping[Piece, Placement]) -> None:
-        """Put the robot at home and the things where the layout says, and let them settle."""
+    def reset(
+        self, layout: Mapping[Piece, Placement], displacement: FloatArray | None = None
+    ) -> None:
+        """Put the robot at home and the things where the layout says, and let them settle.
+
+        Args:
+            layout: Where things stand.
+            displacement: How far from home the arm starts, shape (7,), radians.
+        """
         model, data = self.scene.model, self.data
         mujoco.mj_resetData(model, data)
         if self.liquid is not None:
@@ -77,13 +84,17 @@ class Simulation:
                 model.body(piece.name).quat = quat_wxyz
             for body, place in placement.swaps:
                 model.body(body).pos = self._built[model.body(place).id]
-        data.qpos[self._arm] = self._home[:-1]
-        data.qpos[self._fingers] = self._home[-1] / 2
-        data.ctrl[:] = self._home
-        self.command = self._home.copy()
+        start = self._home.copy()
+        if displacement is not None:
+            start[:-1] += displacement
+        data.qpos[self._arm] = start[:-1]
+        data.qpos[self._fingers] = start[-1] / 2
+        data.ctrl[:] = start
+        self.command = start
         mujoco.mj_step1(model, data)
         for _ in range(_SETTLE_STEPS):
-            self.step(self._home)
+            self.step(start)
+        self._start_displacements()
         self.start_clock()
 
     def fill(self, rng: np.random.Generator) -> None:
@@ -96,10 +107,13 @@ class Simulation:
             self.liquid.fill(vessels, rng)
             for _ in range(_SETTLE_STEPS):
                 self.step(self.command)
+            self._start_displacements()
 
     def start_clock(self) -> None:
         """Make now the beginning of the episode."""
         self.data.time = 0.0
+
+    def _start_displacements(self) -> None:
         for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
             displacement.start(state, self.data)
 
@@ -185,6 +199,11 @@ class Simulation:
     def gripper_opening(self) -> float:
         """Measured distance between the pads [m]."""
         return float(self.data.qpos[self._fingers].sum())
+
+    @property
+    def measured(self) -> NDArray[np.float32]:
+        """Measured joint angles [rad] and distance between the pads [m], shape (8,), float32."""
+        return np.append(self.arm_position, self.gripper_opening).astype(np.float32)
 
     def draw_liquid(self) -> None:
         """Find the surface of the liquid, once for all pictures of this moment."""

@@ -1,1 +1,13 @@
-"""What the expert can do: finite-state machines made of phases that end on conditions."""
+"""Skills: what scripted experts can do, one class per action."""
+
+from labutopia_lerobot.skills.close import Close
+from labutopia_lerobot.skills.open import Open
+from labutopia_lerobot.skills.pick import Pick
+from labutopia_lerobot.skills.place import Place
+from labutopia_lerobot.skills.pour import Pour
+from labutopia_lerobot.skills.press import Press
+from labutopia_lerobot.skills.shake import Shake
+from labutopia_lerobot.skills.squeeze import Squeeze
+from labutopia_lerobot.skills.stir import Stir
+
+__all__ = ["Close", "Open", "Pick", "Place", "Pour", "Press", "Shake", "Squeeze", "Stir"]

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import Protocol
 
 from labutopia_lerobot.predicates import gripped
@@ -31,6 +32,8 @@ class Graspable(Thing, Protocol):
 class Pick:
     """The seven phases of the paper ("Pick"), with the sideways grasp of the original.
 
+    A grasp that misses is tried once more, from the start.
+
     Attributes:
         thing: What to pick up.
         lift: How far to raise it [m].
@@ -40,6 +43,7 @@ class Pick:
             of its width, so that a thin rod is held gently.
         depth: How far beyond the middle of the pads its axis lies [m]; keeps the widest beaker,
             of 70 mm, off the palm.
+        tries: How often it is grasped for.
     """
 
     thing: Graspable
@@ -49,27 +53,36 @@ class Pick:
     hover: float = 0.10
     squeeze: float = 0.012
     depth: float = 0.004
+    tries: int = 2
 
     def phases(self, world: World) -> Iterator[Phase]:
-        """Yield hover, lower, reach, settle, close, lift and hold."""
+        """Yield hover, lower, reach, settle and close, again after a miss, then lift and hold."""
         thing = frozenset({self.thing.name})
         shut = self.thing.grip_width - min(self.squeeze, 0.5 * self.thing.grip_width)
         held = gripped(self.thing)
         away = arrived(within=0.015, within_rad=0.1)
         there = arrived(within=0.004)
-        yield Phase("hover", lambda w: self._before(w).moved(z=self.hover), OPEN, away)
-        yield Phase("lower", self._before, OPEN, away)
-        yield Phase("reach", self._grasp, OPEN, there, touches=thing, speed=0.15)
-        here = self._grasp(world)
-        yield Phase("settle", lambda w: here, OPEN, waited(0.2), touches=thing)
-        yield Phase(
-            "close",
-            lambda w: here,
-            shut,
-            lambda w, target, elapsed: elapsed > 0.3 and held.holds(w),
-            touches=thing,
-            timeout_s=2.0,
-        )
+        for missed in range(self.tries):
+            yield Phase("hover", lambda w: self._before(w).moved(z=self.hover), OPEN, away)
+            yield Phase("lower", self._before, OPEN, away)
+            yield Phase("reach", self._grasp, OPEN, there, touches=thing, speed=0.15)
+            here = self._grasp(world)
+            still = partial(_stay, here)
+            yield Phase("settle", still, OPEN, waited(0.2), touches=thing)
+            yield Phase(
+                "close",
+                still,
+                shut,
+                lambda w, target, elapsed: elapsed > 0.3 and held.holds(w),
+                touches=thing,
+                timeout_s=2.0,
+                may_fail=missed + 1 < self.tries,
+            )
+            if held.holds(world):
+                break
+            yield Phase("let go", still, OPEN, waited(0.5), touches=thing)
+            back = partial(_stay, here.advanced(-self.standoff))
+            yield Phase("back", back, OPEN, away, touches=thing, speed=0.15)
         raised = here.moved(z=self.lift)
         carrying = thing | {self.support}
         yield Phase("lift", lambda w: raised, shut, there, carrying, self.thing, speed=0.2)
@@ -83,3 +96,8 @@ class Pick:
 
     def _before(self, world: World) -> Pose:
         return self._grasp(world).advanced(-self.standoff)
+
+
+def _stay(pose: Pose, world: World) -> Pose:
+    """Return the pose, whatever the world does."""
+    return pose

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from labutopia_lerobot.world import Pose, Thing, World
 
@@ -27,6 +27,7 @@ class Phase:
         speed: Greatest speed of the gripper frame [m/s].
         turn_speed: Greatest angular speed of the gripper frame [rad/s].
         timeout_s: The phase has failed after this long [s].
+        may_fail: The phase then ends as if it were done, and the skill decides what follows.
     """
 
     name: str
@@ -38,8 +39,10 @@ class Phase:
     speed: float = 0.25
     turn_speed: float = 1.5
     timeout_s: float = 6.0
+    may_fail: bool = False
 
 
+@runtime_checkable
 class Skill(Protocol):
     """Something an expert can do.
 

@@ -3,12 +3,13 @@ import pytest
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import Setting
 
 
 @pytest.fixture(scope="session")
 def solution() -> list[NDArray[np.float32]]:
     """What the expert commands in the episode of seed 0 of `level1/pick`, until it succeeds."""
-    env = LabEnv("level1/pick", obs="state")
+    env = LabEnv(Setting("level1/pick", obs="state"))
     env.reset(seed=0)
     expert = env.expert()
     expert.start()

@@ -8,10 +8,9 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import OBSERVATION_KINDS
 from labutopia_lerobot.gymnasium_ids import gymnasium_id
-from labutopia_lerobot.options import UnknownOptionError
 from labutopia_lerobot.registry import UnknownTaskError, task_files
+from labutopia_lerobot.setting import OBSERVATION_KINDS, Setting, UnknownOptionError
 
 
 @pytest.mark.parametrize("task", task_files())
@@ -41,13 +40,13 @@ def test_the_environment_and_not_a_wrapper_limits_the_time() -> None:
     env.reset(seed=0)
     lab = env.unwrapped
     assert isinstance(lab, LabEnv)
-    still = lab.simulation.command.astype(np.float32)
+    still = lab.workcell.simulation.command.astype(np.float32)
     truncations = [env.step(still)[3] for _ in range(lab._max_episode_steps)]
     assert truncations.index(True) == len(truncations) - 1
 
 
 def test_success_is_told_on_reset_and_on_every_step() -> None:
-    env = LabEnv("level1/pick", obs="state")
+    env = LabEnv(Setting("level1/pick", obs="state"))
     _, info = env.reset(seed=0)
     assert info["is_success"] is False
     expert = env.expert()
@@ -62,7 +61,7 @@ def test_success_is_told_on_reset_and_on_every_step() -> None:
 
 
 def test_observations_stay_within_their_space() -> None:
-    env = LabEnv("level1/pick", obs="state")
+    env = LabEnv(Setting("level1/pick", obs="state"))
     rng = np.random.default_rng(0)
     observation, _ = env.reset(seed=0)
     for _ in range(60):
@@ -72,7 +71,7 @@ def test_observations_stay_within_their_space() -> None:
 
 
 def test_the_picture_of_a_state_environment_follows_the_robot() -> None:
-    env = LabEnv("level1/pick", obs="state", width=64, height=64)
+    env = LabEnv(Setting("level1/pick", obs="state", width=64, height=64))
     env.reset(seed=0)
     before = env.render()
     for _ in range(20):
@@ -83,12 +82,12 @@ def test_the_picture_of_a_state_environment_follows_the_robot() -> None:
 
 def test_a_wrong_option_names_the_choices() -> None:
     with pytest.raises(UnknownOptionError, match=r"obs='depth' is unknown.*pixels, state"):
-        LabEnv("level1/pick", obs="depth")
+        LabEnv(Setting("level1/pick", obs="depth"))
     with pytest.raises(UnknownOptionError, match=r"'side' is unknown.*front, top, wrist"):
-        LabEnv("level1/pick", cameras=("front", "side"))
-    with pytest.raises(UnknownOptionError, match=r"none.*front, top, wrist"):
-        LabEnv("level1/pick", cameras=())
-    with pytest.raises(UnknownOptionError, match=r"split='ood' is unknown.*train, id"):
-        LabEnv("level1/pick", split="ood")
+        LabEnv(Setting("level1/pick", cameras=("front", "side")))
+    with pytest.raises(UnknownOptionError, match=r"at least one.*front, top, wrist"):
+        LabEnv(Setting("level1/pick", cameras=()))
+    with pytest.raises(UnknownOptionError, match=r"split='odd' is unknown.*train, id, ood"):
+        LabEnv(Setting("level1/pick", split="odd"))
     with pytest.raises(UnknownTaskError, match=r"Did you mean 'level1/pick'"):
-        LabEnv("level1/pik")
+        LabEnv(Setting("level1/pik"))

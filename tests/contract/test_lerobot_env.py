@@ -19,8 +19,9 @@ import lerobot_env_labutopia  # noqa: F401 (registers the type, as LeRobot's pro
 from labutopia_lerobot.datasets.features import dataset_features
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.features import ACTION, OBSERVATION_KINDS, observation_features
-from labutopia_lerobot.registry import load_task
+from labutopia_lerobot.features import ACTION, observation_features
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import OBSERVATION_KINDS, Setting
 
 SIZE = {"width": 64, "height": 48}
 
@@ -36,11 +37,11 @@ def flat(space: gymnasium.Space[Any], path: str = "") -> dict[str, tuple[tuple[i
 @pytest.mark.parametrize("obs", OBSERVATION_KINDS)
 def test_spaces_config_and_dataset_follow_one_declaration(obs: str) -> None:
     cameras = ["wrist", "front"]
-    task = load_task("level1/pick")
-    declared = observation_features(lambda: task, obs, cameras, **SIZE)
-    env = LabEnv("level1/pick", obs, tuple(cameras), **SIZE)
+    setting = Setting("level1/pick", obs, tuple(cameras), **SIZE)
+    declared = observation_features(setting, lambda: canonical_task(setting))
+    env = LabEnv(setting)
     config = make_env_config("labutopia", obs=obs, cameras=cameras, **SIZE)
-    dataset = dataset_features(task, obs, cameras, **SIZE)
+    dataset = dataset_features(setting)
 
     assert flat(env.observation_space) == {
         path: (feature.shape, feature.dtype) for path, feature in declared.items()
@@ -80,7 +81,7 @@ def test_importing_the_plugin_imports_no_mujoco() -> None:
     [
         ({"task": "level1/pik"}, "Did you mean 'level1/pick'"),
         ({"task": "level9"}, "Levels with tasks: 1"),
-        ({"split": "ood"}, "train, id"),
+        ({"split": "odd"}, "train, id, ood"),
         ({"obs": "depth"}, "pixels, state"),
         ({"cameras": ["side"]}, "front, top, wrist"),
         ({"fps": 60}, "30"),
@@ -132,7 +133,7 @@ def test_lerobot_counts_one_success_of_two(
         )
     finally:
         envs.close()
-    steps = load_task("level1/pick").max_steps
+    steps = canonical_task(Setting("level1/pick")).max_steps
     assert result["success"].any(dim=1).tolist() == [True, False]
     assert result["reward"].sum(dim=1).tolist() == [1.0, 0.0]
     assert result["done"].int().argmax(dim=1).tolist() == [len(solution) - 1, steps - 1]

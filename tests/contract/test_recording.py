@@ -34,7 +34,8 @@ from labutopia_lerobot.datasets.replay import ForeignDatasetError, replay
 from labutopia_lerobot.datasets.verify import find_problems, require_intact
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.registry import load_task
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import Setting
 
 PICK = ["task=level1/pick", "obs=state", "episodes=3", "seed=20"]
 FILM = ["task=level1/pick", "episodes=2", "width=64", "height=48", "cameras=[wrist,front]"]
@@ -125,9 +126,9 @@ def test_lerobot_loads_it_with_the_declared_features(
     fixture: str, obs: str, request: pytest.FixtureRequest
 ) -> None:
     root = request.getfixturevalue(fixture)
-    task = load_task("level1/pick")
+    setting = Setting("level1/pick", obs, ("wrist", "front"), 64, 48)
     dataset = LeRobotDataset("local/pick", root=root)
-    declared = dataset_features(task, obs, ["wrist", "front"], 64, 48)
+    declared = dataset_features(setting)
     for key, feature in declared.items():
         assert tuple(dataset.features[key]["shape"]) == feature["shape"]
         assert dataset.features[key]["names"] == feature["names"]
@@ -136,7 +137,7 @@ def test_lerobot_loads_it_with_the_declared_features(
     assert dataset.features.keys() == declared.keys() | generated
     assert dataset.fps == 30
     assert len(dataset) == dataset.meta.total_frames > 300
-    assert dataset[len(dataset) - 1]["task"] == task.instruction
+    assert dataset[len(dataset) - 1]["task"] == canonical_task(setting).instruction
 
 
 def test_exactly_the_wanted_successes_are_stored(picked: Path) -> None:
@@ -159,7 +160,7 @@ def test_the_number_of_workers_changes_nothing(picked: Path, tmp_path: Path) -> 
 def test_each_picture_shows_the_state_of_its_row(filmed: Path) -> None:
     dataset = LeRobotDataset("local/pick", root=filmed, video_backend="pyav")
     second = dataset.meta.episodes[1]
-    env = LabEnv("level1/pick", width=64, height=48, cameras=("wrist",), split="train")
+    env = LabEnv(Setting("level1/pick", width=64, height=48, cameras=("wrist",), split="train"))
     observation, _ = env.reset(seed=second[SEED])
     drawn, actions = [], []
     for index in range(second["dataset_from_index"], second["dataset_to_index"]):
@@ -296,11 +297,11 @@ def test_failures_are_listed_and_the_lowest_successes_stored(workers: int, tmp_p
     root = recording(tmp_path / "dataset", *overrides, workers=workers, watch=watch)
     stored = [row[SEED] for row in read_episodes(root)]
     failed = read_json(root, RECORDING)["failures"]
-    env = LabEnv("level1/moody", obs="state", split="train", tasks_dir=tmp_path)
+    env = LabEnv(Setting("level1/moody", obs="state", split="train", tasks_dir=tmp_path))
     sulks = []
     for seed in range(stored[-1] + 1):
         env.reset(seed=seed)
-        sulks.append(env.world.frame("flask_rim").position_w[1] > 0.0)
+        sulks.append(env.workcell.world.frame("flask_rim").position_w[1] > 0.0)
     assert [seed for seed, sulk in enumerate(sulks) if not sulk] == stored
     assert [failure["seed"] for failure in failed] == np.flatnonzero(sulks).tolist()
     assert len(failed) > 0

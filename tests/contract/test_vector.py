@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.vector import LabVectorEnv
 
 SEEDS = range(4)
@@ -18,7 +19,9 @@ STEPS = 40
 
 @contextmanager
 def playing(num_envs: int, asynchronous: bool = False, **options: Any) -> Iterator[LabVectorEnv]:
-    envs = LabVectorEnv("level1/pick", num_envs, asynchronous, **{"obs": "state"} | options)
+    envs = LabVectorEnv(
+        Setting("level1/pick", **{"obs": "state"} | options), num_envs, asynchronous
+    )
     try:
         yield envs
     finally:
@@ -26,7 +29,7 @@ def playing(num_envs: int, asynchronous: bool = False, **options: Any) -> Iterat
 
 
 def actions_of(seed: int, steps: int) -> NDArray[np.float32]:
-    space = LabEnv("level1/pick", obs="state").action_space
+    space = LabEnv(Setting("level1/pick", obs="state")).action_space
     rng = np.random.default_rng(seed)
     return rng.uniform(space.low, space.high, (steps, *space.shape)).astype(np.float32)
 
@@ -110,7 +113,7 @@ def test_a_member_whose_episode_is_over_stays_over(
 
 @pytest.mark.parametrize("asynchronous", [False, True])
 def test_info_survives_vectorisation(asynchronous: bool) -> None:
-    env = LabEnv("level1/pick", obs="state")
+    env = LabEnv(Setting("level1/pick", obs="state"))
     with playing(2, asynchronous) as envs:
         _, infos = envs.reset(seed=[5, 6])
         for member, seed in enumerate([5, 6]):
@@ -126,7 +129,7 @@ def test_info_survives_vectorisation(asynchronous: bool) -> None:
 
 
 def test_nothing_starts_before_the_first_reset() -> None:
-    envs = LabVectorEnv("level1/pick", 2, obs="state")
+    envs = LabVectorEnv(Setting("level1/pick", obs="state"), 2)
     assert envs._members is None
     assert envs.observation_space["agent_pos"].shape == (2, 8)
     assert envs.action_space.shape == (2, 8)
@@ -146,7 +149,8 @@ def test_workers_load_no_torch_even_where_the_main_program_does(tmp_path: Path) 
     program.write_text(
         "import multiprocessing, pathlib, torch\n"
         "from labutopia_lerobot.vector import LabVectorEnv\n"
-        "envs = LabVectorEnv('level1/pick', 2, obs='state')\n"
+        "from labutopia_lerobot.setting import Setting\n"
+        "envs = LabVectorEnv(Setting('level1/pick', obs='state'), 2)\n"
         "envs.reset(seed=0)\n"
         "workers = multiprocessing.active_children()\n"
         "maps = [pathlib.Path(f'/proc/{one.pid}/maps').read_text() for one in workers]\n"

@@ -6,33 +6,36 @@ import pytest
 from labutopia_lerobot.evaluation.checkpoint import CheckpointError, open_checkpoint
 from labutopia_lerobot.evaluation.learned import LearnedPolicy, UnusableWeightsError
 from labutopia_lerobot.evaluation.rollout import Pairing, play
+from labutopia_lerobot.setting import Setting
 
 from .conftest import Saver
 
 TASK = "level1/pick"
+SETTING = Setting(TASK, obs="state")
 
 
 def test_a_checkpoint_plays_the_same_episode_twice(save_checkpoint: Saver) -> None:
-    checkpoint = open_checkpoint(save_checkpoint(), "act", TASK, device="cpu")
+    checkpoint = open_checkpoint(save_checkpoint(), "act", SETTING, device="cpu")
     first, second = (
-        play(Pairing(TASK, "id", "act", maker), 100_000)
-        for maker in (checkpoint, open_checkpoint(checkpoint.folder, "act", TASK, device="cpu"))
+        play(Pairing(SETTING, "act", maker), 100_000)
+        for maker in (checkpoint, open_checkpoint(checkpoint.folder, "act", SETTING, device="cpu"))
     )
     assert first.row == second.row
     assert first.renderer is None
 
 
 def test_a_policy_of_pictures_gets_its_own_cameras_in_its_own_size(save_checkpoint: Saver) -> None:
-    checkpoint = open_checkpoint(save_checkpoint(cameras=("wrist", "top")), "act", TASK)
-    assert (checkpoint.obs, checkpoint.width, checkpoint.height) == ("pixels", 64, 64)
-    assert sorted(checkpoint.cameras) == ["top", "wrist"]
+    checkpoint = open_checkpoint(save_checkpoint(cameras=("wrist", "top")), "act", SETTING)
+    seen = checkpoint.setting
+    assert (seen.obs, seen.width, seen.height) == ("pixels", 64, 64)
+    assert sorted(seen.cameras) == ["top", "wrist"]
 
 
 @pytest.mark.parametrize("depth", [0, 1, 3])
 def test_a_checkpoint_step_or_output_folder_will_do(save_checkpoint: Saver, depth: int) -> None:
     folder = save_checkpoint()
     given = [folder, *folder.parents][depth]
-    assert open_checkpoint(given, "act", TASK).folder == folder
+    assert open_checkpoint(given, "act", SETTING).folder == folder
 
 
 def test_a_folder_may_hold_one_policy_per_task(save_checkpoint: Saver, tmp_path: Path) -> None:
@@ -40,7 +43,7 @@ def test_a_folder_may_hold_one_policy_per_task(save_checkpoint: Saver, tmp_path:
     (tmp_path / "many" / "level1").mkdir(parents=True)
     output_dir.rename(tmp_path / "many" / TASK)
     assert (tmp_path / "many" / TASK) in open_checkpoint(
-        tmp_path / "many", "act", TASK
+        tmp_path / "many", "act", SETTING
     ).folder.parents
 
 
@@ -57,24 +60,24 @@ def test_a_foreign_checkpoint_is_refused(
     save_checkpoint: Saver, features: dict[str, object], message: str
 ) -> None:
     with pytest.raises(CheckpointError, match=message):
-        open_checkpoint(save_checkpoint(**features), "act", TASK)
+        open_checkpoint(save_checkpoint(**features), "act", SETTING)
 
 
 def test_other_observations_than_those_of_training_are_refused(save_checkpoint: Saver) -> None:
     with pytest.raises(CheckpointError, match="trained with obs=state"):
-        open_checkpoint(save_checkpoint(), "act", TASK, obs="pixels")
+        open_checkpoint(save_checkpoint(), "act", SETTING, obs="pixels")
 
 
 def test_another_type_of_policy_is_refused(save_checkpoint: Saver) -> None:
     with pytest.raises(CheckpointError, match="type 'act'"):
-        open_checkpoint(save_checkpoint(), "diffusion", TASK)
+        open_checkpoint(save_checkpoint(), "diffusion", SETTING)
 
 
 def test_pickled_weights_are_refused(save_checkpoint: Saver) -> None:
     folder = save_checkpoint()
     (folder / "model.safetensors").rename(folder / "pytorch_model.bin")
     with pytest.raises(CheckpointError, match=r"pytorch_model\.bin.*can run any code"):
-        open_checkpoint(folder, "act", TASK)
+        open_checkpoint(folder, "act", SETTING)
 
 
 def test_weights_of_another_size_are_refused(save_checkpoint: Saver) -> None:

@@ -11,6 +11,7 @@ from labutopia_lerobot.evaluation.films import choose
 from labutopia_lerobot.evaluation.policies import Action, PolicyMaker, RandomPolicy
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
 from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.world import CONTROL_HZ
 
 SEEDS = range(100_000, 100_003)
@@ -69,13 +70,13 @@ class BrokenPolicy:
 
 def test_a_bug_in_a_policy_is_no_failed_episode() -> None:
     maker: PolicyMaker = BrokenPolicy
-    pairing = Pairing("level1/pick", "id", "broken", maker)
+    pairing = Pairing(Setting("level1/pick", obs="state"), "broken", maker)
     with pytest.raises(ZeroDivisionError, match="a bug"):
         play(pairing, 0)
 
 
 def test_random_actions_reach_the_whole_box_within_the_limits() -> None:
-    env = LabEnv("level1/pick", obs="state")
+    env = LabEnv(Setting("level1/pick", obs="state"))
     observation, _ = env.reset(seed=0)
     policy = RandomPolicy()
     policy.start(env, seed=0)

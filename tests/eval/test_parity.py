@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from labutopia_lerobot.evaluation.config import EvaluationConfig
-from labutopia_lerobot.video import video_size_and_frames
+from labutopia_lerobot.runtime.video import video_size_and_frames
 
 pytestmark = pytest.mark.slow
 

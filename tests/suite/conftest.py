@@ -4,6 +4,7 @@ import pytest
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.setting import Setting
 
 TASKS = list(task_files())
 
@@ -11,4 +12,4 @@ TASKS = list(task_files())
 @pytest.fixture(params=TASKS, scope="module")
 def env(request: pytest.FixtureRequest) -> LabEnv:
     """One environment per task, without pictures, and with a third of the usual particles."""
-    return LabEnv(request.param, obs="state", particles=300)
+    return LabEnv(Setting(request.param, obs="state", particles=300))

@@ -9,7 +9,9 @@ import pytest
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
-from labutopia_lerobot.registry import load_task, require_task, task_files
+from labutopia_lerobot.registry import require_task, task_files
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import Setting
 
 
 def play(env: LabEnv, policy, seed: int) -> list[tuple]:
@@ -31,7 +33,7 @@ def expert(env: LabEnv):
 
 
 def still(env: LabEnv):
-    command = env.simulation.command.astype(np.float32)
+    command = env.workcell.simulation.command.astype(np.float32)
     return lambda: command
 
 
@@ -42,7 +44,7 @@ def random_walk(env: LabEnv):
 
 def test_every_element_of_the_model_has_a_name(env):
     env.reset(seed=0)
-    model = env.simulation.scene.model
+    model = env.workcell.simulation.scene.model
     counts = {
         "body": model.nbody,
         "geom": model.ngeom,
@@ -64,10 +66,10 @@ def test_same_seed_gives_the_same_trajectory_bit_for_bit(env):
     def states() -> list[bytes]:
         env.reset(seed=7)
         act = random_walk(env)
-        result = [env.simulation.state().tobytes()]
+        result = [env.workcell.simulation.state().tobytes()]
         for _ in range(30):
             env.step(act())
-            result.append(env.simulation.state().tobytes())
+            result.append(env.workcell.simulation.state().tobytes())
         return result
 
     first = states()
@@ -82,7 +84,7 @@ def test_two_seeds_give_two_scenes(env):
 
 
 def test_training_and_evaluation_splits_share_no_scene(env):
-    other = LabEnv(env.task_id, obs="state", split="train")
+    other = LabEnv(Setting(env.setting.task, obs="state", split="train"))
     scenes = [
         {e.reset(seed=seed)[0]["environment_state"].tobytes() for seed in range(20)}
         for e in (env, other)
@@ -108,7 +110,7 @@ def test_global_random_generators_are_never_used(env, monkeypatch):
 def test_the_goal_is_false_at_the_start(env):
     _, info = env.reset(seed=0)
     assert not info["is_success"]
-    goal = [info["facts"][fact.name] for fact in env.definition.goal]
+    goal = [info["facts"][fact.name] for fact in env.workcell.task.goal]
     # Where things end as they began, it is the sub-steps that are missing.
     assert not all(goal) or not any(np.isfinite(time) for time in info["substeps"].values())
 
@@ -129,11 +131,11 @@ def test_neither_doing_nothing_nor_random_actions_succeed(env, policy):
 def test_doing_nothing_ends_by_timeout_at_the_time_limit(env):
     trace = play(env, still, seed=0)
     assert trace[-1][1]["outcome"] == "timeout"
-    assert len(trace) - 1 == env.definition.max_steps
+    assert len(trace) - 1 == env.workcell.task.max_steps
 
 
 def test_the_expert_wins_at_least_nine_of_ten(env):
-    usual = LabEnv(env.task_id, obs="state")
+    usual = LabEnv(Setting(env.setting.task, obs="state"))
     outcomes = [play(usual, expert, seed)[-1][1]["outcome"] for seed in range(100, 110)]
     assert outcomes.count("success") >= 9, outcomes
 
@@ -161,19 +163,19 @@ def test_expert_commands_are_never_clipped_and_sub_steps_latch_in_order(env):
 def test_recorded_actions_replayed_open_loop_give_the_same_states(env):
     trace = play(env, expert, seed=101)
     actions = [info["applied_action"] for _, info in trace[1:]]
-    final = env.simulation.state().tobytes()
+    final = env.workcell.simulation.state().tobytes()
     env.reset(seed=101)
     for action in actions:
         _, _, _, _, info = env.step(action)
     assert info["is_success"]
-    assert env.simulation.state().tobytes() == final
+    assert env.workcell.simulation.state().tobytes() == final
 
 
 def test_success_needs_two_seconds_of_the_goal(env):
     trace = play(env, expert, seed=100)
     held = 0
     for _, info in reversed(trace):
-        if not all(info["facts"][fact.name] for fact in env.definition.goal):
+        if not all(info["facts"][fact.name] for fact in env.workcell.task.goal):
             break
         held += 1
     assert trace[-1][1]["is_success"]
@@ -185,9 +187,9 @@ def _of_moved_things(env: LabEnv, states: np.ndarray) -> list[int]:
 
     Without fill depths, which stay as they are where nothing is poured.
     """
-    names = environment_state_names(env.definition)
+    names = environment_state_names(env.workcell.task)
     moves = dict(zip(names, np.ptp(states, axis=0) > 1e-3, strict=True))
-    things = [piece.name for piece in env.definition.start]
+    things = [piece.name for piece in env.workcell.task.start]
     moved = tuple(f"{name}." for name in things if any(moves[f"{name}.{axis}"] for axis in "xyz"))
     return [
         index
@@ -211,27 +213,27 @@ def test_observations_are_in_space_own_their_memory_and_vary(env):
 
 def test_reading_facts_changes_nothing(env):
     env.reset(seed=0)
-    before = env.simulation.state().tobytes()
-    for fact in env.definition.facts.values():
-        fact.holds(env.world)
-    assert env.simulation.state().tobytes() == before
+    before = env.workcell.simulation.state().tobytes()
+    for fact in env.workcell.task.facts.values():
+        fact.holds(env.workcell.world)
+    assert env.workcell.simulation.state().tobytes() == before
 
 
 def test_no_contact_is_deep_at_the_start(env):
     for seed in range(5):
         env.reset(seed=seed)
-        contact = env.simulation.data.contact
+        contact = env.workcell.simulation.data.contact
         assert contact.dist.size == 0 or contact.dist.min() > -0.001
 
 
 def test_the_model_has_the_three_cameras_and_no_welds(env):
-    model = env.simulation.scene.model
+    model = env.workcell.simulation.scene.model
     assert {model.camera(index).name for index in range(model.ncam)} >= {"front", "top", "wrist"}
     assert not (model.eq_type == mujoco.mjtEq.mjEQ_WELD).any()
 
 
 def test_instructions_are_unique_and_files_short():
-    tasks = {task_id: load_task(task_id) for task_id in task_files()}
+    tasks = {task_id: canonical_task(Setting(task_id)) for task_id in task_files()}
     instructions = [task.instruction for task in tasks.values()]
     assert len(set(instructions)) == len(instructions)
     for task_id in tasks:

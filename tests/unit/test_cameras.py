@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import CAMERAS
+from labutopia_lerobot.setting import CAMERAS, Setting
 
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    env = LabEnv("level1/pick")
+    env = LabEnv(Setting("level1/pick"))
     env.reset(seed=3)
     return env
 
@@ -23,20 +23,20 @@ def test_depth_is_in_metres(env):
 
 @pytest.mark.parametrize("camera", CAMERAS)
 def test_segmentation_names_what_the_camera_sees(env, camera):
-    model = env.simulation.scene.model
+    model = env.workcell.simulation.scene.model
     seen = {model.body(index).name for index in np.unique(env.segmentation(camera)) if index >= 0}
     assert {"flask", "bench"} <= seen
 
 
 def test_colour_comes_back_after_depth_and_segmentation(env):
-    before = env.renderer.color(env.simulation.data, "front")
+    before = env.workcell.color("front")
     env.depth("front")
     env.segmentation("front")
-    assert np.array_equal(before, env.renderer.color(env.simulation.data, "front"))
+    assert np.array_equal(before, env.workcell.color("front"))
     assert before.std() > 10
 
 
 def test_any_resolution_can_be_asked_for():
-    env = LabEnv("level1/pick", cameras=("front",), width=320, height=180)
+    env = LabEnv(Setting("level1/pick", cameras=("front",), width=320, height=180))
     observation, _ = env.reset(seed=0)
     assert observation["pixels"]["front"].shape == (180, 320, 3)

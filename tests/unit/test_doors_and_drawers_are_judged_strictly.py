@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from adversary import play
+from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.skills.close import Close
 from labutopia_lerobot.skills.handle import Operable, move_by_handle
@@ -22,11 +22,11 @@ CLOSING = ("level1/close_door", "level1/close_drawer")
 @pytest.fixture(scope="module")
 def envs() -> Callable[[str], LabEnv]:
     made: dict[str, LabEnv] = {}
-    return lambda task: made.setdefault(task, LabEnv(task, obs="state"))
+    return lambda task: made.get(task) or made.setdefault(task, begun(task))
 
 
 def part_of(env: LabEnv) -> Operable:
-    return env.definition.expert[0].part
+    return env.workcell.task.skills[0].part
 
 
 @dataclass(frozen=True)
@@ -92,12 +92,15 @@ class Only:
 def let_go_half_way(env: LabEnv):
     """Return a spoiler that opens the fingers once the joint is half-way to where it should be."""
     joint = part_of(env).joint
-    start = env.world.joint(joint)
-    skill = env.definition.expert[0]
+    start = env.workcell.world.joint(joint)
+    skill = env.workcell.task.skills[0]
     half = (start + getattr(skill, "to", 0.0)) / 2
 
     def spoil(expert, action):
-        if expert.label.endswith("/move") and (env.world.joint(joint) - half) * (start - half) < 0:
+        if (
+            expert.label.endswith("/move")
+            and (env.workcell.world.joint(joint) - half) * (start - half) < 0
+        ):
             action[-1] = 0.05
 
     return spoil
@@ -132,11 +135,11 @@ def test_what_something_else_shut_cannot_be_closed_any_more(envs, task):
     part = part_of(env)
 
     def knocked(expert, action):
-        if env.world.time < 1.0:
-            env.simulation.data.joint(part.joint).qvel = -1.0
+        if env.workcell.world.time < 1.0:
+            env.workcell.simulation.data.joint(part.joint).qvel = -1.0
 
     info = play(env, spoil=knocked)
-    assert env.world.joint(part.joint) < part.closed_within
+    assert env.workcell.world.joint(part.joint) < part.closed_within
     assert info["outcome"] == "timeout"
     assert not np.isfinite(info["substeps"]["gripped"])
 
@@ -145,7 +148,7 @@ def test_a_door_pushed_shut_with_a_fist_has_not_been_gripped(envs):
     env = envs("level1/close_door")
     part = part_of(env)
     info = play(env, Push(part))
-    assert env.world.joint(part.joint) < part.closed_within
+    assert env.workcell.world.joint(part.joint) < part.closed_within
     assert info["outcome"] == "timeout"
     assert not np.isfinite(info["substeps"]["gripped"])
 
@@ -163,7 +166,7 @@ def test_a_grip_that_is_lost_half_way_ends_the_episode(envs, task):
 def test_a_hand_that_stays_around_the_handle_has_not_finished(envs, task):
     env = envs(task)
     until = ("approach", "reach", "settle", "grip", "move", "pause", "release")
-    info = play(env, Only(env.definition.expert[0], until))
+    info = play(env, Only(env.workcell.task.skills[0], until))
     assert info["outcome"] == "timeout"
     assert all(np.isfinite(time) for time in info["substeps"].values())
     assert not info["ever_success"]
@@ -173,7 +176,7 @@ def test_a_hand_that_stays_around_the_handle_has_not_finished(envs, task):
 def test_what_is_closed_again_at_once_does_not_stay_open(envs, task):
     env = envs(task)
     part = part_of(env)
-    info = play(env, *env.definition.expert, Close(part))
+    info = play(env, *env.workcell.task.skills, Close(part))
     assert info["ever_success"]
     assert info["outcome"] == "timeout"
 
@@ -181,7 +184,7 @@ def test_what_is_closed_again_at_once_does_not_stay_open(envs, task):
 @pytest.mark.parametrize("task", [*OPENING, *CLOSING])
 def test_the_hand_may_not_touch_anything_but_the_handle(envs, task):
     env = envs(task)
-    (instrument,) = env.definition.start
+    (instrument,) = env.workcell.task.start
     assert play(env, Ram(part_of(env), instrument.bodies))["outcome"] == "collided"
 
 
@@ -200,5 +203,5 @@ def test_a_drawer_moved_out_and_in_without_letting_go_has_not_been_operated(envs
     back = Only(Close(part), ("move", "pause", "release", "leave"))
     info = play(env, out, back)
     assert info["outcome"] == "timeout"
-    assert env.world.joint(part.joint) < part.closed_within
+    assert env.workcell.world.joint(part.joint) < part.closed_within
     assert not np.isfinite(info["substeps"]["released"])

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from adversary import play
+from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.skills.pick import Pick
@@ -16,7 +16,7 @@ from labutopia_lerobot.skills.skill import Phase, arrived, waited
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return LabEnv("level2/heat_beaker", obs="state")
+    return begun("level2/heat_beaker")
 
 
 @dataclass(frozen=True)
@@ -46,14 +46,14 @@ class Strike:
 
 
 def things(env: LabEnv):
-    return tuple(env.definition.start)
+    return tuple(env.workcell.task.start)
 
 
 def test_the_unspoilt_expert_succeeds_and_the_lamp_is_lit(env):
     _, heater = things(env)
-    info = play(env, *env.definition.expert)
+    info = play(env, *env.workcell.task.skills)
     assert info["outcome"] == "success"
-    lamp = env.simulation.scene.model.geom(heater.switch.lamp)
+    lamp = env.workcell.simulation.scene.model.geom(heater.switch.lamp)
     assert np.allclose(lamp.rgba, heater.switch.lit)
 
 
@@ -62,13 +62,13 @@ def test_a_beaker_carried_nineteen_centimetres_high_is_not_picked(env):
     place, press = Place(beaker, OnTop(heater), hover=0.02), Press(heater.button, hold=0.3)
     info = play(env, Pick(beaker, lift=0.19), place, press)
     assert info["outcome"] == "timeout"
-    assert env.world.switched_on(heater.switch.name)
+    assert env.workcell.world.switched_on(heater.switch.name)
     assert info["substeps"]["lifted"] == np.inf
 
 
 def test_a_button_that_is_half_way_in_switches_nothing_on(env):
     _, heater = things(env)
-    pick, place, _ = env.definition.expert
+    pick, place, _ = env.workcell.task.skills
     info = play(env, pick, place, Press(heater.button, hold=0.3, beyond=-0.001))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["placed"])
@@ -77,15 +77,15 @@ def test_a_button_that_is_half_way_in_switches_nothing_on(env):
 
 def test_a_heater_switched_on_before_the_beaker_comes_does_not_count(env):
     _, heater = things(env)
-    pick, place, press = env.definition.expert
+    pick, place, press = env.workcell.task.skills
     info = play(env, press, pick, place)
     assert info["outcome"] == "timeout"
-    assert env.world.switched_on(heater.switch.name)
+    assert env.workcell.world.switched_on(heater.switch.name)
     assert not info["ever_success"]
 
 
 def test_a_button_pressed_twice_switches_the_heater_off_again(env):
-    pick, place, press = env.definition.expert
+    pick, place, press = env.workcell.task.skills
     info = play(env, pick, place, press, press)
     assert info["outcome"] == "timeout"
     assert not info["facts"]["heater_switch on"]
@@ -93,7 +93,7 @@ def test_a_button_pressed_twice_switches_the_heater_off_again(env):
 
 def test_a_finger_that_stays_on_the_button_is_not_gone(env):
     _, heater = things(env)
-    pick, place, _ = env.definition.expert
+    pick, place, _ = env.workcell.task.skills
     info = play(env, pick, place, Press(heater.button, hold=60.0))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["pressed"])
@@ -102,17 +102,17 @@ def test_a_finger_that_stays_on_the_button_is_not_gone(env):
 
 def test_a_beaker_that_overhangs_the_plate_is_not_on_it(env):
     beaker, heater = things(env)
-    pick, _, press = env.definition.expert
+    pick, _, press = env.workcell.task.skills
     info = play(env, pick, Place(beaker, OffCentre(heater, left=0.056)), press)
     assert info["outcome"] == "timeout"
-    assert env.world.switched_on(heater.switch.name)
+    assert env.workcell.world.switched_on(heater.switch.name)
     assert info["substeps"]["placed"] == np.inf
 
 
 def test_a_beaker_struck_at_its_lip_is_knocked_over(env):
     beaker, heater = things(env)
     everything = frozenset({beaker.name, "bench"}) | heater.bodies
-    pick, place, press = env.definition.expert
+    pick, place, press = env.workcell.task.skills
     info = play(env, pick, place, press, Strike(beaker, everything))
     assert np.isfinite(info["substeps"]["pressed"])
     assert info["outcome"] == "knocked_over"
@@ -125,6 +125,6 @@ def test_a_hand_on_the_plate_has_collided(env):
         if expert.label == "place/done":
             action[5] += 0.6
 
-    pick, *_ = env.definition.expert
+    pick, *_ = env.workcell.task.skills
     info = play(env, pick, Place(beaker, OnTop(heater), retreat=0.03), spoil=bow)
     assert info["outcome"] == "collided"

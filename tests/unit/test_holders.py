@@ -7,19 +7,22 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.labware import test_tube_rack as racks
 from labutopia_lerobot.labware.glass_rod import DIAMETER, GlassRod
 from labutopia_lerobot.layout import ImpossibleStartError, Inside, OnBench, sample_layout
+from labutopia_lerobot.setting import Setting
 
 SOMEWHERE = OnBench(x=(0.2, 0.3), y=(0.2, 0.3))
 
 
 def test_a_rod_stands_in_the_opening_of_its_rack_wherever_that_is():
-    env = LabEnv("level2/stir_glassrod", obs="state")
-    _, rack, rod = env.definition.start
+    env = LabEnv(Setting("level2/stir_glassrod", obs="state"))
+    _, rack, rod = env.workcell.task.start
     for seed in range(10):
         env.reset(seed=seed)
-        x, y, z = (env.world.pose(rack).inverse() @ env.world.pose(rod)).position_w
+        x, y, z = (
+            env.workcell.world.pose(rack).inverse() @ env.workcell.world.pose(rod)
+        ).position_w
         assert max(abs(x), abs(y)) < (racks.OPENING - DIAMETER) / 2
         assert z == pytest.approx(rack.middle[2], abs=1e-4)
-        assert np.degrees(env.world.pose(rod).tilt) < 1.0
+        assert np.degrees(env.workcell.world.pose(rod).tilt) < 1.0
 
 
 def test_a_place_off_the_middle_turns_with_the_holder():

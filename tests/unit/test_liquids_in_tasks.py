@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
+from adversary import begun
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.labware.glass_rod import GlassRod
@@ -16,7 +17,7 @@ from labutopia_lerobot.liquids.filling import (
     require_fillable,
 )
 from labutopia_lerobot.liquids.substance import SUBSTANCES, UnknownSubstanceError
-from labutopia_lerobot.options import UnknownOptionError
+from labutopia_lerobot.setting import Setting, UnknownOptionError
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class _Holed(Profile):
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return LabEnv("level1/pour", obs="state", particles=200)
+    return begun("level1/pour", particles=200)
 
 
 @pytest.mark.parametrize("ml", [-1.0, 0.0, 1000.0, float("nan"), float("inf")])
@@ -86,14 +87,14 @@ def test_impossible_contents_are_refused_when_a_task_is_loaded(tmp_path):
         "    return replace(task, contents={vessel: Filling(5000)})\n"
     )
     with pytest.raises(ImpossibleFillingError, match="beaker cannot hold 5000 ml of water"):
-        LabEnv("level1/flood", obs="state", tasks_dir=tmp_path)
+        LabEnv(Setting("level1/flood", obs="state", tasks_dir=tmp_path))
 
 
 def test_an_unknown_liquid_option_is_refused():
     with pytest.raises(
         UnknownOptionError, match=r"liquid=.maybe. is unknown\. Choose from: on, off"
     ):
-        LabEnv("level1/pour", obs="state", liquid="maybe")
+        LabEnv(Setting("level1/pour", obs="state", liquid="maybe"))
 
 
 def test_everything_is_accounted_for_at_every_step(env):
@@ -103,7 +104,7 @@ def test_everything_is_accounted_for_at_every_step(env):
     over, airborne = False, 0.0
     while not over:
         _, _, terminated, truncated, _ = env.step(expert.act())
-        liquid = env.world.liquid
+        liquid = env.workcell.world.liquid
         on_its_way = liquid.total - sum(liquid.inside.values()) - liquid.spilled
         assert on_its_way > -1e-12
         airborne = max(airborne, on_its_way)
@@ -116,13 +117,13 @@ def test_the_vessel_in_the_hand_is_full_and_at_rest_when_the_episode_begins(env)
     _, info = env.reset(seed=2)
     assert info["ml_retained"] == pytest.approx(100)
     assert info["ml_spilled"] == 0
-    assert np.linalg.norm(env.simulation.liquid.velocities, axis=1).mean() < 0.03
+    assert np.linalg.norm(env.workcell.simulation.liquid.velocities, axis=1).mean() < 0.03
 
 
 def test_the_privileged_state_tells_how_full_vessels_are(env):
-    names = list(environment_state_names(env.definition))
+    names = list(environment_state_names(env.workcell.task))
     observation, _ = env.reset(seed=2)
-    vessel, target = env.definition.start
+    vessel, target = env.workcell.task.start
     fill = names.index("beaker.fill")
     depth = vessel.profile.depth(100e-6)
     assert observation["environment_state"][fill] == pytest.approx(depth, rel=1e-5)
@@ -131,24 +132,26 @@ def test_the_privileged_state_tells_how_full_vessels_are(env):
 
 
 def test_without_liquid_nothing_is_told_of_it():
-    env = LabEnv("level1/pour", obs="state", liquid="off")
+    env = LabEnv(Setting("level1/pour", obs="state", liquid="off"))
     _, info = env.reset(seed=2)
     assert not any(name.startswith("ml_") for name in info)
-    assert not any(name.endswith(".fill") for name in environment_state_names(env.definition))
+    assert not any(name.endswith(".fill") for name in environment_state_names(env.workcell.task))
 
 
 def test_the_weight_of_the_contents_is_on_the_hand(env):
     env.reset(seed=2)
-    force = env.simulation.data.body("beaker")
-    pushed = env.simulation.data.xfrc_applied[force.id, 2]
+    force = env.workcell.simulation.data.body("beaker")
+    pushed = env.workcell.simulation.data.xfrc_applied[force.id, 2]
     assert pushed == pytest.approx(-0.0997 * 9.81, rel=0.05)
 
 
 @pytest.mark.parametrize("poison", [np.nan, 1e6])
 def test_a_solver_that_diverges_ends_the_episode_and_tells_no_nonsense(env, poison):
     env.reset(seed=2)
-    env.simulation.liquid.velocities[7] = poison
-    observation, _, terminated, _, info = env.step(env.simulation.command.astype(np.float32))
+    env.workcell.simulation.liquid.velocities[7] = poison
+    observation, _, terminated, _, info = env.step(
+        env.workcell.simulation.command.astype(np.float32)
+    )
     assert terminated
     assert info["outcome"] == "diverged"
     for numbers in observation.values():
@@ -162,7 +165,7 @@ def test_a_restored_state_goes_on_bit_for_bit(env):
     expert = env.expert()
     expert.start()
     actions = [env.step(expert.act())[4]["applied_action"] for _ in range(90)]
-    simulation = env.simulation
+    simulation = env.workcell.simulation
     env.reset(seed=2)
     for action in actions[:70]:
         simulation.step(action.astype(float))
@@ -179,19 +182,19 @@ def test_a_restored_state_goes_on_bit_for_bit(env):
 def test_another_substance_weighs_and_flows_otherwise(tmp_path):
     weights = {}
     for name in SUBSTANCES:
-        env = LabEnv("level1/pour", obs="state", particles=100)
-        vessel = next(iter(env.definition.start))
-        env.definition = replace(env.definition, contents={vessel: Filling(100, name)})
+        env = LabEnv(Setting("level1/pour", obs="state", particles=100))
+        vessel = next(iter(env.workcell.task.start))
+        env.workcell.task = replace(env.workcell.task, contents={vessel: Filling(100, name)})
         env.reset(seed=2)
-        body = env.simulation.data.body("beaker").id
-        weights[name] = -env.simulation.data.xfrc_applied[body, 2]
+        body = env.workcell.simulation.data.body("beaker").id
+        weights[name] = -env.workcell.simulation.data.xfrc_applied[body, 2]
     for name, substance in SUBSTANCES.items():
         assert weights[name] == pytest.approx(substance.density * 1e-4 * 9.81, rel=0.05)
 
 
 def turning(env: LabEnv, vessel) -> float:
     """Mean angular velocity of the liquid about the vessel's axis [rad/s], counterclockwise."""
-    liquid, pose = env.simulation.liquid, env.world.pose(vessel)
+    liquid, pose = env.workcell.simulation.liquid, env.workcell.world.pose(vessel)
     arm = (liquid.positions - pose.position_w)[:, :2]
     velocity = liquid.velocities[:, :2]
     momentum = arm[:, 0] * velocity[:, 1] - arm[:, 1] * velocity[:, 0]
@@ -199,9 +202,9 @@ def turning(env: LabEnv, vessel) -> float:
 
 
 def test_a_rod_that_stirs_takes_the_liquid_round_with_it():
-    env = LabEnv("level1/stir", obs="state", particles=300)
+    env = LabEnv(Setting("level1/stir", obs="state", particles=300))
     env.reset(seed=2)
-    vessel = next(iter(env.definition.contents))
+    vessel = next(iter(env.workcell.task.contents))
     rest = turning(env, vessel)
     expert = env.expert()
     expert.start()
@@ -212,13 +215,13 @@ def test_a_rod_that_stirs_takes_the_liquid_round_with_it():
 
 
 def test_a_shaken_vessel_makes_its_contents_slosh():
-    env = LabEnv("level1/shake", obs="state", particles=300)
+    env = LabEnv(Setting("level1/shake", obs="state", particles=300))
     env.reset(seed=2)
     expert = env.expert()
     expert.start()
     speeds = []
     for _ in range(150):
         env.step(expert.act())
-        speeds.append(np.linalg.norm(env.simulation.liquid.velocities, axis=1).mean())
+        speeds.append(np.linalg.norm(env.workcell.simulation.liquid.velocities, axis=1).mean())
     assert speeds[0] < 0.03
     assert max(speeds) > 0.1

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from adversary import play
+from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.skills.pick import Pick
 
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return LabEnv("level1/pick", obs="state")
+    return begun("level1/pick")
 
 
 def test_the_unspoilt_expert_succeeds(env):
@@ -18,7 +18,7 @@ def test_the_unspoilt_expert_succeeds(env):
 
 
 def test_a_flask_held_at_nineteen_centimetres_is_not_picked(env):
-    (flask,) = env.definition.start
+    (flask,) = env.workcell.task.start
     info = play(env, Pick(flask, lift=0.19))
     assert info["outcome"] == "timeout"
     assert not info["ever_success"]
@@ -30,8 +30,8 @@ def test_a_flask_dropped_after_one_and_a_half_seconds_is_dropped(env):
 
     def drop(expert, action):
         if expert.label == "pick/hold":
-            begun.append(env.world.time)
-            if env.world.time - begun[0] > 1.5:
+            begun.append(env.workcell.world.time)
+            if env.workcell.world.time - begun[0] > 1.5:
                 action[-1] = 0.08
 
     info = play(env, spoil=drop)
@@ -60,7 +60,7 @@ def test_a_flask_held_aslant_is_not_picked(env):
 def test_a_shaken_flask_is_not_held_steadily(env):
     def shake(expert, action):
         if expert.label == "pick/hold":
-            action[0] += 0.12 * np.sin(12.0 * env.world.time)
+            action[0] += 0.12 * np.sin(12.0 * env.workcell.world.time)
 
     info = play(env, spoil=shake)
     assert info["outcome"] != "success"

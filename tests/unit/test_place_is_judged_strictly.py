@@ -5,16 +5,17 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from adversary import play
+from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.pick import OPEN, Pick
 from labutopia_lerobot.skills.place import Place
 
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return LabEnv("level1/place", obs="state")
+    return begun("level1/place")
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,7 @@ class Aside(OnTop):
 
 
 def things(env: LabEnv):
-    return tuple(env.definition.start)
+    return tuple(env.workcell.task.start)
 
 
 def test_the_unspoilt_skill_succeeds(env):
@@ -82,7 +83,7 @@ def test_a_beaker_let_go_above_the_plate_is_dropped(env):
     beaker, plate = things(env)
 
     def let_go(expert, action):
-        if env.world.pose(beaker).position_w[2] < env.world.bench_height + 0.09:
+        if env.workcell.world.pose(beaker).position_w[2] < env.workcell.world.bench_height + 0.09:
             action[-1] = OPEN
 
     assert play(env, Place(beaker, OnTop(plate)), spoil=let_go)["outcome"] == "dropped"
@@ -111,7 +112,7 @@ def test_a_hand_on_the_plate_has_collided(env):
 
 
 def test_a_beaker_carried_nineteen_centimetres_high_is_not_transported():
-    env = LabEnv("level2/transport_beaker", obs="state")
+    env = LabEnv(Setting("level2/transport_beaker", obs="state"))
     beaker, plate = things(env)
     info = play(env, Pick(beaker, lift=0.19), Place(beaker, OnTop(plate)))
     assert info["outcome"] == "timeout"

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from adversary import play
+from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.skills.pick import OPEN, Pick
@@ -15,21 +15,21 @@ from labutopia_lerobot.skills.shake import Shake
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return LabEnv("level1/pour", obs="state")
+    return begun("level1/pour")
 
 
 @pytest.fixture(scope="module")
 def empty() -> LabEnv:
-    return LabEnv("level1/pour", obs="state", liquid="off")
+    return begun("level1/pour", liquid="off")
 
 
 @pytest.fixture(scope="module")
 def whole() -> LabEnv:
-    return LabEnv("level2/pour_liquid", obs="state")
+    return begun("level2/pour_liquid")
 
 
 def test_the_unspoilt_skill_pours_everything_and_spills_next_to_nothing(env):
-    info = play(env, *env.definition.expert)
+    info = play(env, *env.workcell.task.skills)
     assert info["outcome"] == "success"
     assert info["ml_poured"] >= 95
     assert info["ml_spilled"] <= 1
@@ -37,7 +37,7 @@ def test_the_unspoilt_skill_pours_everything_and_spills_next_to_nothing(env):
 
 
 def test_a_beaker_half_poured_out_has_not_been_poured_out(env):
-    (pour,) = env.definition.expert
+    (pour,) = env.workcell.task.skills
     info = play(env, replace(pour, angle=math.radians(72)))
     assert info["outcome"] == "timeout"
     assert 10 < info["ml_poured"] < 80
@@ -45,7 +45,7 @@ def test_a_beaker_half_poured_out_has_not_been_poured_out(env):
 
 
 def test_a_beaker_emptied_beside_the_other_spills(env):
-    beaker, _ = env.definition.start
+    beaker, _ = env.workcell.task.start
     away = OverBench("away", ahead=0.65, left=0.1, height=0.25)
     info = play(env, Shake(beaker, at=away, angle=math.radians(90), cycles=1))
     assert info["outcome"] == "spilled"
@@ -53,13 +53,13 @@ def test_a_beaker_emptied_beside_the_other_spills(env):
 
 
 def test_pouring_past_the_mouth_spills(env):
-    (pour,) = env.definition.expert
+    (pour,) = env.workcell.task.skills
     info = play(env, replace(pour, short=-0.05, turn_speed=1.2))
     assert info["outcome"] == "spilled"
 
 
 def test_without_liquid_a_beaker_tilted_to_the_level_has_not_been_poured_out(empty):
-    (pour,) = empty.definition.expert
+    (pour,) = empty.workcell.task.skills
     info = play(empty, replace(pour, angle=math.radians(90)))
     assert info["outcome"] == "timeout"
     assert info["substeps"]["poured"] == np.inf
@@ -67,18 +67,18 @@ def test_without_liquid_a_beaker_tilted_to_the_level_has_not_been_poured_out(emp
 
 
 def test_without_liquid_a_beaker_tilted_beside_the_other_spills(empty):
-    beaker, _ = empty.definition.start
+    beaker, _ = empty.workcell.task.start
     away = OverBench("away", ahead=0.65, left=0.1, height=0.25)
     info = play(empty, Shake(beaker, at=away, angle=math.radians(60), cycles=1))
     assert info["outcome"] == "spilled"
 
 
 def test_without_liquid_the_unspoilt_skill_succeeds_too(empty):
-    assert play(empty, *empty.definition.expert)["outcome"] == "success"
+    assert play(empty, *empty.workcell.task.skills)["outcome"] == "success"
 
 
 def test_a_beaker_left_tilted_is_not_upright_again(env):
-    (pour,) = env.definition.expert
+    (pour,) = env.workcell.task.skills
     info = play(env, replace(pour, pause_s=60.0))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["poured"])
@@ -90,7 +90,7 @@ def test_a_beaker_held_aslant_afterwards_is_not_upright(env):
         if expert.label == "pour/stabilise":
             action[6] += 0.26
 
-    (pour,) = env.definition.expert
+    (pour,) = env.workcell.task.skills
     info = play(env, replace(pour, drop=0.2), spoil=slant)  # high enough to clear the other
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["poured"])
@@ -99,11 +99,11 @@ def test_a_beaker_held_aslant_afterwards_is_not_upright(env):
 
 def test_a_beaker_let_go_afterwards_is_dropped(env):
     def let_go(expert, action):
-        if expert.label == "pour/tilt_back" and env.world.pose(beaker).tilt < 0.3:
+        if expert.label == "pour/tilt_back" and env.workcell.world.pose(beaker).tilt < 0.3:
             action[-1] = OPEN
 
-    beaker, _ = env.definition.start
-    assert play(env, *env.definition.expert, spoil=let_go)["outcome"] in {"dropped", "collided"}
+    beaker, _ = env.workcell.task.start
+    assert play(env, *env.workcell.task.skills, spoil=let_go)["outcome"] in {"dropped", "collided"}
 
 
 def test_a_target_that_is_run_into_has_been_struck(env):
@@ -111,12 +111,12 @@ def test_a_target_that_is_run_into_has_been_struck(env):
         if expert.label == "pour/ready":
             action[1] += 0.3
 
-    info = play(env, *env.definition.expert, spoil=lean_on)
+    info = play(env, *env.workcell.task.skills, spoil=lean_on)
     assert info["outcome"] == "collided"
 
 
 def test_a_beaker_lifted_nineteen_centimetres_is_not_picked(whole):
-    pick, *rest = whole.definition.expert
+    pick, *rest = whole.task.skills
     info = play(whole, Pick(pick.thing, lift=0.19), *rest)
     assert info["outcome"] == "timeout"
     assert info["substeps"]["gripped"] > 0
@@ -124,13 +124,13 @@ def test_a_beaker_lifted_nineteen_centimetres_is_not_picked(whole):
 
 
 def test_a_beaker_that_stays_in_the_hand_has_not_been_set_down(whole):
-    pick, _, place = whole.definition.expert
+    pick, _, place = whole.task.skills
 
     def keep_shut(expert, action):
         if expert.label.startswith("place"):
             action[-1] = pick.thing.grip_width - pick.squeeze
 
-    info = play(whole, *whole.definition.expert[:2], replace(place, retreat=0.0), spoil=keep_shut)
+    info = play(whole, *whole.task.skills[:2], replace(place, retreat=0.0), spoil=keep_shut)
     assert info["outcome"] == "timeout"
     assert info["facts"]["beaker standing on bench"]
     assert info["substeps"]["released"] == np.inf

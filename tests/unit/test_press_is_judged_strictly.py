@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from adversary import play
+from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.skills.press import Press
@@ -17,7 +17,7 @@ from labutopia_lerobot.world import Pose
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return LabEnv("level1/press", obs="state")
+    return begun("level1/press")
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Ram(Press):
 
 
 def buttons(env: LabEnv):
-    return next(iter(env.definition.start)).buttons
+    return next(iter(env.workcell.task.start)).buttons
 
 
 def test_the_unspoilt_expert_succeeds(env):
@@ -59,7 +59,7 @@ def test_the_unspoilt_expert_succeeds(env):
 def test_a_button_that_is_half_way_in_is_not_pressed(env):
     red, *_ = buttons(env)
     info = play(env, Press(red, hold=2.5, beyond=-0.001))
-    assert env.world.joint(red.joint) > 0.001
+    assert env.workcell.world.joint(red.joint) > 0.001
     assert info["outcome"] == "timeout"
     assert info["substeps"]["pressed"] == np.inf
 
@@ -97,18 +97,20 @@ def test_a_button_pressed_at_an_angle_is_misaligned(env):
 
 
 def test_a_fist_against_the_panel_has_collided(env):
-    panel = next(iter(env.definition.start))
+    panel = next(iter(env.workcell.task.start))
     red, *_ = panel.buttons
     assert play(env, Ram(red, hold=0.0, touches=panel.bodies))["outcome"] == "collided"
 
 
 def test_the_order_of_the_colours_is_drawn_from_the_seed(env):
-    panel = next(iter(env.definition.start))
+    panel = next(iter(env.workcell.task.start))
     orders = Counter()
     for seed in range(60):
         env.reset(seed=seed)
-        to_panel = env.world.pose(panel).inverse()
-        places = [(to_panel @ env.world.frame(b.name)).position_w[1] for b in panel.buttons]
+        to_panel = env.workcell.world.pose(panel).inverse()
+        places = [
+            (to_panel @ env.workcell.world.frame(b.name)).position_w[1] for b in panel.buttons
+        ]
         orders[tuple(np.argsort(places))] += 1
     assert len(orders) == 6
     assert max(orders.values()) < 20  # the 99.9 % quantile of a sixth of 60 is 19
@@ -116,9 +118,9 @@ def test_the_order_of_the_colours_is_drawn_from_the_seed(env):
 
 def test_the_state_tells_where_each_colour_is(env):
     observation, _ = env.reset(seed=9)
-    names = environment_state_names(env.definition)
+    names = environment_state_names(env.workcell.task)
     state = dict(zip(names, observation["environment_state"], strict=True))
     for button in buttons(env):
-        expected = env.world.robot_base.inverse() @ env.world.frame(button.name)
+        expected = env.workcell.world.robot_base.inverse() @ env.workcell.world.frame(button.name)
         told = [state[f"{button.name}.{axis}"] for axis in "xyz"]
         assert np.allclose(told, expected.position_w, atol=1e-6)

@@ -2,7 +2,7 @@
 
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.progress import Progress
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.task import Milestone, Step, Task
 
 
 class Story:
@@ -20,8 +20,7 @@ def fact(name: str) -> Predicate:
 TASK = Task(
     instruction="Do a, then b.",
     start={},
-    expert=(),
-    substeps=(Substep("first", (fact("a"),)), Substep("second", (fact("b"),))),
+    steps=(Step("do", (), (Milestone("first", (fact("a"),)), Milestone("second", (fact("b"),)))),),
     goal=(fact("goal"),),
     never={"dropped": fact("drop")},
     time_limit_s=10.0,
@@ -38,20 +37,20 @@ def tell(progress: Progress, world: Story, *facts: str, steps: int = 1) -> None:
 def test_sub_steps_latch_in_order_only():
     progress, world = Progress(TASK), Story()
     tell(progress, world, "b")
-    assert progress.substeps == {"first": None, "second": None}
+    assert progress.milestones == {"first": None, "second": None}
     tell(progress, world, "a")
-    assert progress.substeps["first"] is not None
-    assert progress.substeps["second"] is None
+    assert progress.milestones["first"] is not None
+    assert progress.milestones["second"] is None
     tell(progress, world, "b")
-    assert progress.substeps["second"] is not None
+    assert progress.milestones["second"] is not None
 
 
 def test_a_latched_sub_step_stays():
     progress, world = Progress(TASK), Story()
     tell(progress, world, "a")
-    latched = progress.substeps["first"]
+    latched = progress.milestones["first"]
     tell(progress, world, steps=5)
-    assert progress.substeps["first"] == latched
+    assert progress.milestones["first"] == latched
 
 
 def test_the_goal_without_its_sub_steps_is_no_success():

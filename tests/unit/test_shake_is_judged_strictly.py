@@ -6,19 +6,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from adversary import play
+from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.pick import OPEN, Pick
 from labutopia_lerobot.skills.shake import Shake
 
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return LabEnv("level1/shake", obs="state")
+    return begun("level1/shake")
 
 
 def shake(env: LabEnv) -> Shake:
-    return env.definition.expert[-1]
+    return env.workcell.task.skills[-1]
 
 
 def test_the_unspoilt_skill_succeeds(env):
@@ -67,8 +68,8 @@ def test_a_beaker_let_go_after_one_and_a_half_seconds_is_dropped(env):
 
     def let_go(expert, action):
         if expert.label == "shake/stabilise":
-            begun.append(env.world.time)
-            if env.world.time - begun[0] > 1.5:
+            begun.append(env.workcell.world.time)
+            if env.workcell.world.time - begun[0] > 1.5:
                 action[-1] = OPEN
 
     info = play(env, shake(env), spoil=let_go)
@@ -96,7 +97,7 @@ def test_a_beaker_held_aslant_at_the_end_is_not_back_at_the_start(env):
 
 
 def test_a_beaker_lifted_nineteen_centimetres_is_not_picked():
-    env = LabEnv("level2/shake_beaker", obs="state")
+    env = LabEnv(Setting("level2/shake_beaker", obs="state"))
     honest = shake(env)
     low = replace(honest, at=replace(honest.at, height=0.19))
     info = play(env, Pick(honest.thing, lift=0.19), low)

@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 
+from adversary import begun
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.labware.shell import enclosed_volume
 from labutopia_lerobot.labware.silicone_tube import SILICONE, SiliconeTube
@@ -15,6 +16,7 @@ from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots.panda import PANDA
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.skills.expert import Expert
@@ -30,7 +32,7 @@ EDGE = float(np.linalg.norm(TUBE.path[1] - TUBE.path[0]))
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
     """The task with the bottle."""
-    return LabEnv("level1/squeeze", obs="state")
+    return begun("level1/squeeze")
 
 
 @pytest.fixture
@@ -53,7 +55,7 @@ def play(env: LabEnv, until: str, seed: int = 5):
 
 def volume(env: LabEnv) -> float:
     """Volume inside the bottle of the scene now [m^3]; its wall is the only flex."""
-    return enclosed_volume(env.simulation.data.flexvert_xpos, BOTTLE.shell.triangles)
+    return enclosed_volume(env.workcell.simulation.data.flexvert_xpos, BOTTLE.shell.triangles)
 
 
 def speeds(simulation: Simulation) -> np.ndarray:
@@ -91,8 +93,8 @@ def test_a_bottle_under_its_own_weight_keeps_its_volume(env):
 def test_a_squeezed_bottle_caves_in_and_comes_back(env, seed):
     expert = play(env, "squeeze/hold", seed)
     assert BOTTLE.shell.volume - volume(env) > 20e-6
-    assert env.world.touching(LEFT_PAD, BOTTLE.name)
-    assert env.world.touching(RIGHT_PAD, BOTTLE.name)
+    assert env.workcell.world.touching(LEFT_PAD, BOTTLE.name)
+    assert env.workcell.world.touching(RIGHT_PAD, BOTTLE.name)
     while expert.label != "squeeze/done":
         env.step(expert.act())
     assert volume(env) == pytest.approx(BOTTLE.shell.volume, rel=1e-3)
@@ -125,9 +127,9 @@ class Anywhere(Squeeze):
 def test_pads_never_go_through_the_wall(env, higher, further):
     env.reset(seed=5)
     hard = Anywhere(BOTTLE, amount_ml=190.0, strokes=1, higher=higher, further=further)
-    expert = Expert((hard,), env.world, env.motion)
+    expert = Expert((hard,), env.workcell.world, env.workcell.motion)
     expert.start()
-    data = env.simulation.data
+    data = env.workcell.simulation.data
     while expert.label != "anywhere/release":
         env.step(expert.act())
         for pad in ("left_pad_collision", "right_pad_collision"):
@@ -139,7 +141,7 @@ def test_pads_never_go_through_the_wall(env, higher, further):
 
 def test_a_shaken_wall_loses_its_energy_and_never_gains_any(env):
     env.reset(seed=0)
-    simulation = env.simulation
+    simulation = env.workcell.simulation
     wall = slice(9, 9 + 3 * (simulation.scene.model.nflexvert - 2 * 14 - 2))
     rng = np.random.default_rng(0)
     simulation.data.qvel[wall] = rng.normal(0.0, 0.5, wall.stop - wall.start)
@@ -154,12 +156,12 @@ def test_a_shaken_wall_loses_its_energy_and_never_gains_any(env):
 
 def test_a_bottle_left_alone_for_a_minute_does_not_stir(env):
     env.reset(seed=0)
-    simulation = env.simulation
+    simulation = env.workcell.simulation
     before = simulation.data.flexvert_xpos.copy()
     for _ in range(30 * 60):
         simulation.step(simulation.command)
     assert np.abs(simulation.data.flexvert_xpos - before).max() < 1e-5
-    assert env.world.displaced(BOTTLE) == 0.0
+    assert env.workcell.world.displaced(BOTTLE) == 0.0
     assert not simulation.diverged
 
 
@@ -167,27 +169,29 @@ def test_a_restored_state_goes_on_bit_for_bit_in_the_middle_of_a_squeeze(env):
     expert = play(env, "squeeze/squeeze")
     for _ in range(40):
         env.step(expert.act())
-    saved, command = env.simulation.state(), env.simulation.command.copy()
-    other = LabEnv("level1/squeeze", obs="state")
+    saved, command = env.workcell.simulation.state(), env.workcell.simulation.command.copy()
+    other = LabEnv(Setting("level1/squeeze", obs="state"))
     other.reset(seed=5)
-    other.simulation.restore(saved)
-    assert other.simulation.command.tobytes() == command.tobytes()
+    other.workcell.simulation.restore(saved)
+    assert other.workcell.simulation.command.tobytes() == command.tobytes()
     narrower = command - np.array([0.0] * 7 + [0.01])
     for _ in range(30):
-        for simulation in (env.simulation, other.simulation):
+        for simulation in (env.workcell.simulation, other.workcell.simulation):
             simulation.step(narrower)
-        assert other.simulation.state().tobytes() == env.simulation.state().tobytes()
-        assert other.world.displaced(BOTTLE) == env.world.displaced(BOTTLE) > 0.0
+        assert (
+            other.workcell.simulation.state().tobytes() == env.workcell.simulation.state().tobytes()
+        )
+        assert other.workcell.world.displaced(BOTTLE) == env.workcell.world.displaced(BOTTLE) > 0.0
 
 
 def test_each_further_stroke_gives_more_and_nothing_returns(env):
     expert = play(env, "squeeze/release")
-    given = env.world.displaced(BOTTLE)
+    given = env.workcell.world.displaced(BOTTLE)
     while expert.label != "squeeze/done":
         env.step(expert.act())
-        assert env.world.displaced(BOTTLE) == given
-    state, data = env.simulation._displaced[0], env.simulation.data
-    displacement = env.simulation._displacements[BOTTLE.name]
+        assert env.workcell.world.displaced(BOTTLE) == given
+    state, data = env.workcell.simulation._displaced[0], env.workcell.simulation.data
+    displacement = env.workcell.simulation._displacements[BOTTLE.name]
     expert = play(env, "squeeze/hold")
     squeezed, full = data.flexvert_xpos.copy(), volume(env)
     env.reset(seed=5)
@@ -202,12 +206,12 @@ def test_each_further_stroke_gives_more_and_nothing_returns(env):
 
 def test_a_bottle_gives_no_more_than_it_holds(env):
     env.reset(seed=5)
-    state, data = env.simulation._displaced[0], env.simulation.data
+    state, data = env.workcell.simulation._displaced[0], env.workcell.simulation.data
     at_rest = data.flexvert_xpos.copy()
     for _ in range(20):
         for size in (0.95, 1.0):  # a seventh less volume, about 45 ml
             data.flexvert_xpos[:] = at_rest[0] + size * (at_rest - at_rest[0])
-            env.simulation._displacements[BOTTLE.name].update(state, data)
+            env.workcell.simulation._displacements[BOTTLE.name].update(state, data)
     assert state[1] == BOTTLE.contents
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from adversary import play
+from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.skills.pick import OPEN, Pick
@@ -18,12 +18,12 @@ GLASS = 6.4e10
 
 @pytest.fixture
 def env() -> LabEnv:
-    return LabEnv("level1/squeeze", obs="state")
+    return begun("level1/squeeze")
 
 
 def things(env: LabEnv):
     """Return the bottle and the beaker."""
-    return tuple(env.definition.start)
+    return tuple(env.workcell.task.start)
 
 
 @dataclass(frozen=True)
@@ -72,25 +72,25 @@ class Knock(Squeeze):
 
 def test_the_unspoilt_expert_succeeds(env):
     bottle, _ = things(env)
-    assert play(env, *env.definition.expert)["outcome"] == "success"
-    assert env.world.displaced(bottle) >= 20e-6
+    assert play(env, *env.workcell.task.skills)["outcome"] == "success"
+    assert env.workcell.world.displaced(bottle) >= 20e-6
 
 
 def test_a_bottle_of_glass_gives_nothing(env):
-    (bottle, region), (beaker, place) = env.definition.start.items()
+    (bottle, region), (beaker, place) = env.workcell.task.start.items()
     rigid = replace(bottle, material=replace(bottle.material, young=GLASS))
     start = {rigid: region, beaker: replace(place, holder=rigid)}
-    env.definition = replace(env.definition, start=start)
+    env.workcell.task = replace(env.workcell.task, start=start)
     info = play(env, Squeeze(rigid, amount_ml=21.0))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["gripped"])
-    assert env.world.displaced(rigid) == 0.0
+    assert env.workcell.world.displaced(rigid) == 0.0
 
 
 def test_half_of_it_is_not_enough(env):
     bottle, _ = things(env)
     info = play(env, Squeeze(bottle, amount_ml=10.0))
-    assert 10e-6 <= env.world.displaced(bottle) < 20e-6
+    assert 10e-6 <= env.workcell.world.displaced(bottle) < 20e-6
     assert info["outcome"] == "timeout"
     assert info["substeps"]["dispensed"] == np.inf
 
@@ -107,7 +107,7 @@ def test_air_that_is_squeezed_gives_nothing(env):
     info = play(env, Beside(bottle, amount_ml=21.0, strokes=1))
     assert info["outcome"] == "timeout"
     assert info["substeps"]["gripped"] == np.inf
-    assert env.world.displaced(bottle) == 0.0
+    assert env.workcell.world.displaced(bottle) == 0.0
 
 
 def test_a_hand_that_does_not_let_go_has_not_finished(env):
@@ -127,10 +127,10 @@ def test_a_hand_that_stays_round_the_bottle_has_not_finished(env):
 
 
 def test_a_jet_beside_the_beaker_spills(env):
-    (bottle, region), (beaker, _) = env.definition.start.items()
+    (bottle, region), (beaker, _) = env.workcell.task.start.items()
     start = {bottle: region, beaker: OnBench(x=(0.5, 0.55), y=(-0.4, -0.35))}
-    env.definition = replace(env.definition, start=start)
-    info = play(env, *env.definition.expert)
+    env.workcell.task = replace(env.workcell.task, start=start)
+    info = play(env, *env.workcell.task.skills)
     assert info["outcome"] == "spilled"
     assert info["ml_spilled"] > 2
     assert info["ml_poured"] == 0
@@ -145,5 +145,5 @@ def test_a_hand_on_the_spout_has_collided(env):
 def test_a_beaker_that_is_touched_ends_the_episode(env):
     _, beaker = things(env)
     aside = OnBench(x=(0.25, 0.26), y=(0.28, 0.30))  # where the bottle is not in the way
-    env.definition = replace(env.definition, start={**env.definition.start, beaker: aside})
+    env.workcell.task = replace(env.workcell.task, start={**env.workcell.task.start, beaker: aside})
     assert play(env, Pick(beaker, lift=0.05))["outcome"] == "struck"

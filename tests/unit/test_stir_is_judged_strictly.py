@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from adversary import Spoil, play
+from adversary import Spoil, begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.skills.pick import OPEN
 from labutopia_lerobot.skills.stir import Stir
@@ -14,16 +14,16 @@ from labutopia_lerobot.skills.stir import Stir
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return LabEnv("level1/stir", obs="state")
+    return begun("level1/stir")
 
 
 @pytest.fixture(scope="module")
 def from_the_rack() -> LabEnv:
-    return LabEnv("level2/stir_glassrod", obs="state")
+    return begun("level2/stir_glassrod")
 
 
 def stir(env: LabEnv) -> Stir:
-    return env.definition.expert[-1]
+    return env.workcell.task.skills[-1]
 
 
 def after(env: LabEnv, label: str, seconds: float, do: Callable[[np.ndarray], None]) -> Spoil:
@@ -32,8 +32,8 @@ def after(env: LabEnv, label: str, seconds: float, do: Callable[[np.ndarray], No
 
     def spoil(expert, action):
         if expert.label == label:
-            begun.append(env.world.time)
-        if begun and env.world.time - begun[0] > seconds:
+            begun.append(env.workcell.world.time)
+        if begun and env.workcell.world.time - begun[0] > seconds:
             do(action)
 
     return spoil
@@ -51,7 +51,9 @@ def test_the_rod_neither_slips_nor_spins_in_the_grip(env):
     in_hand = []
 
     def watch(expert, action):
-        in_hand.append(env.world.gripper.inverse() @ env.world.pose(stir(env).rod))
+        in_hand.append(
+            env.workcell.world.gripper.inverse() @ env.workcell.world.pose(stir(env).rod)
+        )
 
     play(env, spoil=watch)
     assert max(pose.distance_to(in_hand[0]) for pose in in_hand) < 0.002
@@ -106,7 +108,7 @@ def test_a_rod_pushed_onto_the_bottom_collides(env):
 
     middle = replace(stir(env), radius=0.0)
     info = play(env, middle, spoil=after(env, "stir/circle", 0.0, press))
-    tip = env.world.frame("beaker_rim").inverse() @ env.world.pose(middle.rod)
+    tip = env.workcell.world.frame("beaker_rim").inverse() @ env.workcell.world.pose(middle.rod)
     assert info["outcome"] == "collided"
     assert np.hypot(*tip.position_w[:2]) < middle.vessel.mouth_radius / 2  # nowhere near the wall
 
@@ -148,7 +150,7 @@ def test_the_unspoilt_skills_succeed_from_the_rack(from_the_rack):
 
 
 def test_a_rod_lifted_nineteen_centimetres_is_not_lifted(from_the_rack):
-    pick, honest = from_the_rack.definition.expert
+    pick, honest = from_the_rack.task.skills
     info = play(from_the_rack, replace(pick, lift=0.19), replace(honest, rise=0.0))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["gripped"])

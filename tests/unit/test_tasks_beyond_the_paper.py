@@ -3,10 +3,11 @@
 from labutopia_lerobot.registry import (
     choose_tasks,
     is_beyond_paper,
-    load_task,
     task_files,
     tasks_of_levels,
 )
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import Setting
 
 
 def test_a_level_holds_the_tasks_of_the_paper_only():
@@ -15,7 +16,7 @@ def test_a_level_holds_the_tasks_of_the_paper_only():
 
 
 def test_a_task_beyond_the_paper_is_found_by_its_id_and_by_its_level_and_name():
-    assert load_task("level1/squeeze").instruction.startswith("Squeeze")
+    assert canonical_task(Setting("level1/squeeze")).instruction.startswith("Squeeze")
     assert choose_tasks("level1/squeeze", None) == ["level1/squeeze"]
     assert choose_tasks("squeeze", [1]) == ["level1/squeeze"]
 

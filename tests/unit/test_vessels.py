@@ -216,7 +216,7 @@ def test_two_vessels_of_one_kind_live_in_one_model():
 def test_the_sites_are_where_the_vessel_says(vessel):
     model = bench(vessel).compile()
     assert tuple(model.site("vessel_grasp").pos) == (0, 0, vessel.grip_height)
-    assert tuple(model.site("vessel_rim").pos) == (0, 0, vessel.rim_height)
+    assert tuple(model.site("vessel_rim").pos) == (0, 0, vessel.height)
 
 
 @every_vessel
@@ -325,3 +325,13 @@ def test_a_vessel_tips_at_the_angle_of_its_centre_of_mass_over_the_edge_of_its_b
 def test_what_is_to_be_picked_fits_the_gripper(vessel):
     franka_hand_stroke = 0.08
     assert vessel.grip_width < franka_hand_stroke
+
+
+def test_a_plain_tube_of_two_corners_can_be_built_and_stands():
+    tube = Vessel("tube", Profile(((0.02, 0.0), (0.02, 0.12)), 0.0012, 0.003), 0.08)
+    spec = mujoco.MjSpec()
+    tube.add_to(spec, spec.worldbody)
+    model = spec.compile()
+    hulls = [model.geom(i).name for i in range(model.ngeom) if "hull" in model.geom(i).name]
+    assert hulls == ["tube_hull_lower"]
+    assert model.geom("tube_hull_lower").size[:2] == pytest.approx((0.02, 0.06))

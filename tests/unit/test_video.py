@@ -6,7 +6,7 @@ import av
 import numpy as np
 import pytest
 
-from labutopia_lerobot.video import VideoWriter, color_statistics, video_size_and_frames
+from labutopia_lerobot.runtime.video import VideoWriter, color_statistics, video_size_and_frames
 
 RNG = np.random.default_rng(0)
 PICTURES = [RNG.integers(20 * k, 200, (48, 64, 3), dtype=np.uint8) for k in range(9)]

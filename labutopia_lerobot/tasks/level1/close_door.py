@@ -8,9 +8,9 @@ import math
 
 from labutopia_lerobot.labware.drying_oven import DryingOven
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import clear_of, closed, collided, grasped, less_open, opened
-from labutopia_lerobot.skills.close import Close
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.predicates import clear_of, closed, collided
+from labutopia_lerobot.task import Task
+from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.views import DOOR_VIEW
 
 # The original's expert pushes the door along an arc of 50 degrees. Ours starts 10 cm from the
@@ -32,16 +32,7 @@ def close_door() -> Task:
         ),
         # Original: these x and y, no yaw.
         start={oven: OnBench(x=(0.77, 0.85), y=(-0.05, 0.0), yaw=(-YAW, YAW))},
-        expert=(Close(door),),
-        substeps=(
-            Substep("gripped", (grasped(door.handle), opened(door, to=BEGUN))),
-            Substep(
-                "closed",
-                via=(less_open(door, than=BEGUN),),
-                keeping=(grasped(door.handle),),  # paper: "without slipping"
-                when=(closed(door),),
-            ),
-        ),
+        steps=(actions.close_by_handle(door, begun=BEGUN),),
         goal=(
             closed(door),  # paper: "with no gaps"
             clear_of(door.handle, by=0.08),  # original: gripper to handle more than 0.08 m

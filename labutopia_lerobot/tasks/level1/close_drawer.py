@@ -8,9 +8,9 @@ import math
 
 from labutopia_lerobot.labware.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import clear_of, closed, collided, grasped, less_open, opened
-from labutopia_lerobot.skills.close import Close
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.predicates import clear_of, closed, collided
+from labutopia_lerobot.task import Task
+from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.views import DOOR_VIEW
 
 AJAR = 0.15  # original: the handle travels by more than 0.13 m; pushed until 0.15 m
@@ -30,16 +30,7 @@ def close_drawer() -> Task:
         ),
         # Original: these x and y, no yaw.
         start={cabinet: OnBench(x=(0.68, 0.78), y=(-0.05, 0.05), yaw=(-YAW, YAW))},
-        expert=(Close(drawer),),
-        substeps=(
-            Substep("gripped", (grasped(drawer.handle), opened(drawer, to=BEGUN))),
-            Substep(
-                "closed",
-                via=(less_open(drawer, than=BEGUN),),
-                keeping=(grasped(drawer.handle),),  # paper: "without slipping"
-                when=(closed(drawer),),
-            ),
-        ),
+        steps=(actions.close_by_handle(drawer, begun=BEGUN),),
         goal=(
             closed(drawer),  # paper: "with no gaps"
             clear_of(drawer.handle, by=0.04),  # original: gripper to handle more than 0.04 m

@@ -8,9 +8,9 @@ import math
 
 from labutopia_lerobot.labware.drying_oven import DryingOven
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import clear_of, collided, grasped, less_open, opened
-from labutopia_lerobot.skills.open import Open
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.predicates import clear_of, collided, opened
+from labutopia_lerobot.task import Task
+from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.views import DOOR_VIEW
 
 OPEN_TO = math.radians(50)  # original: the arc that its expert pulls the door along
@@ -30,16 +30,7 @@ def open_door() -> Task:
         ),
         # Original: these x and y, no yaw.
         start={oven: OnBench(x=(0.70, 0.80), y=(0.05, 0.15), yaw=(-YAW, YAW))},
-        expert=(Open(door, to=math.radians(55)),),
-        substeps=(
-            Substep("gripped", (grasped(door.handle), less_open(door, than=BEGUN))),
-            Substep(
-                "opened",
-                via=(opened(door, to=BEGUN),),
-                keeping=(grasped(door.handle),),  # paper: "without slipping"
-                when=(opened(door, to=OPEN_TO),),
-            ),
-        ),
+        steps=(actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=math.radians(55)),),
         goal=(
             opened(door, to=OPEN_TO),  # paper: "remaining open at the target angle"
             clear_of(door.handle, by=0.04),  # original: gripper to handle more than 0.04 m

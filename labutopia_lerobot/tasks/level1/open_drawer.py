@@ -8,9 +8,9 @@ import math
 
 from labutopia_lerobot.labware.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import clear_of, collided, grasped, less_open, opened
-from labutopia_lerobot.skills.open import Open
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.predicates import clear_of, collided, opened
+from labutopia_lerobot.task import Task
+from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.views import DOOR_VIEW
 
 OPEN_TO = 0.13  # original: handle moved by more than 0.13 m
@@ -30,16 +30,7 @@ def open_drawer() -> Task:
         ),
         # Original: these x and y, no yaw.
         start={cabinet: OnBench(x=(0.70, 0.77), y=(-0.05, 0.05), yaw=(-YAW, YAW))},
-        expert=(Open(drawer, to=0.15),),
-        substeps=(
-            Substep("gripped", (grasped(drawer.handle), less_open(drawer, than=BEGUN))),
-            Substep(
-                "opened",
-                via=(opened(drawer, to=BEGUN),),
-                keeping=(grasped(drawer.handle),),  # paper: "without slipping"
-                when=(opened(drawer, to=OPEN_TO),),
-            ),
-        ),
+        steps=(actions.open_by_handle(drawer, to=OPEN_TO, begun=BEGUN, pull=0.15),),
         goal=(
             opened(drawer, to=OPEN_TO),
             clear_of(drawer.handle, by=0.04),  # original: gripper to handle more than 0.04 m

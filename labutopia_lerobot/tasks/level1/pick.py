@@ -5,9 +5,9 @@ Ported from: config/level1_pick.yaml, tasks/pick_task.py, controllers/pick_contr
 
 from labutopia_lerobot.labware.glassware import erlenmeyer_flask
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import falling, gripped, knocked_over, lifted, steady, upright
-from labutopia_lerobot.skills.pick import Pick
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.predicates import gripped, lifted, steady, upright
+from labutopia_lerobot.task import Task
+from labutopia_lerobot.tasks import actions
 
 
 def pick() -> Task:
@@ -21,20 +21,13 @@ def pick() -> Task:
         ),
         # Original: x 0.21 to 0.36, y -0.08 to 0.08; the paper's 15 cm x 15 cm.
         start={flask: OnBench(x=(0.21, 0.36), y=(-0.075, 0.075))},
-        expert=(Pick(flask, lift=0.25),),
-        substeps=(
-            Substep("gripped", (gripped(flask),)),
-            Substep("lifted", (lifted(flask, by=0.20),)),  # paper: "exceeding 20 cm"
-        ),
+        steps=(actions.pick(flask),),
         goal=(
             lifted(flask, by=0.20),
             gripped(flask),  # paper: "securely grasped"
             upright(flask, within_deg=20),  # ours: a quarter-full flask does not spill
             steady(flask, below=0.10),  # paper: "maintained steadily"; the number is ours
         ),
-        never={
-            "knocked_over": knocked_over(flask, beyond_deg=30),
-            "dropped": falling(flask, faster_than=0.5),  # free fall over 13 mm
-        },
+        never=actions.mishaps(flask, spill=None),
         time_limit_s=800 / 60,  # original: 800 steps at 60 Hz
     )

@@ -6,20 +6,10 @@ Ported from: config/level1_pour.yaml, tasks/pickpour_task.py, controllers/pour_c
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.liquids.filling import Filling
-from labutopia_lerobot.predicates import (
-    falling,
-    gripped,
-    lifted,
-    lip_over,
-    poured,
-    spilled,
-    steady,
-    struck,
-    upright,
-)
-from labutopia_lerobot.skills.pick import Pick
-from labutopia_lerobot.skills.pour import Pour
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.predicates import gripped, lifted, lip_over, steady, struck, upright
+from labutopia_lerobot.skills import Pick
+from labutopia_lerobot.task import Task
+from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
 
@@ -38,12 +28,7 @@ def pour() -> Task:
             target: OnBench(x=(0.18, 0.33), y=(-0.32, -0.17)),
         },
         prelude=(Pick(vessel, lift=0.25),),
-        expert=(Pour(vessel, into=target),),
-        substeps=(
-            # Ours: the volume. Original: a tilt of 50 deg.
-            Substep("poured", (poured(vessel, target, share=0.80),)),
-            Substep("righted", (upright(vessel, within_deg=10),)),  # original: 30 deg
-        ),
+        steps=(actions.pour(vessel, target),),
         goal=(
             gripped(vessel),
             lifted(vessel, by=0.05),  # original: z > z0 + 0.05
@@ -52,8 +37,7 @@ def pour() -> Task:
         ),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            "spilled": spilled(vessel, share=0.05, unless=lip_over(vessel, target)),  # ours
-            "dropped": falling(vessel, faster_than=0.5),  # free fall over 13 mm
+            **actions.mishaps(vessel, spill=0.05, pouring=lip_over(vessel, target)),
             "collided": struck(target),
         },
         time_limit_s=1500 / 60,  # original: 1500 steps at 60 Hz

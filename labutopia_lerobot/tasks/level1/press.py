@@ -8,8 +8,8 @@ import math
 from labutopia_lerobot.labware.button_panel import ButtonPanel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import aligned, collided, fingered, pressed, touched
-from labutopia_lerobot.skills.press import Press
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.skills import Press
+from labutopia_lerobot.task import Milestone, Step, Task
 from labutopia_lerobot.views import PRESS_VIEW
 
 
@@ -19,6 +19,7 @@ def press() -> Task:
     red, *others = panel.buttons
     # Paper: "precisely aligned"; ours: nearer to the middle of the button than to its edge.
     on_axis = aligned(red, within=0.009, within_deg=10)
+    in_by_finger = (pressed(red), fingered(red))  # original: 5 mm; paper: "stable contact"
     return Task(
         instruction="Press the red button on the control panel and keep it pressed.",
         paraphrases=(
@@ -35,20 +36,15 @@ def press() -> Task:
                 shuffled=tuple(button.name for button in panel.buttons),
             )
         },
-        expert=(Press(red, hold=2.5),),
-        substeps=(
-            Substep("aligned", (on_axis,)),
-            Substep("pressed", (pressed(red), fingered(red))),
+        steps=(
+            Step(
+                "press",
+                (Press(red, hold=2.5),),
+                (Milestone("aligned", (on_axis,)), Milestone("pressed", in_by_finger)),
+            ),
         ),
-        goal=(
-            pressed(red),  # original: more than 5 mm of travel
-            fingered(red),  # paper: "maintains stable contact"
-            on_axis,  # paper: "without misalignment"
-        ),
-        never={
-            "wrong_button": touched(*others),
-            "collided": collided(panel, sparing=red),
-        },
+        goal=(*in_by_finger, on_axis),  # paper: "without misalignment"
+        never={"wrong_button": touched(*others), "collided": collided(panel, sparing=red)},
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=PRESS_VIEW,
     )

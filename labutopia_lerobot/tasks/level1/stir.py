@@ -8,40 +8,16 @@ from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.liquids.filling import Filling
-from labutopia_lerobot.predicates import (
-    dipped,
-    falling,
-    gripped,
-    moving,
-    off_axis,
-    on_side,
-    over_mouth,
-    spilled,
-    steady,
-    struck,
-    upright,
-)
-from labutopia_lerobot.skills.pick import Pick
-from labutopia_lerobot.skills.stir import Stir
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.predicates import steady, upright
+from labutopia_lerobot.skills import Pick
+from labutopia_lerobot.task import Task
+from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.views import WIDEST_VESSEL_VIEW
 
 
 def stir() -> Task:
     """Return the task."""
     rod, rack, vessel = GlassRod("glass_rod"), TestTubeRack("rack"), beaker("beaker", "150 ml")
-    # Ours: the lower half of the beaker, where the liquid of a half-full one is.
-    inside = (gripped(rod), dipped(rod, vessel, by=0.045))
-    turn = (
-        on_side(rod, vessel, "ahead", beyond=0.005),  # ours: half of the original's 9 mm
-        on_side(rod, vessel, "left", beyond=0.005),
-        on_side(rod, vessel, "behind", beyond=0.005),
-        on_side(rod, vessel, "right", beyond=0.005),
-    )
-    circling = (
-        off_axis(rod, vessel, beyond=0.003),  # so that the sides are passed by going round
-        moving(rod, above=0.003),  # paper: "without interruption or hesitation"; ours: a tenth
-    )
     return Task(
         instruction=(
             "Stir in the beaker with the glass rod in the gripper, five times round "
@@ -60,25 +36,14 @@ def stir() -> Task:
             rod: Inside(rack, at=rack.middle),
         },
         prelude=(Pick(rod, lift=0.23, support=rack.name),),
-        expert=(Stir(rod, vessel),),
-        substeps=(
-            Substep("inserted", inside),
-            Substep("stirred", inside, via=turn * 5, keeping=(*inside, *circling)),
-            Substep("withdrawn", (gripped(rod), over_mouth(rod, vessel, within=0.04, by=0.05))),
-        ),
+        steps=(actions.stir(rod, vessel),),
         goal=(
-            gripped(rod),
-            over_mouth(rod, vessel, within=0.04, by=0.05),  # original: 0.04; ours: clear of it
+            *actions.held_over(rod, vessel),
             upright(rod, within_deg=10),
             steady(rod, below=0.02),
         ),
-        contents={vessel: Filling(ml=60)},  # ours: half of what it holds
-        never={
-            "dropped": falling(rod, faster_than=0.5),  # free fall over 13 mm
-            "spilled": spilled(vessel, share=0.01),  # paper: "without causing spillage"
-            "collided": struck(vessel),
-            "rack_struck": struck(rack, but_for=frozenset({rod.name})),
-        },
+        contents={vessel: Filling(ml=60)},  # ours: a good quarter of what it holds
+        never=actions.stirring_mishaps(rod, vessel, rack),
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
         view=WIDEST_VESSEL_VIEW,
     )

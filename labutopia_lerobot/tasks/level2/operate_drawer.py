@@ -5,17 +5,16 @@ controllers/openclose_controller.py.
 """
 
 import math
+from dataclasses import replace
 
 from labutopia_lerobot.labware.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import clear_of, closed, collided, grasped, less_open, opened
-from labutopia_lerobot.skills.close import Close
-from labutopia_lerobot.skills.open import Open
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.predicates import clear_of, closed, collided, opened
+from labutopia_lerobot.task import Milestone, Task
+from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks.level1.open_drawer import BEGUN, OPEN_TO
 from labutopia_lerobot.views import DOOR_VIEW
 
-OPEN_TO = 0.13  # original: handle moved by more than 0.13 m
-BEGUN = 0.005  # ours: further than a grip jolts a drawer
 YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
 
 
@@ -23,8 +22,9 @@ def operate_drawer() -> Task:
     """Return the task."""
     cabinet = Cabinet("cabinet")
     drawer = cabinet.top_drawer
-    held = grasped(drawer.handle)
     clear = clear_of(drawer.handle, by=0.04)  # original: gripper to handle more than 0.04 m
+    opening = actions.open_by_handle(drawer, to=OPEN_TO, begun=BEGUN, pull=0.15)
+    let_go = Milestone("released", (clear, opened(drawer, to=OPEN_TO)))
     return Task(
         instruction="Open the top drawer of the cabinet, let go of it, then close it again.",
         paraphrases=(
@@ -33,23 +33,9 @@ def operate_drawer() -> Task:
         ),
         # Original: these x and y, no yaw.
         start={cabinet: OnBench(x=(0.69, 0.79), y=(-0.05, 0.05), yaw=(-YAW, YAW))},
-        expert=(Open(drawer, to=0.15), Close(drawer)),
-        substeps=(
-            Substep("gripped", (held, less_open(drawer, than=BEGUN))),
-            Substep(
-                "opened",
-                via=(opened(drawer, to=BEGUN),),
-                keeping=(held,),  # paper: "securely grasped without being knocked"
-                when=(opened(drawer, to=OPEN_TO),),
-            ),
-            Substep("released", (clear, opened(drawer, to=OPEN_TO))),
-            Substep("gripped_again", (held, opened(drawer, to=OPEN_TO))),
-            Substep(
-                "closed",
-                via=(less_open(drawer, than=OPEN_TO),),
-                keeping=(held,),
-                when=(closed(drawer),),
-            ),
+        steps=(
+            replace(opening, milestones=(*opening.milestones, let_go)),
+            actions.close_by_handle(drawer, begun=OPEN_TO, grip="gripped_again"),
         ),
         goal=(closed(drawer), clear),  # paper: "retreat a specified distance"
         never={"collided": collided(cabinet, sparing=drawer.handle)},

@@ -18,8 +18,8 @@ from labutopia_lerobot.predicates import (
     struck,
     withdrawn,
 )
-from labutopia_lerobot.skills.squeeze import Squeeze
-from labutopia_lerobot.task import Substep, Task
+from labutopia_lerobot.skills import Squeeze
+from labutopia_lerobot.task import Milestone, Step, Task
 from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
 _AMOUNT_ML = 20.0
@@ -45,11 +45,16 @@ def squeeze() -> Task:
             ),
             target: Inside(bottle, at=(bottle.spout_reach, 0.0, 0.0)),
         },
-        expert=(Squeeze(bottle, amount_ml=_AMOUNT_ML + 2.0),),
-        substeps=(
-            Substep("gripped", (gripped(bottle),)),
-            Substep("dispensed", (enough,)),
-            Substep("released", (released(bottle),)),
+        steps=(
+            Step(
+                "squeeze",
+                (Squeeze(bottle, amount_ml=_AMOUNT_ML + 2.0),),
+                (
+                    Milestone("gripped", (gripped(bottle),)),
+                    Milestone("dispensed", (enough,)),
+                    Milestone("released", (released(bottle),)),
+                ),
+            ),
         ),
         goal=(
             enough,

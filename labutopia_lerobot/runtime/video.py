@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.world import CONTROL_HZ
 
 CODEC: Final = "h264"
@@ -24,6 +25,23 @@ QUALITY = 23
 
 QUANTILES = (0.01, 0.10, 0.50, 0.90, 0.99)
 """Those that LeRobot stores, as q01 ... q99."""
+
+
+class UnfilmableError(UserError, ValueError):
+    """Pictures of a size that H.264 cannot hold; the message says which it can."""
+
+
+def require_filmable(width: int, height: int) -> None:
+    """Make sure, before anything is played, that pictures of a size [pixels] can be filmed.
+
+    Raises:
+        UnfilmableError: If they cannot.
+    """
+    for name, value in {"width": width, "height": height}.items():
+        if value < 16 or value % 2:
+            raise UnfilmableError(
+                f"{name}={value} cannot be filmed: H.264 takes even numbers from 16 pixels"
+            )
 
 
 class VideoWriter:

@@ -23,8 +23,9 @@ from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.runtime.workers import become_worker
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
-from labutopia_lerobot.worker_process import become_worker
 
 POLICY_CAMERAS = ("front", "top")
 """What the paper's ACT and Diffusion Policy look through ("Model Input And Output")."""
@@ -76,7 +77,7 @@ def measure(tasks: Sequence[str], seconds: float, episodes: int) -> dict[str, An
         "liquid_solver_real_time": round(_solver_speed(seconds), 2),
         "record_3cam_fps": round(recording_fps, 1),
         "demos_per_hour": demonstrations,
-        "renderer": _renderer(),
+        "renderer": opengl_renderer_name(),
         "cores": cores,
         "versions": {package: version(package) for package in _PACKAGES},
     }
@@ -101,7 +102,7 @@ def _replay(task: str, cameras: tuple[str, ...], seconds: float, gate: Any) -> f
     """Replay an expert episode again and again; return the frames per second of the steps."""
     become_worker(signal.SIG_DFL)
     actions = _expert_actions(task)
-    env = LabEnv(task, cameras=cameras) if cameras else LabEnv(task, obs="state")
+    env = LabEnv(_setting(task, cameras))
     env.reset(seed=0)
     env.step(actions[0])
     gate.wait()
@@ -119,9 +120,9 @@ def _replay(task: str, cameras: tuple[str, ...], seconds: float, gate: Any) -> f
 
 def _solver_speed(seconds: float) -> float:
     """Return how many seconds of liquid the solver alone computes in one, on one core."""
-    env = LabEnv(_LIQUID, obs="state")
+    env = LabEnv(_setting(_LIQUID))
     env.reset(seed=0)
-    liquid = env.simulation.liquid
+    liquid = env.workcell.simulation.liquid
     assert liquid is not None  # the task has contents
     start, steps = time.perf_counter(), 0
     while time.perf_counter() - start < seconds:
@@ -131,7 +132,7 @@ def _solver_speed(seconds: float) -> float:
 
 
 def _expert_actions(task: str) -> list[NDArray[np.float32]]:
-    env = LabEnv(task, obs="state")
+    env = LabEnv(_setting(task))
     env.reset(seed=0)
     expert = env.expert()
     expert.start()
@@ -148,14 +149,10 @@ def _record(task: str, obs: str, episodes: int) -> int:
     """Record demonstrations on all cores; return their number of frames."""
     with tempfile.TemporaryDirectory() as folder:
         root = str(Path(folder) / "dataset")
-        candidates = record(
-            RecordingConfig(task=task, episodes=episodes, obs=obs, root=root), _Silent()
-        )
+        options: dict[str, Any] = {"task": task, "obs": obs, "episodes": episodes, "root": root}
+        candidates = record(RecordingConfig(**options), _Silent())
     return sum(candidate.frames for candidate in candidates if candidate.success)
 
 
-def _renderer() -> str:
-    env = LabEnv(_RIGID, cameras=("front",), width=64, height=64)
-    name = opengl_renderer_name(env.renderer)
-    env.close()
-    return name
+def _setting(task: str, cameras: tuple[str, ...] = ()) -> Setting:
+    return Setting(task, cameras=cameras) if cameras else Setting(task, obs="state")

@@ -1,11 +1,11 @@
-"""Worker processes that take jobs from a queue."""
+"""Worker processes: how they begin, how they end, how they take jobs from a queue."""
 
 import multiprocessing
+import os
 import signal
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
-
-from labutopia_lerobot.worker_process import become_worker
 
 
 def in_processes[*Job, Result](
@@ -34,3 +34,21 @@ def in_processes[*Job, Result](
             yield future.result()
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+def become_worker(on_interrupt: signal.Handlers) -> None:
+    """Make this process a worker: it ends with its parent, however that ends, and draws alone.
+
+    Args:
+        on_interrupt: What Ctrl-C does to it: `SIG_DFL` ends it, `SIG_IGN` lets it finish its job.
+    """
+    signal.signal(signal.SIGINT, on_interrupt)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software renderer: a process per core
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)

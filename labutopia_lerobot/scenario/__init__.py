@@ -1,0 +1,19 @@
+"""What an episode is before it is played: what its seed has drawn."""
+
+from labutopia_lerobot.scenario.draw import AxisError, Draw, Value
+from labutopia_lerobot.scenario.scenario import (
+    Scenario,
+    canonical_task,
+    draw_scenario,
+    scenario_seeds,
+)
+
+__all__ = [
+    "AxisError",
+    "Draw",
+    "Scenario",
+    "Value",
+    "canonical_task",
+    "draw_scenario",
+    "scenario_seeds",
+]

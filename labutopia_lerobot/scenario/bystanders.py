@@ -1,0 +1,99 @@
+"""Things that stand around and have nothing to do with the task."""
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from labutopia_lerobot.labware.glassware import (
+    beaker,
+    erlenmeyer_flask,
+    graduated_cylinder,
+    volumetric_flask,
+)
+from labutopia_lerobot.labware.test_tube_rack import TestTubeRack
+from labutopia_lerobot.layout import CLEARANCE, ImpossibleStartError, Piece, Placement, Workspace
+from labutopia_lerobot.world import FloatArray
+
+BYSTANDER_GAP = 0.13
+"""Least gap between a bystander and what the task needs [m]: the open hand passes, 0.2 m wide."""
+INSTRUMENT_GAP = 0.45
+"""Least gap between a bystander and an instrument [m]: the drying oven's door sweeps so far."""
+
+_TRIES = 1000
+
+
+def bystander_sets() -> dict[str, tuple[Piece, ...]]:
+    """Return what can stand around; the first four sets are for training."""
+    name = "bystander"
+    return {
+        "bare": (),
+        "a beaker": (beaker(name, "150 ml"),),
+        "a flask and a cylinder": (
+            erlenmeyer_flask(name, "500 ml"),
+            graduated_cylinder(f"{name}_2"),
+        ),
+        "two beakers": (beaker(name, "250 ml"), beaker(f"{name}_2", "800 ml")),
+        "a rack and a beaker": (TestTubeRack(name), beaker(f"{name}_2", "800 ml")),
+        "three flasks": (
+            erlenmeyer_flask(name, "1000 ml"),
+            volumetric_flask(f"{name}_2"),
+            erlenmeyer_flask(f"{name}_3", "300 ml"),
+        ),
+    }
+
+
+def place_bystanders(
+    bystanders: Sequence[Piece],
+    layout: Mapping[Piece, Placement],
+    workspace: Workspace,
+    rng: np.random.Generator,
+) -> dict[Piece, Placement]:
+    """Draw where things stand that the task does not need: in view, but out of the way.
+
+    They stand around the middle of the task's things, further out the more tries it takes.
+
+    Args:
+        bystanders: The things.
+        layout: Where what the task needs stands.
+        workspace: The bench and the robot.
+        rng: Where the placements come from.
+
+    Raises:
+        ImpossibleStartError: If there is no room for them.
+    """
+    placed: dict[Piece, Placement] = {}
+    middle = np.mean([(stands.x, stands.y) for stands in layout.values()], axis=0)
+    for piece in bystanders:
+        for spread in np.linspace(0.25, 1.5, _TRIES):
+            x, y = middle + spread * rng.uniform(-1.0, 1.0, size=2)
+            placement = Placement(x, y, rng.uniform(-math.pi, math.pi))
+            if _out_of_the_way(piece, placement, {**layout, **placed}, workspace):
+                placed[piece] = placement
+                break
+        else:
+            raise ImpossibleStartError(f"There is no room on the bench for '{piece.name}'")
+    return placed
+
+
+def _out_of_the_way(
+    piece: Piece, at: Placement, layout: Mapping[Piece, Placement], workspace: Workspace
+) -> bool:
+    inner = piece.footprint_radius + CLEARANCE
+    (x_min, x_max), (y_min, y_max) = workspace.x, workspace.y
+    if not (x_min + inner < at.x < x_max - inner and y_min + inner < at.y < y_max - inner):
+        return False
+    for other, placement in layout.items():
+        gap = BYSTANDER_GAP if other.movable else INSTRUMENT_GAP
+        least = piece.footprint_radius + other.footprint_radius + gap
+        robot, thing = np.array(workspace.robot), np.array([placement.x, placement.y])
+        way = np.clip(
+            (np.array([at.x, at.y]) - robot) @ (thing - robot) / _square(thing - robot), 0, 1
+        )
+        if math.dist((at.x, at.y), robot + way * (thing - robot)) < least:
+            return False
+    return True
+
+
+def _square(vector: FloatArray) -> float:
+    return float(vector @ vector)

@@ -1,0 +1,72 @@
+"""What an episode is before it is played: a task and a look of the room, drawn from a seed."""
+
+import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from labutopia_lerobot.registry import task_function
+from labutopia_lerobot.scenario.draw import Draw, Value
+from labutopia_lerobot.scenario.variation import Variation, draw_instruction, draw_variation
+from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.task import Task
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """What an episode has drawn.
+
+    Attributes:
+        task: The task.
+        variation: What varies around it.
+        drawn: Axis -> value, for `info`, rows and datasets.
+    """
+
+    task: Task
+    variation: Variation
+    drawn: Mapping[str, Value] = field(default_factory=dict)
+
+
+def scenario_seeds(setting: Setting, seed: int, attempt: int = 0) -> list[int]:
+    """Return the seeds of everything random in an episode.
+
+    Args:
+        setting: What is played; tasks and splits never share a scene.
+        seed: Seed of the episode.
+        attempt: How many starts of this episode have been discarded.
+    """
+    names = [zlib.crc32(word.encode()) for word in (setting.task, setting.split)]
+    return [seed, *names, attempt]
+
+
+def draw_scenario(setting: Setting, seed: int, attempt: int = 0) -> Scenario:
+    """Draw what the episode of a seed is.
+
+    Raises:
+        AxisError: If the task declares an axis wrongly.
+        UnknownOptionError: If the task does not have the axes of the setting.
+    """
+    return _scenario(
+        setting, Draw(setting.split, setting.axes, scenario_seeds(setting, seed, attempt))
+    )
+
+
+def canonical_task(setting: Setting) -> Task:
+    """Return the task with the first value on every axis: names and widths are those of all draws.
+
+    Raises:
+        AxisError: If the task declares an axis wrongly.
+        UnknownOptionError: If the task does not have the axes of the setting.
+    """
+    return _scenario(setting, Draw(setting.split, setting.axes)).task
+
+
+def _scenario(setting: Setting, draw: Draw) -> Scenario:
+    task = task_function(setting.task, setting.tasks_dir)(draw)
+    variation = draw_variation(draw, joints=7)
+    instruction = draw_instruction(draw, task)
+    if instruction != task.instruction:
+        task = replace(task, instruction=instruction)
+    if setting.liquid == "off":
+        task = task.without_liquid()
+    draw.require_axes(setting.task)
+    return Scenario(task, variation, draw.values)

@@ -1,0 +1,81 @@
+"""The axes that every task has.
+
+How bench and walls look, the light, where cameras and robot start, what else stands around, how the
+instruction is said: `material`, `wall`, `light`, `camera`, `robot_start`, `layout`, `instruction`.
+Nothing of this varies unless the user (`axes=`) or the task (`Draw.vary`) says so. The ranges are
+ours; the bench tops, and which of them are for tests, are the original's (level 3).
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.scenario.bystanders import bystander_sets
+from labutopia_lerobot.scenario.draw import Draw
+from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
+from labutopia_lerobot.task import Task
+from labutopia_lerobot.world import FloatArray
+
+AXES = ("material", "wall", "light", "camera", "robot_start", "layout", "instruction")
+"""Their names."""
+
+BENCHES = tuple(BENCH_FINISHES)
+WALLS = tuple(WALL_FINISHES)
+
+
+@dataclass(frozen=True)
+class Variation:
+    """What an episode has drawn on the axes that every task has; as built where it drew nothing.
+
+    Attributes:
+        bench: Finish of the bench top, one of `BENCH_FINISHES`.
+        walls: Finish of the walls, one of `WALL_FINISHES`.
+        brightness: Factor on all light.
+        cameras: Displacement of both fixed cameras, shape (3,), metres, world frame.
+        robot_start: Displacement of the arm at the start, shape (joints,), radians.
+        bystanders: Things that stand around.
+    """
+
+    bench: str | None = None
+    walls: str | None = None
+    brightness: float = 1.0
+    cameras: FloatArray | None = None
+    robot_start: FloatArray | None = None
+    bystanders: tuple[Piece, ...] = ()
+
+
+def draw_variation(draw: Draw, joints: int) -> Variation:
+    """Draw on every axis that varies but `instruction`.
+
+    Args:
+        draw: The episode's draw.
+        joints: How many joints the robot's arm has.
+    """
+    drawn: dict[str, Any] = {}
+    if draw.varies("material"):
+        drawn["bench"] = draw.choice("material", train=BENCHES[:5], test=BENCHES[5:])
+    if draw.varies("wall"):
+        drawn["walls"] = draw.choice("wall", train=WALLS[:4], test=WALLS[4:])
+    if draw.varies("light"):
+        dim, bright = (0.45, 0.65), (1.35, 1.55)
+        drawn["brightness"] = draw.uniform("light", train=(0.8, 1.2), test=(dim, bright))
+    if draw.varies("camera"):  # a hand's breadth at most: the things stay in view
+        drawn["cameras"] = draw.displacement("camera", 3, train=(0.0, 0.03), test=[(0.05, 0.08)])
+    if draw.varies("robot_start"):
+        drawn["robot_start"] = draw.displacement(
+            "robot_start", joints, train=(0.0, 0.10), test=[(0.15, 0.25)]
+        )
+    if draw.varies("layout"):
+        sets = bystander_sets()
+        names = list(sets)
+        drawn["bystanders"] = sets[draw.choice("layout", train=names[:4], test=names[4:])]
+    return Variation(**drawn)
+
+
+def draw_instruction(draw: Draw, task: Task) -> str:
+    """Draw how the instruction is said; the last paraphrase is for tests."""
+    if not draw.varies("instruction"):
+        return task.instruction
+    said = (task.instruction, *task.paraphrases)
+    train = said[:-1] or said
+    return draw.choice("instruction", train=train, test=said[len(train) :])

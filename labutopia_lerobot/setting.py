@@ -1,0 +1,194 @@
+"""Everything that a user chooses about an environment: one value, declared and checked here.
+
+Programs take their options from the fields of `Setting`: `@with_setting` gives a class of options
+every field that it does not declare itself, and `setting_of` makes a `Setting` of an instance. A
+new field is an option of every program, with its help.
+"""
+
+import difflib
+import inspect
+import re
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import MISSING, dataclass, fields
+from typing import Any, dataclass_transform
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.registry import require_task
+
+SPLITS = ("train", "id", "ood")
+"""`train`: demonstrations. `id`: the same values, other seeds. `ood`: values never trained on."""
+
+OBSERVATION_KINDS = ("pixels", "state")
+"""`pixels`: cameras and `agent_pos`. `state`: `agent_pos` and privileged `environment_state`."""
+
+LIQUID = ("on", "off")
+"""Whether what the task's vessels hold is simulated."""
+
+CAMERAS = ("front", "top", "wrist")
+"""Every camera of a scene: facing the robot, overhead, on the hand."""
+
+IMAGE_SIZE = 256
+"""Width and height of a picture by default [pixels] (paper, "Model Input And Output")."""
+
+PARTICLES = 1000
+"""Particles of a scene by default: 0.1 ml each in 100 ml."""
+
+LARGEST_PICTURE = (1920, 1080)
+"""Width and height of the image buffer that scenes are compiled with [pixels]."""
+
+ALL = "all"
+"""As an axis: every axis that the task has."""
+
+
+class UnknownOptionError(UserError, ValueError):
+    """An option with an impossible value; the message says which are possible."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """Everything that an episode depends on beside its seed and who plays it.
+
+    Attributes:
+        task: Task id, such as `level1/pick`.
+        obs: `pixels` (cameras) or `state` (privileged object poses).
+        cameras: Which cameras to draw with `obs=pixels`: front, top, wrist.
+        width: Width of the pictures [pixels].
+        height: Height of the pictures [pixels].
+        split: `train`, `id` (other seeds) or `ood` (values never trained on).
+        axes: Which axes vary beside the task's own, or, with `split=ood`, which are shifted: a list
+            such as [material,light], or `all`.
+        tasks_dir: A further folder of tasks.
+        liquid: `on`; with `off` vessels are empty, pouring and spilling are judged by tilts.
+        particles: In how many particles the liquid of a task is divided.
+
+    Raises:
+        UnknownOptionError: If a value is impossible; the message says which are possible.
+        UnknownTaskError: If there is no such task; the message lists the tasks.
+    """
+
+    task: str
+    obs: str = "pixels"
+    cameras: tuple[str, ...] = CAMERAS
+    width: int = IMAGE_SIZE
+    height: int = IMAGE_SIZE
+    split: str = "id"
+    axes: tuple[str, ...] = ()
+    tasks_dir: str | None = None
+    liquid: str = "on"
+    particles: int = PARTICLES
+
+    def __post_init__(self) -> None:
+        for name in ("cameras", "axes"):
+            value = getattr(self, name)
+            object.__setattr__(self, name, (value,) if isinstance(value, str) else tuple(value))
+        if self.tasks_dir is not None:
+            object.__setattr__(self, "tasks_dir", str(self.tasks_dir))
+        require_choices("obs", [self.obs], OBSERVATION_KINDS)
+        require_choices("split", [self.split], SPLITS)
+        require_choices("liquid", [self.liquid], LIQUID)
+        require_choices("cameras", self.cameras, CAMERAS)
+        if not self.cameras or len(set(self.cameras)) < len(self.cameras):
+            raise UnknownOptionError(
+                f"cameras={list(self.cameras)} must name at least one, and none twice. Choose "
+                f"from: {', '.join(CAMERAS)}"
+            )
+        require_between("particles", self.particles, 1, 100_000)
+        require_between("width", self.width, 1, LARGEST_PICTURE[0])
+        require_between("height", self.height, 1, LARGEST_PICTURE[1])
+        require_task(self.task, self.tasks_dir)
+
+
+def require_choices(name: str, values: Iterable[object], choices: Collection[object]) -> None:
+    """Make sure that every value of the option `name` is one of the choices.
+
+    Raises:
+        UnknownOptionError: If one is not; the message lists the choices.
+    """
+    for value in values:
+        if value not in choices:
+            listed = ", ".join(str(choice) for choice in choices)
+            raise UnknownOptionError(f"{name}={value!r} is unknown. Choose from: {listed}")
+
+
+def require_between(name: str, value: int, least: int, most: int) -> None:
+    """Make sure that the option `name` is a whole number from `least` to `most`.
+
+    Raises:
+        UnknownOptionError: If it is not; the message tells the range.
+    """
+    if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= most:
+        raise UnknownOptionError(
+            f"{name}={value!r} is impossible: {name} is a whole number from {least} to {most}"
+        )
+
+
+@dataclass_transform()
+def with_setting[Options](options: type[Options]) -> type[Options]:
+    """Make a class of options a dataclass that has every field of `Setting` too.
+
+    Fields that it declares itself keep their own type, default and help.
+    """
+    own = inspect.get_annotations(options)
+    inherited: dict[str, Any] = {}
+    for option in fields(Setting):
+        if option.name in own or option.default is MISSING:
+            continue
+        inherited[option.name] = option.type
+        setattr(options, option.name, option.default)
+    options.__annotations__ = own | inherited
+    return dataclass(options)
+
+
+def setting_of(options: object, **chosen: Any) -> Setting:
+    """Return the setting that an instance of a class `with_setting` describes.
+
+    Args:
+        options: The instance.
+        **chosen: Fields that take other values than the instance's.
+
+    Raises:
+        UnknownOptionError: If a value is impossible.
+        UnknownTaskError: If there is no such task.
+    """
+    values: dict[str, Any] = {o.name: getattr(options, o.name, None) for o in fields(Setting)}
+    return Setting(**(values | chosen))
+
+
+def setting_from(options: Mapping[str, Any]) -> Setting:
+    """Return the setting of options by name.
+
+    Raises:
+        UnknownOptionError: If there is no such option, or a value is impossible.
+        UnknownTaskError: If there is no such task.
+    """
+    names = [option.name for option in fields(Setting)]
+    for name in options:
+        if name not in names:
+            near = difflib.get_close_matches(name, names, n=1)
+            hint = f" Did you mean '{near[0]}'?" if near else ""
+            raise UnknownOptionError(f"'{name}' is no option.{hint} Options: {', '.join(names)}")
+    return Setting(**options)
+
+
+def as_lists(overrides: Iterable[str]) -> list[str]:
+    """Return overrides (`name=value`) with one value for what takes several as a list of one."""
+    several = [option.name for option in fields(Setting) if isinstance(option.default, tuple)]
+    parts = (override.partition("=") for override in overrides)
+    return [
+        f"{name}=[{value}]" if name in several and value and not value.startswith("[") else whole
+        for name, equals, value in parts
+        for whole in [f"{name}{equals}{value}"]
+    ]
+
+
+def option_help(options: type) -> dict[str, str]:
+    """Return what the docstrings of a class `with_setting` and of `Setting` say of each option."""
+    documented = [*reversed(Setting.__mro__), options]
+    return {name: text for kind in documented for name, text in _attributes(kind).items()}
+
+
+def _attributes(documented: type) -> dict[str, str]:
+    """Return the entries of the section `Attributes` of a docstring in Google form."""
+    section = (inspect.getdoc(documented) or "").partition("Attributes:\n")[2].partition("\n\n")[0]
+    entries = re.findall(r"^ {4}(\w+): (.*(?:\n {8}.*)*)", section, re.MULTILINE)
+    return {name: " ".join(text.split()) for name, text in entries}

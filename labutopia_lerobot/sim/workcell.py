@@ -1,0 +1,244 @@
+"""A laboratory that is compiled: what an episode is played in, and who judges it."""
+
+from collections import OrderedDict
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.action_filter import ActionFilter
+from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
+from labutopia_lerobot.liquids.filling import require_fillable
+from labutopia_lerobot.progress import Progress
+from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.scenario import (
+    Scenario,
+    canonical_task,
+    draw_scenario,
+    scenario_seeds,
+)
+from labutopia_lerobot.scenario.bystanders import place_bystanders
+from labutopia_lerobot.scenes.laboratory import BENCH_X, BENCH_Y, ROBOT_BASE
+from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.sim.appearance import Appearance
+from labutopia_lerobot.sim.motion import ReactiveMotion
+from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.scene import compile_scene
+from labutopia_lerobot.sim.simulation import Simulation
+from labutopia_lerobot.sim.view import SimulatedWorld
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.skills.skill import Skill
+from labutopia_lerobot.task import DIVERGED
+
+WORKSPACE = Workspace(BENCH_X, BENCH_Y, ROBOT_BASE[:2], PANDA.reach)
+
+_TRIES = 5
+"""Starts that a reset tries; more failures than that are a defect of the task."""
+
+_KEPT = 8
+"""Workcells that are kept for the next episode of their variant."""
+
+
+class Workcell:
+    """Everything that is compiled for one discrete variant of a task, episode after episode.
+
+    Args:
+        scenario: An episode of the variant; others may differ in all that needs no compiling.
+        setting: What is played.
+
+    Attributes:
+        task: The task of the episode in play.
+        simulation: The physics.
+        world: The read-only view of it that predicates and skills get.
+        progress: The judge of the episode in play.
+        filter: What commands pass through before they act.
+    """
+
+    def __init__(self, scenario: Scenario, setting: Setting) -> None:
+        self._setting = setting
+        self.task = task = scenario.task
+        pieces = (*task.start, *scenario.variation.bystanders)
+        scene = compile_scene(pieces, PANDA, task.view, task.contents, setting.particles)
+        self.simulation = Simulation(scene)
+        self.world = SimulatedWorld(self.simulation)
+        self.filter = ActionFilter(PANDA)
+        self.progress = Progress(task)
+        self._appearance = Appearance(scene.model)
+
+    @cached_property
+    def motion(self) -> ReactiveMotion:
+        """The experts' inverse kinematics, compiled at first use."""
+        return ReactiveMotion(self.simulation, self.world)
+
+    @cached_property
+    def renderer(self) -> Renderer:
+        """The renderer, whose OpenGL context is made at first use.
+
+        Raises:
+            NoOpenGLError: If there is no working OpenGL.
+        """
+        scene = self.simulation.scene
+        liquids = [] if scene.liquid is None else [scene.liquid]
+        return Renderer(scene.model, self._setting.width, self._setting.height, liquids)
+
+    def expert(self, skills: Sequence[Skill] | None = None) -> Expert:
+        """Return an expert that plays skills, those of the steps to come by default; `start` it."""
+        return Expert(self.task.skills if skills is None else skills, self.world, self.motion)
+
+    def begin(self, scenario: Scenario, rng: np.random.Generator, after: str | None = None) -> bool:
+        """Begin an episode: things stand, vessels are full, the prelude has been played.
+
+        Args:
+            scenario: What the episode has drawn.
+            rng: Where its random numbers come from.
+            after: Step behind which the episode begins; the expert plays up to its end.
+
+        Returns:
+            Whether prelude and steps went well; if not, this start is no good.
+
+        Raises:
+            TaskError: If the task has no step `after`.
+        """
+        self.task = task = scenario.task
+        variation = scenario.variation
+        self._appearance.show(variation)
+        layout = sample_layout(task.start, rng)
+        layout |= place_bystanders(variation.bystanders, layout, WORKSPACE, rng)
+        self.simulation.reset(layout, variation.robot_start)
+        self.simulation.fill(rng)
+        self.filter.start(self.simulation.command)
+        if not self._play(task.prelude) or (after is not None and not self._play_until(after)):
+            return False
+        self.filter.start(self.simulation.command)
+        self.simulation.start_clock()
+        self.progress = Progress(task, after)
+        self.progress.update(self.world)
+        return True
+
+    def step(self, action: NDArray[np.float32]) -> None:
+        """Command the robot for one control period, and judge what has come of it.
+
+        Raises:
+            ValueError: If the action does not have the shape of the robot's.
+        """
+        self.simulation.step(self.filter(action))
+        if self.simulation.diverged:
+            self.progress.end(DIVERGED)
+        self.progress.update(self.world)
+
+    def color(self, camera: str) -> NDArray[np.uint8]:
+        """Return what a camera sees, shape (height, width, 3)."""
+        return self.pictures([camera])[camera]
+
+    def pictures(self, cameras: Sequence[str]) -> dict[str, NDArray[np.uint8]]:
+        """Return what cameras see now, each of shape (height, width, 3)."""
+        self.simulation.draw_liquid()
+        return {camera: self.renderer.color(self.simulation.data, camera) for camera in cameras}
+
+    def depth(self, camera: str) -> NDArray[np.float32]:
+        """Return the distance along a camera's optical axis [m], shape (height, width)."""
+        self.simulation.draw_liquid()
+        return self.renderer.depth(self.simulation.data, camera)
+
+    def segmentation(self, camera: str) -> NDArray[np.int32]:
+        """Return which body a camera sees, shape (height, width); -1 where it sees none."""
+        self.simulation.draw_liquid()
+        return self.renderer.segmentation(self.simulation.data, camera)
+
+    def close(self) -> None:
+        """Give the OpenGL context back."""
+        renderer = self.__dict__.pop("renderer", None)
+        if renderer is not None:
+            renderer.close()
+
+    def _play(self, skills: Sequence[Skill]) -> bool:
+        """Let the expert play skills that nobody judges; tell whether all went well."""
+        expert = self.expert(skills)
+        expert.start()
+        breaches = self.task.never.values()
+        while skills and not expert.finished:
+            self.simulation.step(self.filter(expert.act()))
+            broken = any(breach.holds(self.world) for breach in breaches)
+            if expert.failure or broken or self.simulation.diverged:
+                return False
+        return True
+
+    def _play_until(self, step: str) -> bool:
+        """Let the expert play the steps up to one; tell whether all their milestones latched."""
+        steps = self.task.steps_until(step)
+        expert = self.expert([skill for played in steps for skill in played.skills])
+        expert.start()
+        self.simulation.start_clock()
+        self.progress = Progress(self.task)
+        while not expert.finished and not self.progress.over:
+            self.step(expert.act())
+            if expert.failure:
+                return False
+        milestones = (milestone for played in steps for milestone in played.milestones)
+        latched = all(self.progress.milestones[m.name] is not None for m in milestones)
+        return latched and not self.progress.over
+
+
+class Workcells:
+    """The workcells of a setting: one per discrete variant, the latest used are kept.
+
+    Attributes:
+        task: The canonical task: names, widths and limits are those of every draw.
+
+    Raises:
+        AxisError: If the task declares an axis wrongly.
+        ImpossibleFillingError: If vessels cannot hold what the task puts into them.
+        ImpossibleStartError: If things cannot stand where the task wants them.
+        UnknownOptionError: If the task does not have the axes of the setting.
+    """
+
+    def __init__(self, setting: Setting) -> None:
+        self._setting = setting
+        self.task = canonical_task(setting)
+        require_fillable(self.task.contents, self.task.start)
+        require_possible(self.task.start, WORKSPACE)
+        self._kept: OrderedDict[object, Workcell] = OrderedDict()
+
+    def begin(self, seed: int, after: str | None = None) -> tuple[Workcell, Scenario, int]:
+        """Begin the episode of a seed.
+
+        Args:
+            seed: Seed of the episode.
+            after: Step behind which it begins, or None for the start.
+
+        Returns:
+            The workcell, what was drawn, and how many starts were discarded before.
+
+        Raises:
+            TaskError: If the task has no step `after`.
+        """
+        for attempt in range(_TRIES):
+            scenario = draw_scenario(self._setting, seed, attempt)
+            workcell = self._workcell(scenario)
+            rng = np.random.default_rng(scenario_seeds(self._setting, seed, attempt))
+            if workcell.begin(scenario, rng, after):
+                return workcell, scenario, attempt
+        raise RuntimeError(
+            f"The start of {self._setting.task} failed {_TRIES} times with seed {seed}"
+        )
+
+    def close(self) -> None:
+        """Give every OpenGL context back."""
+        for workcell in self._kept.values():
+            workcell.close()
+
+    def _workcell(self, scenario: Scenario) -> Workcell:
+        task = scenario.task
+        variant = (
+            tuple(task.start),
+            scenario.variation.bystanders,
+            task.view,
+            tuple(task.contents.items()),
+        )
+        if variant not in self._kept:
+            if len(self._kept) == _KEPT:
+                self._kept.popitem(last=False)[1].close()
+            self._kept[variant] = Workcell(scenario, self._setting)
+        self._kept.move_to_end(variant)
+        return self._kept[variant]

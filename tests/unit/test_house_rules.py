@@ -1,0 +1,107 @@
+"""The rules of the house, read from the sources: imports point down, files are short."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PACKAGE = ROOT / "labutopia_lerobot"
+SOURCES = sorted(PACKAGE.rglob("*.py"))
+
+LAYERS = (
+    "errors registry world setting",
+    "substances layout places",
+    "labware robots scenes",
+    "predicates",
+    "skills",
+    "task progress",
+    "tasks scenario",
+    "liquids",
+    "sim",
+    "features env vector gymnasium_ids",
+    "runtime",
+    "evaluation datasets lerobot_plugin",
+    "cli",
+)
+"""Rooms from the ground up: one may import what stands on its own line or above it, here."""
+
+HEIGHT = {room: height for height, line in enumerate(LAYERS) for room in line.split()}
+
+MUJOCO = {"labware", "robots", "scenes", "liquids", "sim"}
+LEROBOT = {"datasets", "evaluation", "lerobot_plugin"}
+
+
+def room(path: Path) -> str:
+    return path.relative_to(PACKAGE).parts[0].removesuffix(".py")
+
+
+def imported(body: list[ast.stmt]) -> Iterator[str]:
+    """Yield what is imported when a module is; not what is when a function is called, or typed."""
+    for node in body:
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield node.module or ""
+        elif isinstance(node, ast.If | ast.Try) and "TYPE_CHECKING" not in ast.dump(node):
+            yield from imported(node.body)
+
+
+def imports_of(path: Path) -> list[str]:
+    return list(imported(ast.parse(path.read_text()).body))
+
+
+def modules() -> list[Path]:
+    return [path for path in SOURCES if path != PACKAGE / "__init__.py"]
+
+
+def test_every_room_has_its_place():
+    assert {room(path) for path in modules()} == set(HEIGHT)
+
+
+@pytest.mark.parametrize("path", modules(), ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_imports_point_down(path):
+    own = HEIGHT[room(path)]
+    names = [name.split(".") for name in imports_of(path)]
+    rooms = [parts[1] for parts in names if parts[0] == "labutopia_lerobot" and len(parts) > 1]
+    upward = [other for other in rooms if HEIGHT[other] > own]
+    assert not upward, f"{room(path)} imports {upward}"
+
+
+def test_only_bodies_and_their_physics_import_mujoco():
+    who = {
+        room(path) for path in modules() if any(n.startswith("mujoco") for n in imports_of(path))
+    }
+    assert who <= MUJOCO
+
+
+def test_only_datasets_evaluation_and_the_plugin_import_lerobot_or_torch():
+    who = {
+        room(path)
+        for path in modules()
+        if any(name.split(".")[0] in ("lerobot", "torch") for name in imports_of(path))
+    }
+    assert who <= LEROBOT
+
+
+def test_nothing_prints():
+    for path in modules():
+        calls = (
+            node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call)
+        )
+        assert "print" not in {ast.unparse(call.func) for call in calls}, path
+
+
+def test_files_are_short():
+    long = {
+        str(path.relative_to(ROOT)): count
+        for path in SOURCES
+        if (count := len(path.read_text().splitlines())) > 300
+    }
+    assert not long
+
+
+def test_the_root_holds_what_a_task_or_a_user_names():
+    files = {path.stem for path in PACKAGE.glob("*.py")} - {"__init__"}
+    assert len(files) <= 13, sorted(files)

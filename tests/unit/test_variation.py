@@ -1,0 +1,106 @@
+"""The axes that every task has: what they change, what they leave alone, and that it is undone."""
+
+import numpy as np
+import pytest
+
+from adversary import begun, play
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.scenario import canonical_task, draw_scenario
+from labutopia_lerobot.scenario.variation import AXES
+from labutopia_lerobot.setting import Setting, UnknownOptionError
+
+PICK = "level1/pick"
+SEEDS = range(40)
+
+
+def drawn(split: str, axis: str) -> list:
+    setting = Setting(PICK, obs="state", split=split, axes=(axis,))
+    return [draw_scenario(setting, seed).drawn[axis] for seed in SEEDS]
+
+
+def test_nothing_varies_by_default():
+    env = begun(PICK)
+    _, info = env.reset(seed=1)
+    assert info["drawn"] == {}
+
+
+@pytest.mark.parametrize("axis", AXES)
+def test_no_test_value_can_be_drawn_in_training_or_id(axis):
+    def seen(split):
+        values = drawn(split, axis)
+        if axis in ("camera", "robot_start"):  # told apart by their lengths
+            return {round(float(np.linalg.norm(value)), 3) for value in values}
+        return set(values)
+
+    trained, same, other = (seen(split) for split in ("train", "id", "ood"))
+    assert not (trained | same) & other
+    if axis in ("camera", "robot_start"):
+        assert max(trained | same) < min(other)
+
+
+def test_the_layout_of_a_seed_is_the_same_whatever_else_varies():
+    plain, varied = begun(PICK), begun(PICK, axes=("material", "light", "camera", "layout"))
+    for seed in range(3):
+        first, _ = plain.reset(seed=seed)
+        second, info = varied.reset(seed=seed)
+        assert second["environment_state"] == pytest.approx(first["environment_state"], abs=1e-5)
+        assert info["drawn"].keys() == {"material", "light", "camera", "layout"}
+
+
+def test_variation_changes_the_picture_and_the_next_episode_has_its_own():
+    setting = Setting(PICK, cameras=("front",), width=64, height=64, axes=("material", "light"))
+    env = LabEnv(setting)
+    pictures = {}
+    for seed in (0, 1, 2, 0):
+        observation, _ = env.reset(seed=seed)
+        picture = observation["pixels"]["front"]
+        if seed in pictures:
+            assert np.array_equal(picture, pictures[seed])
+        pictures[seed] = picture
+    assert not np.array_equal(pictures[0], pictures[1])
+    env.close()
+
+
+def test_the_instruction_is_the_one_that_was_drawn():
+    env = begun(PICK, axes=("instruction",), split="ood")
+    task = canonical_task(Setting(PICK))
+    assert env.task == env.task_description == task.paraphrases[-1]
+
+
+def test_the_robot_starts_where_it_was_drawn():
+    env = begun(PICK, axes=("robot_start",))
+    observation, info = env.reset(seed=0)
+    home, _ = begun(PICK).reset(seed=0)
+    away = observation["agent_pos"][:-1] - home["agent_pos"][:-1]
+    assert away == pytest.approx(info["drawn"]["robot_start"], abs=0.01)
+
+
+def test_bystanders_stand_out_of_the_way_and_the_state_does_not_tell_them():
+    env = begun(PICK, axes=("layout",))
+    widths, seen = set(), set()
+    for seed in range(12):
+        observation, info = env.reset(seed=seed)
+        widths.add(observation["environment_state"].size)
+        pieces = env.workcell.simulation.scene.pieces
+        seen.add(info["drawn"]["layout"])
+        places = {p.name: env.workcell.world.pose(p).position_w for p in pieces}
+        for name, place in places.items():
+            if name.startswith("bystander"):
+                assert np.linalg.norm(place - places["flask"]) > 0.15
+    assert widths == {9}
+    assert len(seen) == 4
+
+
+@pytest.mark.parametrize("axes", [("all",), ("robot_start",)])
+@pytest.mark.parametrize("split", ["id", "ood"])
+def test_the_expert_copes(split, axes):
+    env = begun(PICK, split=split, axes=axes)
+    outcomes = [play(env, seed=seed)["outcome"] for seed in range(5)]
+    assert outcomes == ["success"] * 5
+
+
+def test_an_axis_that_does_not_exist_is_refused_before_anything_is_compiled():
+    with pytest.raises(UnknownOptionError, match=r"axes=colour is no axis of level1/pick"):
+        LabEnv(Setting(PICK, axes=("colour",)))
+    with pytest.raises(UnknownOptionError, match="split=ood shifts nothing in level1/pick"):
+        LabEnv(Setting(PICK, split="ood"))
