@@ -9,7 +9,6 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from labutopia_lerobot.action_filter import ActionFilter
 from labutopia_lerobot.features import CAMERAS, IMAGE_SIZE, Feature, observation_features
 from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
 from labutopia_lerobot.liquids.filling import Fillable, require_fillable
@@ -17,8 +16,9 @@ from labutopia_lerobot.liquids.liquid import PARTICLES
 from labutopia_lerobot.options import LIQUID, SPLITS, require_choices
 from labutopia_lerobot.progress import DIVERGED, SUCCESS, TIMEOUT, Progress
 from labutopia_lerobot.registry import load_task
-from labutopia_lerobot.robots.panda import PANDA
-from labutopia_lerobot.scenes.laboratory import BENCH_X, BENCH_Y, ROBOT_BASE
+from labutopia_lerobot.robots import DEFAULT_ROBOT, Robot, load_robot
+from labutopia_lerobot.robots.action_filter import ActionFilter
+from labutopia_lerobot.scenes import DEFAULT_ROOM, load_room
 from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.renderer import Renderer
 from labutopia_lerobot.sim.scene import compile_scene
@@ -29,8 +29,6 @@ from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
-
-_WORKSPACE = Workspace(BENCH_X, BENCH_Y, ROBOT_BASE[:2], PANDA.reach)
 
 _PRELUDE_TRIES = 5
 """Sub-seeds that a reset tries; more failures than that are a defect of the task."""
@@ -45,12 +43,12 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     Nothing is compiled and no OpenGL context is made before the first `reset`, so that an instance
     can be made in one process and played in another.
 
-    Observations: `agent_pos` (8,) float32, measured joint angles [rad] and gripper opening [m];
+    Observations: `agent_pos` float32, measured joint angles [rad] and gripper opening [m];
     with `obs="pixels"` also `pixels`, a dict of camera -> (height, width, 3) uint8; with
     `obs="state"` `environment_state`, privileged object poses (see
     `features.environment_state_names`).
 
-    Actions: (8,) float32, absolute targets of the same eight numbers. What acted, after clipping to
+    Actions: float32, absolute targets of the same numbers. What acted, after clipping to
     position and velocity limits, is `info["applied_action"]`.
 
     Args:
@@ -63,10 +61,12 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         tasks_dir: A further folder of tasks.
         liquid: `on`; with `off` vessels are empty, and pouring and spilling are judged by tilts.
         particles: In how many particles the liquid of a task is divided.
+        robot: What plays, a name of `robots.ROBOTS`.
 
     Raises:
         UnknownOptionError: If an argument is not one of its choices.
         UnknownTaskError: If there is no such task.
+        UnknownRobotError: If there is no such robot.
         ImpossibleStartError: If things cannot stand where the task wants them.
         ImpossibleFillingError: If vessels cannot hold what the task puts into them.
     """
@@ -85,15 +85,19 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         liquid: str = "on",
         particles: int = PARTICLES,
         render_mode: str = "rgb_array",
+        robot: str = DEFAULT_ROBOT,
     ) -> None:
         require_choices("split", [split], SPLITS)
         require_choices("liquid", [liquid], LIQUID)
         require_choices("render_mode", [render_mode], self.metadata["render_modes"])
         self.task_id = task
+        self.robot, self.room = load_robot(robot), load_room(DEFAULT_ROOM)
         self.definition = load_task(task, tasks_dir, liquid)
         require_fillable(self.definition.contents, self.definition.start)
-        require_possible(self.definition.start, _WORKSPACE)
-        features = observation_features(lambda: self.definition, obs, cameras, width, height)
+        require_possible(self.definition.start, Workspace.of(self.room, self.robot))
+        features = observation_features(
+            lambda: self.definition, self.robot, obs, cameras, width, height
+        )
         self.task = self.task_description = self.definition.instruction
         self._max_episode_steps = self.definition.max_steps
         self.obs_kind, self.cameras, self.split = obs, tuple(cameras), split
@@ -105,7 +109,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self._motion: ReactiveMotion | None = None
         self._frame: NDArray[np.uint8] | None = None
         self.observation_space = _observation_space(features)
-        self.action_space = _action_space()
+        self.action_space = _action_space(self.robot)
 
     @property
     def simulation(self) -> Simulation:
@@ -113,11 +117,13 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         if self._simulation is None:
             task = self.definition
             self._simulation = Simulation(
-                compile_scene(task.start, PANDA, task.view, task.contents, self._particles)
+                compile_scene(
+                    task.start, self.robot, self.room, task.view, task.contents, self._particles
+                )
             )
             self.world = SimulatedWorld(self._simulation)
             self.progress = Progress(self.definition)
-            self._filter = ActionFilter(PANDA)
+            self._filter = ActionFilter(self.robot)
         return self._simulation
 
     @property
@@ -187,7 +193,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """Command the robot for one control period; the reward is 1 on success, else 0.
 
         Raises:
-            ValueError: If the action does not have eight elements.
+            ValueError: If the action does not have as many elements as the robot.
         """
         self.simulation.step(self._filter(action))
         if self.simulation.diverged:
@@ -225,8 +231,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def _observe(self) -> Observation:
         simulation = self.simulation
-        measured = np.append(simulation.arm_position, simulation.gripper_opening)
-        observation: Observation = {"agent_pos": measured.astype(np.float32)}
+        observation: Observation = {"agent_pos": simulation.measured.astype(np.float32)}
         if self.obs_kind == "state":
             self._frame = None
             observation["environment_state"] = self.environment_state()
@@ -288,7 +293,7 @@ def _box(feature: Feature) -> spaces.Space[Any]:
     return spaces.Box(-_LARGEST, _LARGEST, feature.shape, np.float32)
 
 
-def _action_space() -> spaces.Box[np.float32]:
-    low = np.array([*PANDA.joint_lower, 0.0], dtype=np.float32)
-    high = np.array([*PANDA.joint_upper, PANDA.gripper_max_opening], dtype=np.float32)
+def _action_space(robot: Robot) -> spaces.Box[np.float32]:
+    low = np.array(robot.lower, dtype=np.float32)
+    high = np.array(robot.upper, dtype=np.float32)
     return spaces.Box(low, high, dtype=np.float32)

@@ -9,10 +9,8 @@ from dataclasses import dataclass
 
 from labutopia_lerobot.liquids.filling import Fillable
 from labutopia_lerobot.options import UnknownOptionError, require_choices
+from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.task import Task
-
-STATE_NAMES = (*(f"joint{number}" for number in range(1, 8)), "gripper")
-"""Elements of state and action: seven joint angles [rad], distance between the pads [m]."""
 
 CAMERAS = ("front", "top", "wrist")
 """Every camera of a scene: facing the robot, overhead, on the hand."""
@@ -52,12 +50,18 @@ def _numbers(key: str, names: tuple[str, ...]) -> Feature:
     return Feature(key, "float32", (len(names),), names)
 
 
-ACTION = _numbers("action", STATE_NAMES)
-"""What is commanded: absolute targets of the state."""
+ACTION = "action"
+"""Key of what is commanded."""
+
+
+def action_feature(robot: Robot) -> Feature:
+    """Declare what is commanded: absolute targets of the robot's elements."""
+    return _numbers(ACTION, robot.names)
 
 
 def observation_features(
     load_task: Callable[[], Task],
+    robot: Robot,
     obs: str = "pixels",
     cameras: Sequence[str] = CAMERAS,
     width: int = IMAGE_SIZE,
@@ -67,6 +71,7 @@ def observation_features(
 
     Args:
         load_task: Returns the task; called for `obs="state"` only, since it may import mujoco.
+        robot: What is measured.
         obs: `pixels` or `state`.
         cameras: Which cameras `obs="pixels"` has.
         width: Width of the pictures [pixels].
@@ -83,7 +88,7 @@ def observation_features(
     require_choices("cameras", cameras, CAMERAS)
     if not cameras:
         raise UnknownOptionError(f"cameras names none. Choose from: {', '.join(CAMERAS)}")
-    features = {"agent_pos": _numbers("observation.state", STATE_NAMES)}
+    features = {"agent_pos": _numbers("observation.state", robot.names)}
     if obs == "state":
         names = environment_state_names(load_task())
         features["environment_state"] = _numbers("observation.environment_state", names)

@@ -10,9 +10,16 @@ from lerobot.configs import FeatureType, PolicyFeature
 from lerobot.envs.configs import EnvConfig
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.features import ACTION, CAMERAS, IMAGE_SIZE, Feature, observation_features
+from labutopia_lerobot.features import (
+    CAMERAS,
+    IMAGE_SIZE,
+    Feature,
+    action_feature,
+    observation_features,
+)
 from labutopia_lerobot.options import LIQUID, SPLITS, UnknownOptionError, require_choices
 from labutopia_lerobot.registry import load_task, require_task, tasks_of_levels
+from labutopia_lerobot.robots import DEFAULT_ROBOT, load_robot
 from labutopia_lerobot.world import CONTROL_HZ
 
 
@@ -63,9 +70,10 @@ class LabUtopiaEnvConfig(EnvConfig):
             raise InvalidEnvError((), str(error)) from error
         # LeRobot's recording of evaluations looks pictures up under their LeRobot key and numbers
         # under the environment's.
+        action = action_feature(load_robot(DEFAULT_ROBOT))
         declared = {
             feature.key if feature.is_picture else path: feature
-            for path, feature in {**observed, "action": ACTION}.items()
+            for path, feature in {**observed, "action": action}.items()
         }
         self.features = {name: _policy_feature(feature) for name, feature in declared.items()}
         self.features_map = {name: feature.key for name, feature in declared.items()}
@@ -119,6 +127,7 @@ class LabUtopiaEnvConfig(EnvConfig):
         first, *others = (
             observation_features(
                 partial(load_task, task_id, self.tasks_dir, self.liquid),
+                load_robot(DEFAULT_ROBOT),
                 self.obs,
                 self.cameras,
                 self.width,

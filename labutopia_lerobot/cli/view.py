@@ -14,7 +14,6 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.options import LIQUID, SPLITS
-from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
 from labutopia_lerobot.video import write_video
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -82,7 +81,7 @@ def _open_viewer(env: LabEnv, seed: int) -> None:
     with mujoco.viewer.launch_passive(
         simulation.scene.model, simulation.data, show_left_ui=False, show_right_ui=False
     ) as viewer:
-        viewer.cam.lookat[:] = (0.2, 0.0, BENCH_HEIGHT + 0.15)
+        viewer.cam.lookat[:] = (0.2, 0.0, env.room.bench.height + 0.15)
         viewer.cam.distance, viewer.cam.azimuth, viewer.cam.elevation = 1.3, 150.0, -20.0
         while viewer.is_running():
             env.reset(seed=seed)

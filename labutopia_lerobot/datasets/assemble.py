@@ -24,6 +24,7 @@ from labutopia_lerobot.datasets.features import IMAGES, dataset_features
 from labutopia_lerobot.datasets.layout import OUTCOME, PHASES, RECORDING, SEED
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.registry import load_task
+from labutopia_lerobot.robots import DEFAULT_ROBOT, load_robot
 from labutopia_lerobot.video import (
     CODEC,
     KEYFRAME_INTERVAL,
@@ -52,13 +53,14 @@ class DatasetAssembler:
         av.logging.set_libav_level(av.logging.ERROR)  # LeRobot lets FFmpeg chat on the terminal
         self._config, self._work, self._root = config, work, root
         self._task = load_task(config.task, config.tasks_dir, config.liquid)
+        robot = load_robot(DEFAULT_ROBOT)
         self._meta = _AnnotatedMetadata.create(
             repo_id=config.repo_id,
             fps=CONTROL_HZ,
             features=dataset_features(
-                self._task, config.obs, config.cameras, config.width, config.height
+                self._task, robot, config.obs, config.cameras, config.width, config.height
             ),
-            robot_type="panda",
+            robot_type=robot.name,
             root=root,
             video_files_size_in_mb=_VIDEO_FILE_MB,
         )

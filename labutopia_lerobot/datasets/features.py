@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from labutopia_lerobot.features import (
-    ACTION,
     Feature,
+    action_feature,
     environment_state_names,
     observation_features,
 )
+from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.task import Task
 
 PRIVILEGED_STATE = "privileged.environment_state"
@@ -19,19 +20,20 @@ IMAGES = "observation.images."
 
 
 def dataset_features(
-    task: Task, obs: str, cameras: Sequence[str], width: int, height: int
+    task: Task, robot: Robot, obs: str, cameras: Sequence[str], width: int, height: int
 ) -> dict[str, dict[str, Any]]:
     """Return LeRobot's declaration of a dataset: key -> dtype, shape and names.
 
     Args:
         task: What is demonstrated.
+        robot: What demonstrates it.
         obs: `pixels` or `state`.
         cameras: Which cameras `obs="pixels"` has.
         width: Width of the pictures [pixels].
         height: Height of the pictures [pixels].
     """
-    observed = observation_features(lambda: task, obs, cameras, width, height)
-    features = [*observed.values(), ACTION]
+    observed = observation_features(lambda: task, robot, obs, cameras, width, height)
+    features = [*observed.values(), action_feature(robot)]
     if obs == "pixels":
         names = environment_state_names(task)
         features.append(Feature(PRIVILEGED_STATE, "float32", (len(names),), names))

@@ -14,10 +14,10 @@ from labutopia_lerobot.features import (
     ACTION,
     CAMERAS,
     IMAGE_SIZE,
-    STATE_NAMES,
     environment_state_names,
 )
 from labutopia_lerobot.registry import load_task
+from labutopia_lerobot.robots import DEFAULT_ROBOT, load_robot
 
 _CONFIG = "config.json"
 _PREPROCESSOR = "policy_preprocessor.json"
@@ -92,11 +92,12 @@ def open_checkpoint(
     _require_type(folder, config, policy)
     inputs = _shapes(folder, config, "input_features")
     outputs = _shapes(folder, config, "output_features")
-    _require_size(folder, ACTION.key, outputs.get(ACTION.key), len(STATE_NAMES))
+    elements = len(load_robot(DEFAULT_ROBOT).elements)
+    _require_size(folder, ACTION, outputs.get(ACTION), elements)
     # Models that pad the state also scale the pictures, and keep the sizes of their base model.
     adapts = "max_state_dim" in config
     if not adapts:
-        _require_size(folder, _STATE, inputs.get(_STATE), len(STATE_NAMES))
+        _require_size(folder, _STATE, inputs.get(_STATE), elements)
     pictures = {key: shape for key, shape in inputs.items() if key.startswith(_IMAGES)}
     _require_obs(folder, "pixels" if pictures else "state", obs)
     if not pictures:

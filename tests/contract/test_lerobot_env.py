@@ -19,8 +19,9 @@ import lerobot_env_labutopia  # noqa: F401 (registers the type, as LeRobot's pro
 from labutopia_lerobot.datasets.features import dataset_features
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.features import ACTION, OBSERVATION_KINDS, observation_features
+from labutopia_lerobot.features import OBSERVATION_KINDS, action_feature, observation_features
 from labutopia_lerobot.registry import load_task
+from labutopia_lerobot.robots import DEFAULT_ROBOT, load_robot
 
 SIZE = {"width": 64, "height": 48}
 
@@ -37,16 +38,17 @@ def flat(space: gymnasium.Space[Any], path: str = "") -> dict[str, tuple[tuple[i
 def test_spaces_config_and_dataset_follow_one_declaration(obs: str) -> None:
     cameras = ["wrist", "front"]
     task = load_task("level1/pick")
-    declared = observation_features(lambda: task, obs, cameras, **SIZE)
+    robot = load_robot(DEFAULT_ROBOT)
+    declared = observation_features(lambda: task, robot, obs, cameras, **SIZE)
     env = LabEnv("level1/pick", obs, tuple(cameras), **SIZE)
     config = make_env_config("labutopia", obs=obs, cameras=cameras, **SIZE)
-    dataset = dataset_features(task, obs, cameras, **SIZE)
+    dataset = dataset_features(task, robot, obs, cameras, **SIZE)
 
     assert flat(env.observation_space) == {
         path: (feature.shape, feature.dtype) for path, feature in declared.items()
     }
-    assert env.action_space.shape == ACTION.shape
-    everything = {feature.key: feature for feature in [*declared.values(), ACTION]}
+    assert env.action_space.shape == action_feature(robot).shape
+    everything = {feature.key: feature for feature in [*declared.values(), action_feature(robot)]}
     assert {
         config.features_map[name]: feature.shape for name, feature in config.features.items()
     } == {key: feature.shape for key, feature in everything.items()}

@@ -35,6 +35,7 @@ from labutopia_lerobot.datasets.verify import find_problems, require_intact
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import load_task
+from labutopia_lerobot.robots import PANDA
 
 PICK = ["task=level1/pick", "obs=state", "episodes=3", "seed=20"]
 FILM = ["task=level1/pick", "episodes=2", "width=64", "height=48", "cameras=[wrist,front]"]
@@ -127,7 +128,7 @@ def test_lerobot_loads_it_with_the_declared_features(
     root = request.getfixturevalue(fixture)
     task = load_task("level1/pick")
     dataset = LeRobotDataset("local/pick", root=root)
-    declared = dataset_features(task, obs, ["wrist", "front"], 64, 48)
+    declared = dataset_features(task, PANDA, obs, ["wrist", "front"], 64, 48)
     for key, feature in declared.items():
         assert tuple(dataset.features[key]["shape"]) == feature["shape"]
         assert dataset.features[key]["names"] == feature["names"]

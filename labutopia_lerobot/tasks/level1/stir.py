@@ -21,10 +21,10 @@ from labutopia_lerobot.predicates import (
     struck,
     upright,
 )
+from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.stir import Stir
 from labutopia_lerobot.task import Substep, Task
-from labutopia_lerobot.views import WIDEST_VESSEL_VIEW
 
 
 def stir() -> Task:

@@ -28,11 +28,11 @@ from labutopia_lerobot.predicates import (
     steady,
     switched_on,
 )
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.press import Press
 from labutopia_lerobot.task import Substep, Task
-from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
 
 def heat_beaker() -> Task:

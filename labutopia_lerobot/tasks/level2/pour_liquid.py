@@ -23,11 +23,11 @@ from labutopia_lerobot.predicates import (
     upright,
     withdrawn,
 )
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.pour import Pour
 from labutopia_lerobot.task import Substep, Task
-from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
 
 def pour_liquid() -> Task:

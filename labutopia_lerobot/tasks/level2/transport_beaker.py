@@ -22,10 +22,10 @@ from labutopia_lerobot.predicates import (
     struck,
     withdrawn,
 )
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.task import Substep, Task
-from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
 
 def transport_beaker() -> Task:
