@@ -1,9 +1,10 @@
 """Robots: names, limits and postures as data; kinematics and servos as MuJoCo specs, on demand."""
 
+from labutopia_lerobot.robots.iiwa import IIWA
 from labutopia_lerobot.robots.panda import PANDA
 from labutopia_lerobot.robots.robot import Element, ParallelGripper, Robot, UnknownRobotError
 
-ROBOTS = {robot.name: robot for robot in (PANDA,)}
+ROBOTS = {robot.name: robot for robot in (PANDA, IIWA)}
 """Every robot by its name."""
 
 DEFAULT_ROBOT = PANDA.name
@@ -23,6 +24,7 @@ def load_robot(name: str) -> Robot:
 
 __all__ = [
     "DEFAULT_ROBOT",
+    "IIWA",
     "PANDA",
     "ROBOTS",
     "Element",

@@ -17,16 +17,13 @@ import mujoco
 from labutopia_lerobot.robots.franka_hand_model import add_franka_hand
 from labutopia_lerobot.robots.panda import PANDA
 from labutopia_lerobot.robots.parts import (
-    COLLISION_GROUP,
-    Vector,
+    Capsule,
+    add_capsules,
     add_collision_box,
-    add_servo,
+    add_joint_servo,
     add_visual_mesh,
     set_inertia,
 )
-
-type Capsule = tuple[Vector, Vector, float]
-"""End points of the axis in the link frame [m] and radius [m]."""
 
 _DENAVIT_HARTENBERG = (
     (0.0, 0.333, 0.0),
@@ -147,16 +144,7 @@ def add_panda(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
         gravcomp=1,
     )
     for i, joint in enumerate(PANDA.joints):
-        add_servo(
-            spec,
-            name=joint.name,
-            target=joint.name,
-            transmission=mujoco.mjtTrn.mjTRN_JOINT,
-            control=(joint.lower, joint.upper),
-            stiffness=_STIFFNESS[i],
-            damping=_DAMPING[i],
-            force=_JOINT_TORQUE[i],
-        )
+        add_joint_servo(spec, joint, _STIFFNESS[i], _DAMPING[i], _JOINT_TORQUE[i])
     add_franka_hand(spec, hand, material="dark")
     for first, second in _NEIGHBOURS:
         spec.add_exclude(bodyname1=first, bodyname2=second)
@@ -181,14 +169,7 @@ def _add_arm(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
             armature=_JOINT_ARMATURE,
             damping=_JOINT_DAMPING,
         )
-        for k, (start, end, radius) in enumerate(_CAPSULES[i]):
-            body.add_geom(
-                name=f"{body.name}_collision{k}",
-                type=mujoco.mjtGeom.mjGEOM_CAPSULE,
-                fromto=(*start, *end),
-                size=(radius, 0, 0),
-                group=COLLISION_GROUP,
-            )
+        add_capsules(body, _CAPSULES[i])
         _add_mass_and_mesh(spec, body, i + 1)
     return body
 

@@ -23,7 +23,7 @@ HULL_GROUP = 4
 PHYSICS_HZ = 300
 """Physics rate: ten steps per control period.
 
-Measured on a Panda lifting a 0.2 kg flask by friction: at 1/150 s the grasp creeps and the flask
+Measured on an arm lifting a 0.2 kg flask by friction: at 1/150 s the grasp creeps and the flask
 buzzes on the bench, at 1/300 s neither does, at 1/600 s nothing improves but the price doubles.
 """
 
