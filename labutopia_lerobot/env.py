@@ -30,12 +30,12 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     Nothing is compiled and no OpenGL context is made before the first `reset`, so that an instance
     can be made in one process and played in another.
 
-    Observations: `agent_pos` (8,) float32, measured joint angles [rad] and gripper opening [m];
+    Observations: `agent_pos` float32, measured joint angles [rad] and gripper opening [m];
     with `obs="pixels"` also `pixels`, a dict of camera -> (height, width, 3) uint8; with
     `obs="state"` `environment_state`, privileged object poses (see
     `features.environment_state_names`).
 
-    Actions: (8,) float32, absolute targets of the same eight numbers. What acted, after clipping to
+    Actions: float32, absolute targets of the same numbers. What acted, after clipping to
     position and velocity limits, is `info["applied_action"]`.
 
     Args:
@@ -61,7 +61,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.observation_space = observation_space(
             observation_features(setting, lambda: self._workcells.task)
         )
-        self.action_space = action_space()
+        self.action_space = action_space(setting)
 
     @property
     def workcell(self) -> Workcell:
@@ -116,7 +116,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
         Raises:
             ResetNeeded: If there is no episode yet.
-            ValueError: If the action does not have eight elements.
+            ValueError: If the action does not have as many elements as the robot.
         """
         progress = self.workcell.progress
         was_over = progress.over
@@ -163,7 +163,9 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def _observe(self) -> Observation:
         self._frame = None
-        observation: Observation = {"agent_pos": self.workcell.simulation.measured}
+        observation: Observation = {
+            "agent_pos": self.workcell.simulation.measured.astype(np.float32)
+        }
         if self.setting.obs == "state":
             observation["environment_state"] = self.environment_state()
         else:

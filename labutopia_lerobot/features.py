@@ -13,13 +13,10 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.filling import Fillable
-from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import FloatArray, World
-
-STATE_NAMES = (*(f"joint{number}" for number in range(1, 8)), "gripper")
-"""Elements of state and action: seven joint angles [rad], distance between the pads [m]."""
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
@@ -53,8 +50,13 @@ def _numbers(key: str, names: tuple[str, ...]) -> Feature:
     return Feature(key, "float32", (len(names),), names)
 
 
-ACTION = _numbers("action", STATE_NAMES)
-"""What is commanded: absolute targets of the state."""
+ACTION = "action"
+"""Key of what is commanded."""
+
+
+def action_feature(setting: Setting) -> Feature:
+    """Declare what is commanded: absolute targets of the robot's elements."""
+    return _numbers(ACTION, load_robot(setting.robot).names)
 
 
 def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dict[str, Feature]:
@@ -69,7 +71,7 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
         The path in the environment's observation (`agent_pos`, `environment_state`,
         `pixels/<camera>`) -> the feature.
     """
-    features = {"agent_pos": _numbers("observation.state", STATE_NAMES)}
+    features = {"agent_pos": _numbers("observation.state", load_robot(setting.robot).names)}
     if setting.obs == "state":
         names = environment_state_names(load_task())
         features["environment_state"] = _numbers("observation.environment_state", names)
@@ -136,8 +138,8 @@ def _box(feature: Feature) -> spaces.Space[Any]:
     return spaces.Box(-_LARGEST, _LARGEST, feature.shape, np.float32)
 
 
-def action_space() -> spaces.Box[np.float32]:
-    """Return the space of actions: every element between its limits."""
-    low = np.array([*PANDA.joint_lower, 0.0], dtype=np.float32)
-    high = np.array([*PANDA.joint_upper, PANDA.gripper_max_opening], dtype=np.float32)
+def action_space(setting: Setting) -> spaces.Box[np.float32]:
+    """Return the space of actions: every element of the robot between its limits."""
+    robot = load_robot(setting.robot)
+    low, high = np.array(robot.lower, np.float32), np.array(robot.upper, np.float32)
     return spaces.Box(low, high, dtype=np.float32)

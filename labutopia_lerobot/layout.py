@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.robots.robot import Robot
+from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.world import Thing
 
 if TYPE_CHECKING:
@@ -180,6 +182,11 @@ class Workspace:
     y: tuple[float, float]
     robot: tuple[float, float]
     reach: float
+
+    @classmethod
+    def of(cls, room: Room, robot: Robot) -> "Workspace":
+        """Return the bench of a room and what a robot on its stand reaches."""
+        return cls(room.bench.x, room.bench.y, room.robot_stand[:2], robot.reach)
 
 
 class ImpossibleStartError(UserError, ValueError):

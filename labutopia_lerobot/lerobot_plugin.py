@@ -10,7 +10,7 @@ from lerobot.configs import FeatureType, PolicyFeature
 from lerobot.envs.configs import EnvConfig
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.features import ACTION, Feature, observation_features
+from labutopia_lerobot.features import ACTION, Feature, action_feature, observation_features
 from labutopia_lerobot.registry import tasks_of_levels
 from labutopia_lerobot.setting import (
     Setting,
@@ -60,7 +60,7 @@ class LabUtopiaEnvConfig(EnvConfig):
         # under the environment's.
         declared = {
             feature.key if feature.is_picture else path: feature
-            for path, feature in {**observed, "action": ACTION}.items()
+            for path, feature in {**observed, ACTION: action_feature(self.settings[0])}.items()
         }
         self.features = {name: _policy_feature(feature) for name, feature in declared.items()}
         self.features_map = {name: feature.key for name, feature in declared.items()}

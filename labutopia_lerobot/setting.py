@@ -14,6 +14,8 @@ from typing import Any, dataclass_transform
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import require_task
+from labutopia_lerobot.robots import DEFAULT_ROBOT, ROBOTS
+from labutopia_lerobot.scenes import DEFAULT_ROOM, ROOMS
 
 SPLITS = ("train", "id", "ood")
 """`train`: demonstrations. `id`: the same values, other seeds. `ood`: values never trained on."""
@@ -60,6 +62,8 @@ class Setting:
         tasks_dir: A further folder of tasks.
         liquid: `on`; with `off` vessels are empty, pouring and spilling are judged by tilts.
         particles: In how many particles the liquid of a task is divided.
+        robot: What plays: panda or iiwa.
+        room: Where.
 
     Raises:
         UnknownOptionError: If a value is impossible; the message says which are possible.
@@ -76,6 +80,8 @@ class Setting:
     tasks_dir: str | None = None
     liquid: str = "on"
     particles: int = PARTICLES
+    robot: str = DEFAULT_ROBOT
+    room: str = DEFAULT_ROOM
 
     def __post_init__(self) -> None:
         for name in ("cameras", "axes"):
@@ -86,6 +92,8 @@ class Setting:
         require_choices("obs", [self.obs], OBSERVATION_KINDS)
         require_choices("split", [self.split], SPLITS)
         require_choices("liquid", [self.liquid], LIQUID)
+        require_choices("robot", [self.robot], ROBOTS)
+        require_choices("room", [self.room], ROOMS)
         require_choices("cameras", self.cameras, CAMERAS)
         if not self.cameras or len(set(self.cameras)) < len(self.cameras):
             raise UnknownOptionError(

@@ -6,7 +6,6 @@ from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 FloatArray = NDArray[np.float64]
 
@@ -42,14 +41,11 @@ class Pose:
     position_w: FloatArray
     rotation_w: FloatArray
 
-    @classmethod
-    def from_quaternion(cls, position_w: FloatArray, quat_wxyz: FloatArray) -> "Pose":
-        """Make a pose from a position (3,) in metres and a scalar-first quaternion (4,)."""
-        return cls(position_w, Rotation.from_quat(quat_wxyz, scalar_first=True).as_matrix())
-
     @property
     def quat_wxyz(self) -> FloatArray:
         """Orientation as a scalar-first unit quaternion, shape (4,)."""
+        from scipy.spatial.transform import Rotation  # here: names of robots must come at once
+
         quat_wxyz: FloatArray = Rotation.from_matrix(self.rotation_w).as_quat(scalar_first=True)
         return quat_wxyz
 
@@ -135,6 +131,48 @@ class Volumes:
         return {f"ml_{name}": 1e6 * volume for name, volume in volumes.items()}
 
 
+@dataclass(frozen=True)
+class Approach:
+    """A direction of the hand that its arm reaches comfortably.
+
+    Attributes:
+        yaw: About the vertical, to the left of some level direction [rad].
+        pitch: Below the horizontal [rad].
+    """
+
+    yaw: float
+    pitch: float
+
+
+class Manipulator(Protocol):
+    """What skills may know of the robot: its hand, and how its arm likes to turn it."""
+
+    @property
+    def max_opening(self) -> float:
+        """Greatest distance between the pads [m]."""
+        ...
+
+    @property
+    def closing_speed(self) -> float:
+        """Rate of that distance to command [m/s]."""
+        ...
+
+    @property
+    def finger_reach(self) -> float:
+        """How far the fingers reach beyond the point between the pads [m]."""
+        ...
+
+    @property
+    def vessel_approach(self) -> Approach:
+        """How the hand comes to vessels, relative to the bearing from the robot's base."""
+        ...
+
+    @property
+    def handle_approach(self) -> Approach:
+        """How the hand comes to handles, relative to straight into the door or drawer."""
+        ...
+
+
 class World(Protocol):
     """Getters only: nothing that holds a `World` can change the simulation.
 
@@ -152,6 +190,11 @@ class World(Protocol):
     @property
     def bench_height(self) -> float:
         """Height of the bench top above the floor [m]."""
+        ...
+
+    @property
+    def robot(self) -> Manipulator:
+        """What is known of the robot beforehand."""
         ...
 
     @property

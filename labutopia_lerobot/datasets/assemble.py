@@ -55,7 +55,7 @@ class DatasetAssembler:
             repo_id=config.repo_id,
             fps=CONTROL_HZ,
             features=dataset_features(setting),
-            robot_type="panda",
+            robot_type=setting.robot,
             root=root,
             video_files_size_in_mb=_VIDEO_FILE_MB,
         )

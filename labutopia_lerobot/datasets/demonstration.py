@@ -38,7 +38,7 @@ class Demonstration:
     @property
     def frames(self) -> int:
         """Number of frames."""
-        return len(self.columns[ACTION.key])
+        return len(self.columns[ACTION])
 
 
 def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Demonstration:
@@ -70,7 +70,7 @@ def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Dem
         observation, _, terminated, truncated, info = env.step(action)
         actions.append(info["applied_action"])
         over = terminated or truncated
-    rows[ACTION.key] = actions
+    rows[ACTION] = actions
     outcome = "expert failed" if expert.failure else info["outcome"]
     return Demonstration(
         outcome=outcome,

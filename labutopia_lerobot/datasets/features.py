@@ -3,8 +3,8 @@
 from typing import Any
 
 from labutopia_lerobot.features import (
-    ACTION,
     Feature,
+    action_feature,
     environment_state_names,
     observation_features,
 )
@@ -21,7 +21,7 @@ IMAGES = "observation.images."
 def dataset_features(setting: Setting) -> dict[str, dict[str, Any]]:
     """Return LeRobot's declaration of a dataset: key -> dtype, shape and names."""
     task = canonical_task(setting)
-    features = [*observation_features(setting, lambda: task).values(), ACTION]
+    features = [*observation_features(setting, lambda: task).values(), action_feature(setting)]
     if setting.obs == "pixels":
         names = environment_state_names(task)
         features.append(Feature(PRIVILEGED_STATE, "float32", (len(names),), names))

@@ -63,7 +63,7 @@ def replay(root: Path, episodes: int | None = None) -> Iterator[Replay]:
     config = read_json(root, RECORDING)["config"]
     env = LabEnv(recorded_setting(config, obs="state"))
     table = read_frames(root)
-    actions = column(table, ACTION.key)
+    actions = column(table, ACTION)
     keys = state_keys(config["obs"])
     states = np.hstack([column(table, key) for key in keys.values()])
     for row in read_episodes(root)[:episodes]:

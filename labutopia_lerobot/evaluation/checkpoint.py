@@ -12,9 +12,9 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.policies import Policy
 from labutopia_lerobot.features import (
     ACTION,
-    STATE_NAMES,
     environment_state_names,
 )
+from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import CAMERAS, IMAGE_SIZE, Setting
 
@@ -77,11 +77,12 @@ def open_checkpoint(
     _require_type(folder, config, policy)
     inputs = _shapes(folder, config, "input_features")
     outputs = _shapes(folder, config, "output_features")
-    _require_size(folder, ACTION.key, outputs.get(ACTION.key), len(STATE_NAMES))
+    elements = len(load_robot(setting.robot).elements)
+    _require_size(folder, ACTION, outputs.get(ACTION), elements)
     # Models that pad the state also scale the pictures, and keep the sizes of their base model.
     adapts = "max_state_dim" in config
     if not adapts:
-        _require_size(folder, _STATE, inputs.get(_STATE), len(STATE_NAMES))
+        _require_size(folder, _STATE, inputs.get(_STATE), elements)
     pictures = {key: shape for key, shape in inputs.items() if key.startswith(_IMAGES)}
     _require_obs(folder, "pixels" if pictures else "state", obs)
     if not pictures:

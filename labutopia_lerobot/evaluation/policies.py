@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv, Observation
-from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.world import CONTROL_HZ
 
 Action = NDArray[np.float32]
-"""Absolute targets: seven joint angles [rad] and the gripper opening [m], shape (8,)."""
+"""Absolute targets: joint angles [rad] and the gripper opening [m], shape (elements,)."""
 
 
 class Policy(Protocol):
@@ -69,10 +69,9 @@ class RandomPolicy:
     def start(self, env: LabEnv, seed: int) -> None:
         """Begin at the command in force, with a generator of this episode's own."""
         self._rng = np.random.default_rng(seed)
-        self._low = np.array([*PANDA.joint_lower, 0.0])
-        self._high = np.array([*PANDA.joint_upper, PANDA.gripper_max_opening])
-        speed = np.array([*PANDA.joint_velocity_limits, PANDA.gripper_max_speed])
-        self._reach = speed / CONTROL_HZ
+        robot = load_robot(env.setting.robot)
+        self._low, self._high = np.array(robot.lower), np.array(robot.upper)
+        self._reach = np.array(robot.speed) / CONTROL_HZ
         self._command = env.workcell.simulation.command.copy()
         self._target = self._rng.uniform(self._low, self._high)
 

@@ -30,7 +30,7 @@ _GREEN = (0.10, 0.55, 0.20, 1.0)
 _DARK = (0.25, 0.08, 0.05, 1.0)  # the lamp when it is off
 _DOWN: Quaternion = (0.0, 0.0, 1.0, 0.0)
 """z down, x towards who stands before it: a hand is then no wider than the gap to the beaker, and
-joint 7 of a Panda in the middle of its range."""
+the last joint of the default robot in the middle of its range."""
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,7 @@ second, without swinging.
 
 _RADIUS = 0.029
 """Of the body, to the middle of its wall [m]: with the wall's skin it is 61 mm wide, about what
-bottles of 250 ml are, and a Panda hand takes it round."""
+bottles of 250 ml are, and a hand that opens by 80 mm takes it round."""
 _WALL = 0.001
 """Thickness of the wall [m]; ours: with the modulus above, the hand's 35 N per finger, a firm pinch
 between finger and thumb, take it in by a third of its width (measured: from 61 to 41 mm)."""

@@ -1,143 +1,17 @@
-"""The Franka Hand: a parallel gripper whose two fingers one drive keeps even.
+"""The Franka Hand, a parallel gripper: names, limits and what skills need to know.
 
-Frames, masses and the shape of the finger tips are those of `franka_description`
-(frankaemika/franka_ros); force, speed and stroke are those of the Franka Hand product manual: 70 N
-continuous grasping force, 50 mm/s per finger, 80 mm between the fingers. A camera for the wrist is
-added.
+Stroke and speed are those of the Franka Hand product manual: 80 mm between the fingers, 50 mm/s per
+finger.
 """
 
-import mujoco
-import numpy as np
+from labutopia_lerobot.robots.robot import Element, ParallelGripper
 
-from labutopia_lerobot.robots.parts import (
-    add_collision_box,
-    add_servo,
-    add_visual_mesh,
-    set_inertia,
+FRANKA_HAND = ParallelGripper(
+    element=Element("gripper", lower=0.0, upper=0.08, speed=0.1),
+    closing_speed=0.09,
+    finger_reach=0.009,  # half a pad's height, franka_hand_model
+    site="grasp",
+    body="hand",
+    finger_joints=("finger_joint1", "finger_joint2"),
+    pads=("left_pad_collision", "right_pad_collision"),
 )
-
-MAX_OPENING = 0.08
-"""Largest distance between the pads [m]."""
-MAX_SPEED = 0.1
-"""Largest rate of that distance, twice a finger's speed [m/s]."""
-FINGER_JOINTS = ("finger_joint1", "finger_joint2")
-"""Slides of the left and the right finger; their sum is the distance between the pads."""
-PADS = ("left_pad_collision", "right_pad_collision")
-"""The geoms that touch what is held."""
-
-_FINGER_OFFSET = 0.0584
-"""Slide of the fingers along z of the hand [m]."""
-_GRASP_OFFSET = 0.1034
-"""Point between the pads along z of the hand [m]."""
-
-_FORCE = 35.0
-"""Largest force of each finger [N]; the manual's 70 N is read as the sum of both, as is usual."""
-_STIFFNESS = 3500.0
-"""A target 10 mm below the width of a vessel gives the full force [N/m]."""
-_DAMPING = 100.0
-"""Lets the fingers lag by damping / stiffness = 29 ms, one 30 Hz control step [N s/m]."""
-_FINGER_ARMATURE = 0.1
-"""Mass of the drive felt at a finger [kg]: not published; keeps the 15 g fingers stable."""
-
-_TRIANGLES_HAND = 700
-_TRIANGLES_FINGER = 150
-
-
-def add_franka_hand(spec: mujoco.MjSpec, hand: mujoco.MjsBody, material: str) -> None:
-    """Build the hand on a body: fingers, pads, gripper servo, grasp site and wrist camera.
-
-    Args:
-        spec: The spec of the body.
-        hand: A body whose frame is that of the hand: z forward, y along the finger motion.
-        material: Name of a material of the spec.
-    """
-    set_inertia(hand, 0.73, (-0.01, 0.0, 0.03), (0.001, 0.0025, 0.0017, 0.0, 0.0, 0.0))
-    add_visual_mesh(spec, hand, "FRANKA-EMIKA/Panda/hand.stl", _TRIANGLES_HAND, material)
-    add_collision_box(hand, "hand_collision", (0.0, 0.0, 0.022), (0.028, 0.1, 0.042))
-    # Half a turn from the hand's own axes, so that x, on the side of the camera, is up where joint
-    # 7 is in the middle of its range and can tilt a held vessel either way.
-    hand.add_site(name="grasp", pos=(0, 0, _GRASP_OFFSET), quat=(0, 0, 0, 1), group=4)
-    _add_wrist_camera(hand)
-    _add_finger(spec, hand, "left", FINGER_JOINTS[0], (1, 0, 0, 0), material)
-    _add_finger(spec, hand, "right", FINGER_JOINTS[1], (0, 0, 0, 1), material)
-    spec.add_exclude(bodyname1="left_finger", bodyname2="right_finger")
-    _couple_fingers(spec)
-
-
-def _add_wrist_camera(hand: mujoco.MjsBody) -> None:
-    """Mount a camera above the hand, looking down past the fingers at what is held.
-
-    LabUtopia's own hangs 0.2 m above the hand's axis and sees 93 degrees; this one is close enough
-    for a bracket and keeps the hand out of most of the image.
-    """
-    eye, target = np.array([-0.13, 0.0, 0.02]), np.array([0.0, 0.0, 0.17])
-    backward = (eye - target) / np.linalg.norm(eye - target)
-    right = np.array([0.0, -1.0, 0.0])
-    rotation = np.column_stack([right, np.cross(backward, right), backward])
-    quat_wxyz = np.empty(4)
-    mujoco.mju_mat2Quat(quat_wxyz, rotation.ravel())
-    hand.add_camera(name="wrist", pos=eye, quat=quat_wxyz, fovy=75)
-
-
-def _add_finger(
-    spec: mujoco.MjSpec,
-    hand: mujoco.MjsBody,
-    side: str,
-    joint: str,
-    quat_wxyz: tuple[float, float, float, float],
-    material: str,
-) -> None:
-    """Add a finger that opens along its own +y; the face of its pad is the plane y = 0."""
-    finger = hand.add_body(
-        name=f"{side}_finger", pos=(0, 0, _FINGER_OFFSET), quat=quat_wxyz, gravcomp=1
-    )
-    finger.add_joint(
-        name=joint,
-        type=mujoco.mjtJoint.mjJNT_SLIDE,
-        axis=(0, 1, 0),
-        range=(0, MAX_OPENING / 2),
-        armature=_FINGER_ARMATURE,
-    )
-    set_inertia(finger, 0.015, (0.0, 0.0, 0.0), (2.375e-6, 2.375e-6, 7.5e-7, 0.0, 0.0, 0.0))
-    add_visual_mesh(spec, finger, "FRANKA-EMIKA/Panda/finger.stl", _TRIANGLES_FINGER, material)
-    add_collision_box(
-        finger, f"{side}_finger_collision", (0.0, 0.0175, 0.018), (0.0105, 0.0085, 0.018)
-    )
-    pad = add_collision_box(
-        finger, f"{side}_pad_collision", (0.0, 0.0076, 0.0445), (0.00875, 0.0076, 0.00925)
-    )
-    # Tables give 1.0 for rubber on concrete and 0.94 for glass on glass (Serway and Jewett,
-    # "Physics for Scientists and Engineers", table 5.1); smooth rubber on clean glass holds no
-    # worse. The priority lets the pad decide, not what it holds. Contact dimension 4 adds friction
-    # against spin about the normal, of a patch a few millimetres wide.
-    pad.friction = (1.0, 0.005, 0.0001)
-    pad.condim = 4
-    pad.priority = 1
-    # Stiffer than MuJoCo's default of 20 ms: the full force sinks the pad in by half a millimetre.
-    pad.solref = (0.008, 1)
-
-
-def _couple_fingers(spec: mujoco.MjSpec) -> None:
-    """Keep the fingers even and drive their opening, the sum of both slides, by one servo."""
-    opening = spec.add_tendon(name="opening")
-    for joint in FINGER_JOINTS:
-        opening.wrap_joint(joint, 1.0)
-    add_servo(
-        spec,
-        name="gripper",
-        target="opening",
-        transmission=mujoco.mjtTrn.mjTRN_TENDON,
-        control=(0.0, MAX_OPENING),
-        stiffness=_STIFFNESS,
-        damping=_DAMPING,
-        force=_FORCE,
-    )
-    one_to_one = np.zeros(mujoco.mjNEQDATA)
-    one_to_one[1] = 1.0
-    spec.add_equality(
-        type=mujoco.mjtEq.mjEQ_JOINT,
-        name1=FINGER_JOINTS[0],
-        name2=FINGER_JOINTS[1],
-        data=one_to_one,
-        solref=(0.01, 1),
-    )

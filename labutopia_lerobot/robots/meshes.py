@@ -25,7 +25,7 @@ def load_mesh(name: str, triangles: int) -> Mesh:
     reported as a warning and costs only that time.
 
     Args:
-        name: Path below `rtbdata/meshes`, for example `FRANKA-EMIKA/Panda/link0.stl`.
+        name: Path in `rtbdata`, for example `meshes/FRANKA-EMIKA/Panda/link0.stl`.
         triangles: How many triangles to keep, about.
 
     Returns:
@@ -54,7 +54,7 @@ def _cache_folder() -> Path:
 
 
 def _simplify(name: str, triangles: int) -> Mesh:
-    with as_file(files("rtbdata") / "meshes" / name) as path:
+    with as_file(files("rtbdata") / name) as path:
         if not path.is_file():
             raise FileNotFoundError(f"rtb-data {version('rtb-data')} has no mesh {name!r}.")
         # Merging the corners of the STL's separate triangles lets them share edges to collapse.

@@ -1,8 +1,11 @@
-"""What a robot's links and drives are made of: inertia, visual mesh, collision box, servo."""
+"""What a robot's links and drives are made of: inertia, mesh, collision geometry, servo."""
+
+from collections.abc import Iterable
 
 import mujoco
 
 from labutopia_lerobot.robots.meshes import load_mesh
+from labutopia_lerobot.robots.robot import Element
 
 COLLISION_GROUP = 3
 """Geom group of what touches; MuJoCo's viewer and renderer hide it by default."""
@@ -11,6 +14,8 @@ VISUAL_GROUP = 2
 
 type Vector = tuple[float, float, float]
 type Inertia = tuple[float, float, float, float, float, float]
+type Capsule = tuple[Vector, Vector, float]
+"""End points of the axis in the body frame [m] and radius [m]."""
 
 
 def set_inertia(body: mujoco.MjsBody, mass: float, centre: Vector, inertia: Inertia) -> None:
@@ -82,6 +87,34 @@ def add_collision_box(
         pos=centre,
         size=half,
         group=COLLISION_GROUP,
+    )
+
+
+def add_capsules(body: mujoco.MjsBody, capsules: Iterable[Capsule]) -> None:
+    """Add capsules that touch things but are not drawn."""
+    for index, (start, end, radius) in enumerate(capsules):
+        body.add_geom(
+            name=f"{body.name}_collision{index}",
+            type=mujoco.mjtGeom.mjGEOM_CAPSULE,
+            fromto=(*start, *end),
+            size=(radius, 0, 0),
+            group=COLLISION_GROUP,
+        )
+
+
+def add_joint_servo(
+    spec: mujoco.MjSpec, joint: Element, stiffness: float, damping: float, force: float
+) -> None:
+    """Add the position servo of an arm's joint, of its name (see `add_servo`)."""
+    add_servo(
+        spec,
+        name=joint.name,
+        target=joint.name,
+        transmission=mujoco.mjtTrn.mjTRN_JOINT,
+        control=(joint.lower, joint.upper),
+        stiffness=stiffness,
+        damping=damping,
+        force=force,
     )
 
 

@@ -2,48 +2,132 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-import mujoco
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.world import Approach
+
+if TYPE_CHECKING:
+    import mujoco
+
+
+class UnknownRobotError(UserError, ValueError):
+    """A robot that does not exist; the message lists those that do."""
+
+
+@dataclass(frozen=True)
+class Element:
+    """One number of a robot's state and of its commands.
+
+    Attributes:
+        name: What it is called in features; also the servo that takes its target.
+        lower: Least position [rad or m].
+        upper: Greatest position [rad or m].
+        speed: Greatest speed [rad/s or m/s].
+    """
+
+    name: str
+    lower: float
+    upper: float
+    speed: float
+
+
+@dataclass(frozen=True)
+class ParallelGripper:
+    """A hand with two fingers.
+
+    Attributes:
+        element: Distance between the pads [m].
+        closing_speed: Rate of that distance that skills command [m/s]; below the greatest, so that
+            commands are never clipped.
+        finger_reach: How far the fingers reach beyond the point between the pads [m].
+        site: Site between the pads: z forward, y along the finger motion, x up at home.
+        body: Body that carries the fingers.
+        finger_joints: Slides of the fingers; their sum is the opening.
+        pads: Geoms of the left and the right finger that touch what is held.
+    """
+
+    element: Element
+    closing_speed: float
+    finger_reach: float
+    site: str
+    body: str
+    finger_joints: tuple[str, str]
+    pads: tuple[str, str]
 
 
 @dataclass(frozen=True)
 class Robot:
     """An arm with a parallel gripper: what to build, and the names and limits that go with it.
 
+    It is a `world.Manipulator`. Whatever has as many numbers as the robot takes them from
+    `elements`; a mobile base will be further elements.
+
     Attributes:
-        name: Short name, also the model name of the spec.
+        name: Short name.
         add_to: Builds the robot into a spec (angles in radians) as a child of a body: base frame at
-            the parent's, z up, arm towards +x, no free joint. Each arm joint has a position servo
-            of the same name [rad]; the servo `gripper` takes the opening between the pads [m].
-        arm_joints: Joint names from base to hand.
-        joint_lower: Lower joint limits [rad].
-        joint_upper: Upper joint limits [rad].
-        joint_velocity_limits: Largest joint speeds [rad/s].
+            the parent's, z up, arm towards +x, no free joint. Every element has a position servo of
+            its name; the joints have the names of their elements.
+        joints: Joints of the arm from base to hand [rad].
+        gripper: The hand.
         home: Joint angles at rest [rad].
         reach: How far the hand gets from the base, horizontally [m].
-        gripper_max_opening: Largest distance between the pads [m].
-        gripper_max_speed: Largest rate of that distance [m/s].
-        grasp_site: Site between the pads: z forward, y along the finger motion, x up at home.
         base_body: Root body.
-        hand_body: Body that carries the fingers.
-        finger_joints: Slides of the fingers; their sum is the opening.
-        pads: Geoms of the left and the right finger that touch what is held.
-        cameras: Cameras mounted on the robot.
+        vessel_approach: How the hand comes to vessels, relative to the bearing from the base.
+        handle_approach: How the hand comes to handles, relative to straight into the door.
     """
 
     name: str
-    add_to: Callable[[mujoco.MjSpec, mujoco.MjsBody], None]
-    arm_joints: tuple[str, ...]
-    joint_lower: tuple[float, ...]
-    joint_upper: tuple[float, ...]
-    joint_velocity_limits: tuple[float, ...]
+    add_to: "Callable[[mujoco.MjSpec, mujoco.MjsBody], None]"
+    joints: tuple[Element, ...]
+    gripper: ParallelGripper
     home: tuple[float, ...]
     reach: float
-    gripper_max_opening: float
-    gripper_max_speed: float
-    grasp_site: str
     base_body: str
-    hand_body: str
-    finger_joints: tuple[str, str]
-    pads: tuple[str, str]
-    cameras: tuple[str, ...]
+    vessel_approach: Approach
+    handle_approach: Approach
+
+    @property
+    def elements(self) -> tuple[Element, ...]:
+        """Everything that is measured and commanded, in order: the joints, then the gripper."""
+        return (*self.joints, self.gripper.element)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the elements."""
+        return tuple(element.name for element in self.elements)
+
+    @property
+    def lower(self) -> tuple[float, ...]:
+        """Least positions of the elements [rad or m]."""
+        return tuple(element.lower for element in self.elements)
+
+    @property
+    def upper(self) -> tuple[float, ...]:
+        """Greatest positions of the elements [rad or m]."""
+        return tuple(element.upper for element in self.elements)
+
+    @property
+    def speed(self) -> tuple[float, ...]:
+        """Greatest speeds of the elements [rad/s or m/s]."""
+        return tuple(element.speed for element in self.elements)
+
+    @property
+    def start(self) -> tuple[float, ...]:
+        """Positions of the elements when an episode begins [rad or m]: home, the gripper open."""
+        return (*self.home, self.max_opening)
+
+    @property
+    def max_opening(self) -> float:
+        """Greatest distance between the pads [m]."""
+        return self.gripper.element.upper
+
+    @property
+    def closing_speed(self) -> float:
+        """Rate of the opening that skills command [m/s]."""
+        return self.gripper.closing_speed
+
+    @property
+    def finger_reach(self) -> float:
+        """How far the fingers reach beyond the point between the pads [m]."""
+        return self.gripper.finger_reach

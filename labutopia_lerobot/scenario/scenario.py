@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from labutopia_lerobot.registry import task_function
+from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario.draw import Draw, Value
 from labutopia_lerobot.scenario.variation import Variation, draw_instruction, draw_variation
 from labutopia_lerobot.setting import Setting
@@ -62,7 +63,7 @@ def canonical_task(setting: Setting) -> Task:
 
 def _scenario(setting: Setting, draw: Draw) -> Scenario:
     task = task_function(setting.task, setting.tasks_dir)(draw)
-    variation = draw_variation(draw, joints=7)
+    variation = draw_variation(draw, len(load_robot(setting.robot).joints))
     instruction = draw_instruction(draw, task)
     if instruction != task.instruction:
         task = replace(task, instruction=instruction)

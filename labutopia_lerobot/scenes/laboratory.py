@@ -1,168 +1,24 @@
-"""A plain laboratory room with one bench, lights and the two fixed cameras."""
+"""A plain laboratory room with one bench: where things are in it."""
 
-import mujoco
-import numpy as np
-from scipy.spatial.transform import Rotation
+from typing import TYPE_CHECKING
 
-from labutopia_lerobot.views import CameraPose, View
-from labutopia_lerobot.world import BENCH, ROOM
+from labutopia_lerobot.scenes.room import Room, Surface
+from labutopia_lerobot.scenes.views import View
 
-BENCH_HEIGHT = 0.775
-"""Bench top above the floor [m] (original, lab_001: 0.773 to 0.78)."""
-
-ROBOT_BASE = (-0.4, 0.0, 0.71)
-"""Where the robot stands [m], facing +x (original, every level 1 to 4 task)."""
-
-BENCH_X = (-0.2, 1.2)
-BENCH_Y = (-0.9, 0.9)
-"""Extent of the bench top [m], world frame."""
-
-_BOX = mujoco.mjtGeom.mjGEOM_BOX
-_BENCH_FRICTION = (0.5, 0.005, 0.0001)
-"""Sliding friction of glass on a phenolic resin top; glass on glass is 0.4 to 0.9 (greasy to dry,
-CRC Handbook, "Coefficients of friction")."""
-
-_WHITE = (0.90, 0.91, 0.92, 1.0)
-_GREY = (0.60, 0.63, 0.66, 1.0)
-_STEEL = (0.42, 0.45, 0.49, 1.0)
-_TOP = (0.33, 0.37, 0.42, 1.0)
+if TYPE_CHECKING:
+    import mujoco
 
 
-def laboratory(view: View) -> mujoco.MjSpec:
-    """Return the room, with bench, robot pedestal, lights and the cameras `front` and `top`.
+def _build(view: View) -> "mujoco.MjSpec":
+    from labutopia_lerobot.scenes.laboratory_model import laboratory  # here: it imports mujoco
 
-    The world frame has its origin on the floor, x from the robot to the bench, z up.
-    """
-    spec = mujoco.MjSpec()
-    spec.compiler.degree = False
-    spec.modelname = "laboratory"
-    _materials(spec)
-    _room(spec)
-    _bench(spec)
-    _lights(spec)
-    _add_camera(spec, "front", view.front)
-    _add_camera(spec, "top", view.top)
-    return spec
+    return laboratory(LABORATORY, view)
 
 
-def _materials(spec: mujoco.MjSpec) -> None:
-    spec.add_texture(
-        name="floor",
-        type=mujoco.mjtTexture.mjTEXTURE_2D,
-        builtin=mujoco.mjtBuiltin.mjBUILTIN_CHECKER,
-        rgb1=[0.72, 0.74, 0.75],
-        rgb2=[0.66, 0.68, 0.70],
-        width=128,
-        height=128,
-    )
-    floor = spec.add_material(name="floor", texrepeat=[8, 8], specular=0.1, shininess=0.1)
-    floor.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = "floor"
-    for name, rgba in (("wall", _WHITE), ("cabinet", _GREY), ("steel", _STEEL)):
-        spec.add_material(name=name, rgba=rgba, specular=0.1, shininess=0.1)
-    spec.add_material(name="bench_top", rgba=_TOP, specular=0.25, shininess=0.3)
-
-
-def _room(spec: mujoco.MjSpec) -> None:
-    room = spec.worldbody.add_body(name=ROOM)
-    room.add_geom(
-        name="floor",
-        type=mujoco.mjtGeom.mjGEOM_PLANE,
-        size=[3.0, 3.0, 0.1],
-        material="floor",
-    )
-    room.add_geom(
-        name="ceiling",
-        type=mujoco.mjtGeom.mjGEOM_PLANE,
-        pos=[0.0, 0.0, 3.0],
-        quat=[0.0, 1.0, 0.0, 0.0],  # downwards; MuJoCo lets one look through from above
-        size=[3.0, 3.0, 0.1],
-        material="wall",
-        contype=0,
-        conaffinity=0,
-    )
-    walls = {
-        "wall_back": ([-1.5, 0.0, 1.5], [0.05, 3.0, 1.5]),
-        "wall_front": ([2.55, 0.0, 1.5], [0.05, 3.0, 1.5]),
-        "wall_left": ([0.5, 2.5, 1.5], [2.0, 0.05, 1.5]),
-        "wall_right": ([0.5, -2.5, 1.5], [2.0, 0.05, 1.5]),
-    }
-    for name, (position, size) in walls.items():
-        room.add_geom(name=name, type=_BOX, pos=position, size=size, material="wall")
-    for index, y in enumerate((-1.2, 0.0, 1.2)):
-        room.add_geom(
-            name=f"wall_cabinet_{index}",
-            type=_BOX,
-            pos=[-1.3, y, 1.9],
-            size=[0.15, 0.56, 0.35],
-            material="cabinet",
-            contype=0,
-            conaffinity=0,
-        )
-
-
-def _bench(spec: mujoco.MjSpec) -> None:
-    """Add the bench and the pedestal that carries the robot."""
-    (x_min, x_max), (y_min, y_max) = BENCH_X, BENCH_Y
-    middle = [(x_min + x_max) / 2, (y_min + y_max) / 2, BENCH_HEIGHT]
-    half_x, half_y = (x_max - x_min) / 2, (y_max - y_min) / 2
-    bench = spec.worldbody.add_body(name=BENCH, pos=middle)
-    bench.add_geom(
-        name="bench_top",
-        type=_BOX,
-        pos=[0.0, 0.0, -0.015],
-        size=[half_x, half_y, 0.015],
-        material="bench_top",
-        friction=_BENCH_FRICTION,
-    )
-    bench.add_geom(
-        name="bench_body",
-        type=_BOX,
-        pos=[0.02, 0.0, -0.03 - 0.37],
-        size=[half_x - 0.06, half_y - 0.04, 0.37],
-        material="cabinet",
-    )
-    x, y, z = ROBOT_BASE
-    spec.worldbody.add_body(name="pedestal", pos=[x, y, 0.0]).add_geom(
-        name="pedestal",
-        type=_BOX,
-        pos=[-0.03, 0.0, z / 2],
-        size=[0.15, 0.15, z / 2],
-        material="steel",
-    )
-
-
-def _lights(spec: mujoco.MjSpec) -> None:
-    """Two unequal directional lights and a weak headlight: every face of a box shades differently.
-
-    No light casts a shadow: shadow maps cost two to five times the whole image on a CPU.
-    """
-    spec.visual.headlight.ambient = [0.38, 0.38, 0.38]
-    spec.visual.headlight.diffuse = [0.12, 0.12, 0.12]
-    spec.visual.headlight.specular = [0.15, 0.15, 0.15]
-    for name, direction, diffuse in (
-        ("key", [-0.45, 0.55, -0.9], 0.50),
-        ("fill", [0.7, -0.6, -0.5], 0.18),
-    ):
-        spec.worldbody.add_light(
-            name=name,
-            type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
-            dir=direction,
-            diffuse=[diffuse] * 3,
-            ambient=[0.0] * 3,
-            specular=[0.4 * diffuse] * 3,
-            castshadow=False,
-        )
-
-
-def _add_camera(spec: mujoco.MjSpec, name: str, pose: CameraPose) -> None:
-    """Add a camera: its -z axis along the direction, its y axis towards what is up."""
-    back = -np.array(pose.direction_w) / np.linalg.norm(pose.direction_w)
-    right = np.cross(pose.up_w, back)
-    right /= np.linalg.norm(right)
-    axes = np.column_stack([right, np.cross(back, right), back])
-    spec.worldbody.add_camera(
-        name=name,
-        pos=pose.position_w,
-        quat=Rotation.from_matrix(axes).as_quat(scalar_first=True),
-        fovy=pose.field_of_view_deg,  # in degrees, whatever the compiler's unit
-    )
+LABORATORY = Room(
+    name="laboratory",
+    build=_build,
+    # Height: original, lab_001: 0.773 to 0.78.
+    bench=Surface(height=0.775, x=(-0.2, 1.2), y=(-0.9, 0.9)),
+    robot_stand=(-0.4, 0.0, 0.71),  # original, every level 1 to 4 task
+)

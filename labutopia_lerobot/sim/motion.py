@@ -13,12 +13,12 @@ import mujoco
 import numpy as np
 
 from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.robot import Robot
-from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory
-from labutopia_lerobot.sim.scene import HULL_GROUP, Scene, ancestors
+from labutopia_lerobot.scenes.views import VESSEL_VIEW
+from labutopia_lerobot.sim.scene import HULL_GROUP, Scene, add_robot, ancestors
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
-from labutopia_lerobot.views import VESSEL_VIEW
 from labutopia_lerobot.world import ARM, BENCH, CONTROL_HZ, HAND, FloatArray, Pose, Thing
 
 _MARGIN = 0.004
@@ -50,19 +50,21 @@ class ReactiveMotion:
         scene = simulation.scene
         self._robot, self._pieces = scene.robot, scene.pieces
         self._model = _planning_model(scene)
+        self._drives = Drives(self._model, scene.robot)
         self._configuration = mink.Configuration(self._model)
         self._track = mink.FrameTask(
-            scene.robot.grasp_site, "site", position_cost=1.0, orientation_cost=0.3
+            scene.robot.gripper.site, "site", position_cost=1.0, orientation_cost=0.3
         )
         self._posture = mink.PostureTask(self._model, cost=0.01)
-        self._posture.set_target(np.array([*scene.robot.home, *(0.04,) * 2]))
-        speeds = zip(scene.robot.arm_joints, scene.robot.joint_velocity_limits, strict=True)
+        home = self._model.qpos0.copy()
+        self._drives.place(home, np.array(scene.robot.start))
+        self._posture.set_target(home)
         self._limits = [
             mink.ConfigurationLimit(self._model),
             mink.VelocityLimit(
                 self._model,
-                {name: _SPEED_SHARE * speed for name, speed in speeds}
-                | dict.fromkeys(scene.robot.finger_joints, 0.0),
+                {joint.name: _SPEED_SHARE * joint.speed for joint in scene.robot.joints}
+                | dict.fromkeys(scene.robot.gripper.finger_joints, 0.0),
             ),
         ]
         self._clearances = _clearances(self._model, scene.robot, scene.pieces)
@@ -88,7 +90,7 @@ class ReactiveMotion:
             and not (obstacle in touches and mover != ARM)
             and obstacle != load
         ]
-        command = self._simulation.command[: len(self._robot.arm_joints)]
+        command = self._simulation.command[: len(self._robot.joints)]
         try:
             velocity = mink.solve_ik(
                 self._configuration,
@@ -100,7 +102,7 @@ class ReactiveMotion:
             )
         except mink.NoSolutionFound:
             return command.copy()  # hemmed in: whatever it did would bring it nearer to something
-        joints: FloatArray = command + velocity[: len(command)] / CONTROL_HZ
+        joints: FloatArray = command + velocity[self._drives.joint_dofs] / CONTROL_HZ
         return joints
 
     def _look(self, holds: Thing | None) -> None:
@@ -118,19 +120,21 @@ class ReactiveMotion:
                     load.pos, load.quat = in_hand.position_w, in_hand.quat_wxyz
                 else:
                     load.pos = _FAR
-        widest = self._robot.gripper_max_opening
+        positions = self._simulation.command.copy()
         # A touch inside the range: measured openings overshoot it, which no motion could mend.
-        fingers = np.full(2, np.clip(self._world.gripper_opening, 1e-4, widest - 1e-4) / 2)
-        arm = len(self._robot.arm_joints)
-        self._configuration.update(np.concatenate([self._simulation.command[:arm], fingers]))
+        widest = self._robot.max_opening
+        positions[-1] = np.clip(self._world.gripper_opening, 1e-4, widest - 1e-4)
+        qpos = self._model.qpos0.copy()
+        self._drives.place(qpos, positions)
+        self._configuration.update(qpos)
 
 
 def _planning_model(scene: Scene) -> mujoco.MjModel:
     """Compile the arm among hulls: of every body an obstacle, of movable things a load too."""
-    spec, robot = laboratory(VESSEL_VIEW), scene.robot
-    robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=ROBOT_BASE))
-    grasp = spec.site(robot.grasp_site)
-    hand = spec.body(robot.hand_body)
+    spec = scene.room.build(VESSEL_VIEW)
+    add_robot(spec, scene.robot, scene.room)
+    grasp = spec.site(scene.robot.gripper.site)
+    hand = spec.body(scene.robot.gripper.body)
     in_hand = hand.add_body(name="in_hand", pos=grasp.pos, quat=grasp.quat)
     for piece in scene.pieces:
         for body, hulls in _hulls_by_body(scene, piece).items():
@@ -173,8 +177,9 @@ def _clearances(
     loads = {
         piece.name: _geoms_below(model, _LOAD + piece.name) for piece in pieces if piece.movable
     }
-    hand = set(_geoms_below(model, robot.hand_body)) - set(_geoms_below(model, "in_hand"))
-    arm = set(_geoms_below(model, robot.base_body)) - set(_geoms_below(model, robot.hand_body))
+    gripper = set(_geoms_below(model, robot.gripper.body))
+    hand = gripper - set(_geoms_below(model, "in_hand"))
+    arm = set(_geoms_below(model, robot.base_body)) - gripper
     movers = {ARM: sorted(arm), HAND: sorted(hand), **loads}
     names = (model.body(body).name for body in range(model.nbody) if model.body_mocapid[body] >= 0)
     obstacles = {name.removeprefix(_OBSTACLE): _geoms_below(model, name) for name in names}

@@ -11,10 +11,10 @@ from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.liquids.drawing import LiquidDrawing
 from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.robots.robot import Robot
-from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory
+from labutopia_lerobot.scenes.room import Room
+from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.sim.displacement import SqueezeBottle
-from labutopia_lerobot.views import View
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
 
 HULL_GROUP = 4
@@ -23,7 +23,7 @@ HULL_GROUP = 4
 PHYSICS_HZ = 300
 """Physics rate: ten steps per control period.
 
-Measured on a Panda lifting a 0.2 kg flask by friction: at 1/150 s the grasp creeps and the flask
+Measured on an arm lifting a 0.2 kg flask by friction: at 1/150 s the grasp creeps and the flask
 buzzes on the bench, at 1/300 s neither does, at 1/600 s nothing improves but the price doubles.
 """
 
@@ -35,6 +35,7 @@ class Scene:
     Attributes:
         model: The compiled model.
         robot: The robot in it.
+        room: The room around it.
         pieces: The labware in it.
         groups: Names that contacts are reported under.
         group_of_geom: Index into `groups` of every geom, and after them of every flex, which is
@@ -46,6 +47,7 @@ class Scene:
 
     model: mujoco.MjModel
     robot: Robot
+    room: Room
     pieces: tuple[Piece, ...]
     groups: tuple[str, ...]
     group_of_geom: NDArray[np.intp]
@@ -57,16 +59,17 @@ class Scene:
 def compile_scene(
     pieces: Iterable[Piece],
     robot: Robot,
+    room: Room,
     view: View,
     contents: Mapping[Piece, Filling] | None = None,
     particles: int = PARTICLES,
 ) -> Scene:
-    """Put the robot and the pieces into the laboratory and compile.
+    """Put the robot and the pieces into the room and compile.
 
     Pieces stand at the world's origin; a reset puts them where the layout says.
     """
     pieces = tuple(pieces)
-    spec = laboratory(view)
+    spec = room.build(view)
     spec.option.timestep = 1.0 / PHYSICS_HZ
     # Elliptic cones with a high friction impedance keep a friction grasp from creeping
     # (MuJoCo documentation, "Preventing slip").
@@ -83,7 +86,7 @@ def compile_scene(
     spec.visual.map.znear = 0.01
     spec.visual.map.zfar = 20.0
 
-    robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=ROBOT_BASE))
+    add_robot(spec, robot, room)
     for piece in pieces:
         body = piece.add_to(spec, spec.worldbody)
         if piece.movable:
@@ -101,7 +104,12 @@ def compile_scene(
     liquid = _drawing(spec, contents, particles) if contents else None
     model = spec.compile()
     groups, group_of_geom = _contact_groups(model, robot)
-    return Scene(model, robot, pieces, groups, group_of_geom, contents, particles, liquid)
+    return Scene(model, robot, room, pieces, groups, group_of_geom, contents, particles, liquid)
+
+
+def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
+    """Mount the robot on its stand."""
+    robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=room.robot_stand))
 
 
 def _drawing(
@@ -117,15 +125,15 @@ def _contact_groups(
     model: mujoco.MjModel, robot: Robot
 ) -> tuple[tuple[str, ...], NDArray[np.intp]]:
     """Name each geom after its body or its part of the robot, each flex after its root body."""
-    hand = model.body(robot.hand_body).id
+    hand = model.body(robot.gripper.body).id
     base = model.body(robot.base_body).id
     names = []
     for geom in range(model.ngeom):
         body = model.geom_bodyid[geom]
         line = ancestors(model, body)
-        if model.geom(geom).name == robot.pads[0]:
+        if model.geom(geom).name == robot.gripper.pads[0]:
             names.append(LEFT_PAD)
-        elif model.geom(geom).name == robot.pads[1]:
+        elif model.geom(geom).name == robot.gripper.pads[1]:
             names.append(RIGHT_PAD)
         elif hand in line:
             names.append(HAND)

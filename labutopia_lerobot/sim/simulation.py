@@ -11,7 +11,7 @@ from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.surface import VesselPose
-from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
+from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
 from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
@@ -33,7 +33,8 @@ class Simulation:
     Attributes:
         scene: What was compiled.
         data: MuJoCo's state; positions and contacts in it always belong to the present moment.
-        command: Joint targets [rad] and gripper opening [m] in force, shape (8,).
+        command: Joint targets [rad] and gripper opening [m] in force, in the order of the robot's
+            elements, shape (elements,).
         liquid: The liquid, or None where there is none.
         volumes: Where it is, as of the last control step.
         touched: Groups that touched since the previous control step, shape (groups, groups).
@@ -44,11 +45,9 @@ class Simulation:
         self.data = mujoco.MjData(scene.model)
         count = len(scene.groups)
         self.touched: NDArray[np.bool_] = np.zeros((count, count), dtype=bool)
-        robot = scene.robot
-        self._home = np.array([*robot.home, robot.gripper_max_opening])
-        self.command = self._home.copy()
-        self._arm = [scene.model.joint(name).qposadr[0] for name in robot.arm_joints]
-        self._fingers = [scene.model.joint(name).qposadr[0] for name in robot.finger_joints]
+        self._drives = Drives(scene.model, scene.robot)
+        self._start = np.array(scene.robot.start)
+        self.command = self._start.copy()
         self._switches = [switch for piece in scene.pieces for switch in piece.switches]
         self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
         self._displacements = {
@@ -68,14 +67,14 @@ class Simulation:
 
         Args:
             layout: Where things stand.
-            displacement: How far from home the arm starts, shape (7,), radians.
+            displacement: How far from home the arm starts, shape (joints,), radians.
         """
-        model, data = self.scene.model, self.data
+        model, data, bench = self.scene.model, self.data, self.scene.room.bench
         mujoco.mj_resetData(model, data)
         if self.liquid is not None:
             self.liquid.empty()
         for piece, placement in layout.items():
-            position = np.array([placement.x, placement.y, BENCH_HEIGHT + placement.height])
+            position = np.array([placement.x, placement.y, bench.height + placement.height])
             quat_wxyz = Rotation.from_euler("z", placement.yaw).as_quat(scalar_first=True)
             if piece.movable:
                 data.joint(f"{piece.name}_free").qpos = np.concatenate([position, quat_wxyz])
@@ -84,12 +83,11 @@ class Simulation:
                 model.body(piece.name).quat = quat_wxyz
             for body, place in placement.swaps:
                 model.body(body).pos = self._built[model.body(place).id]
-        start = self._home.copy()
+        start = self._start.copy()
         if displacement is not None:
-            start[:-1] += displacement
-        data.qpos[self._arm] = start[:-1]
-        data.qpos[self._fingers] = start[-1] / 2
-        data.ctrl[:] = start
+            start[: len(displacement)] += displacement
+        self._drives.place(data.qpos, start)
+        self._drives.command(data, start)
         self.command = start
         mujoco.mj_step1(model, data)
         for _ in range(_SETTLE_STEPS):
@@ -124,14 +122,14 @@ class Simulation:
         a real arm's controller does; held targets would kick the arm thirty times a second.
 
         Args:
-            command: Joint targets [rad] and gripper opening [m], shape (8,).
+            command: Joint targets [rad] and gripper opening [m], shape (elements,).
         """
         model, data, contact = self.scene.model, self.data, self.data.contact
         group_of_geom = self.scene.group_of_geom
         self.touched[:] = False
         start, change = self.command, command - self.command
         for substep, part in enumerate(self._ramp, start=1):
-            data.ctrl[:] = start + part * change
+            self._drives.command(data, start + part * change)
             # The two halves of mj_step, turned round: so that positions are never one step old.
             mujoco.mj_step2(model, data)
             mujoco.mj_step1(model, data)
@@ -190,20 +188,9 @@ class Simulation:
         return any(self.data.warning[kind].number for kind in _DIVERGENCE)
 
     @property
-    def arm_position(self) -> FloatArray:
-        """Measured joint angles, shape (7,), radians."""
-        position: FloatArray = self.data.qpos[self._arm]
-        return position
-
-    @property
-    def gripper_opening(self) -> float:
-        """Measured distance between the pads [m]."""
-        return float(self.data.qpos[self._fingers].sum())
-
-    @property
-    def measured(self) -> NDArray[np.float32]:
-        """Measured joint angles [rad] and distance between the pads [m], shape (8,), float32."""
-        return np.append(self.arm_position, self.gripper_opening).astype(np.float32)
+    def measured(self) -> FloatArray:
+        """Joint angles [rad] and distance between the pads [m], shape (elements,)."""
+        return self._drives.measured(self.data)
 
     def draw_liquid(self) -> None:
         """Find the surface of the liquid, once for all pictures of this moment."""
@@ -212,7 +199,8 @@ class Simulation:
                 VesselPose(vessel.profile, *self._frame(vessel.name))
                 for vessel in self.liquid.vessels
             ]
-            self.scene.liquid.extract(self.liquid.positions, vessels, BENCH_HEIGHT)
+            height = self.scene.room.bench.height
+            self.scene.liquid.extract(self.liquid.positions, vessels, height)
 
     def draw_particles(self, scene: mujoco.MjvScene) -> None:
         """Fill a user's scene, as MuJoCo's viewer has one, with the particles of the liquid."""
@@ -241,7 +229,7 @@ class Simulation:
         size = mujoco.mj_stateSize(model, kind)
         mujoco.mj_setState(model, data, state[:size], kind)
         mujoco.mj_step1(model, data)
-        self.command = data.ctrl.copy()
+        self.command = self._drives.targets(data)
         if self.liquid is not None:
             self.liquid.restore(state[size:])
             self.volumes = self.liquid.volumes()

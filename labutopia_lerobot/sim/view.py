@@ -3,9 +3,8 @@
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT, ROBOT_BASE
 from labutopia_lerobot.sim.simulation import Simulation
-from labutopia_lerobot.world import FloatArray, Pose, Thing, Volumes
+from labutopia_lerobot.world import FloatArray, Manipulator, Pose, Thing, Volumes
 
 
 class SimulatedWorld:
@@ -16,7 +15,7 @@ class SimulatedWorld:
         scene = simulation.scene
         self._data = simulation.data
         self._model = scene.model
-        self._gripper = scene.model.site(scene.robot.grasp_site).id
+        self._gripper = scene.model.site(scene.robot.gripper.site).id
         self._group = {name: index for index, name in enumerate(scene.groups)}
         self._bodies = {piece.name: scene.model.body(piece.name).id for piece in scene.pieces}
 
@@ -28,12 +27,17 @@ class SimulatedWorld:
     @property
     def bench_height(self) -> float:
         """Height of the bench top above the floor [m]."""
-        return BENCH_HEIGHT
+        return self._simulation.scene.room.bench.height
+
+    @property
+    def robot(self) -> Manipulator:
+        """What is known of the robot beforehand."""
+        return self._simulation.scene.robot
 
     @property
     def robot_base(self) -> Pose:
         """Base of the robot, x forward, z up."""
-        return Pose(np.array(ROBOT_BASE), np.eye(3))
+        return Pose(np.array(self._simulation.scene.room.robot_stand), np.eye(3))
 
     @property
     def gripper(self) -> Pose:
@@ -43,7 +47,7 @@ class SimulatedWorld:
     @property
     def gripper_opening(self) -> float:
         """Distance between the pads [m]."""
-        return self._simulation.gripper_opening
+        return float(self._simulation.measured[-1])
 
     @property
     def commanded_opening(self) -> float:

@@ -7,11 +7,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.action_filter import ActionFilter
 from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
 from labutopia_lerobot.liquids.filling import require_fillable
 from labutopia_lerobot.progress import Progress
-from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.robots import load_robot
+from labutopia_lerobot.robots.action_filter import ActionFilter
 from labutopia_lerobot.scenario import (
     Scenario,
     canonical_task,
@@ -19,7 +19,7 @@ from labutopia_lerobot.scenario import (
     scenario_seeds,
 )
 from labutopia_lerobot.scenario.bystanders import place_bystanders
-from labutopia_lerobot.scenes.laboratory import BENCH_X, BENCH_Y, ROBOT_BASE
+from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.appearance import Appearance
 from labutopia_lerobot.sim.motion import ReactiveMotion
@@ -30,8 +30,6 @@ from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.task import DIVERGED
-
-WORKSPACE = Workspace(BENCH_X, BENCH_Y, ROBOT_BASE[:2], PANDA.reach)
 
 _TRIES = 5
 """Starts that a reset tries; more failures than that are a defect of the task."""
@@ -59,10 +57,12 @@ class Workcell:
         self._setting = setting
         self.task = task = scenario.task
         pieces = (*task.start, *scenario.variation.bystanders)
-        scene = compile_scene(pieces, PANDA, task.view, task.contents, setting.particles)
+        robot, room = load_robot(setting.robot), load_room(setting.room)
+        self._workspace = Workspace.of(room, robot)
+        scene = compile_scene(pieces, robot, room, task.view, task.contents, setting.particles)
         self.simulation = Simulation(scene)
         self.world = SimulatedWorld(self.simulation)
-        self.filter = ActionFilter(PANDA)
+        self.filter = ActionFilter(robot)
         self.progress = Progress(task)
         self._appearance = Appearance(scene.model)
 
@@ -104,7 +104,7 @@ class Workcell:
         variation = scenario.variation
         self._appearance.show(variation)
         layout = sample_layout(task.start, rng)
-        layout |= place_bystanders(variation.bystanders, layout, WORKSPACE, rng)
+        layout |= place_bystanders(variation.bystanders, layout, self._workspace, rng)
         self.simulation.reset(layout, variation.robot_start)
         self.simulation.fill(rng)
         self.filter.start(self.simulation.command)
@@ -197,7 +197,8 @@ class Workcells:
         self._setting = setting
         self.task = canonical_task(setting)
         require_fillable(self.task.contents, self.task.start)
-        require_possible(self.task.start, WORKSPACE)
+        workspace = Workspace.of(load_room(setting.room), load_robot(setting.robot))
+        require_possible(self.task.start, workspace)
         self._kept: OrderedDict[object, Workcell] = OrderedDict()
 
     def begin(self, seed: int, after: str | None = None) -> tuple[Workcell, Scenario, int]:

@@ -1,4 +1,4 @@
-"""The expert: plays skills through the same eight numbers that a policy commands."""
+"""The expert: plays skills through the same numbers that a policy commands."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -22,9 +22,6 @@ from labutopia_lerobot.world import (
 )
 
 _STEP_S = 1.0 / CONTROL_HZ
-_GRIPPER_STEP = 0.09 * _STEP_S
-"""Change of the opening per step [m]; the Franka Hand manages 0.1 m/s."""
-
 _ACCELERATION = 1.0
 """Greatest change of the gripper's speed [m/s^2]; keeps a full beaker from slopping."""
 
@@ -33,7 +30,7 @@ class Motion(Protocol):
     """Turns a wanted gripper pose into joint targets, reactively."""
 
     def follow(self, target: Pose, *, touches: frozenset[str], holds: Thing | None) -> FloatArray:
-        """Return the next joint targets, shape (7,), radians."""
+        """Return the next joint targets, shape (joints,), radians."""
         ...
 
 
@@ -77,7 +74,7 @@ class Expert:
         return True
 
     def act(self) -> NDArray[np.float32]:
-        """Return the next action, shape (8,): joint targets [rad] and opening [m].
+        """Return the next action, shape (elements,): joint targets [rad] and opening [m].
 
         After the last phase, or after a failure, the last target is kept.
         """
@@ -97,7 +94,8 @@ class Expert:
             self._reference, touches=self._phase.touches, holds=self._phase.holds
         )
         change = self._phase.opening - self._opening
-        self._opening += float(np.clip(change, -_GRIPPER_STEP, _GRIPPER_STEP))
+        step = self._world.robot.closing_speed * _STEP_S
+        self._opening += float(np.clip(change, -step, step))
         return np.append(joints, self._opening).astype(np.float32)
 
     def _count_unexpected_touches(self) -> None:

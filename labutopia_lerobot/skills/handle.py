@@ -16,13 +16,6 @@ from labutopia_lerobot.predicates.openables import Bar, Openable
 from labutopia_lerobot.skills.skill import Condition, Phase, arrived, waited
 from labutopia_lerobot.world import Pose, World
 
-_RIGHT, _DOWN = math.radians(25.0), math.radians(20.0)
-"""Direction of the hand relative to straight into the door or drawer [rad].
-
-Level and straight ahead, a Panda's wrist cannot reach (see `pick.APPROACH`); like this no joint
-comes nearer to its ends than 8 % of its range, measured over a hundred runs of the four tasks.
-"""
-
 _OPENING = 0.05
 """Distance between the pads around a bar [m]: keeps the outer finger 2 cm off the door."""
 _SQUEEZE = 0.012
@@ -97,12 +90,12 @@ def move_by_handle(part: Operable, world: World, to: float, reached: Condition) 
 
 
 def _grasp(handle: Bar, world: World) -> Pose:
-    """Gripper pose around the bar: from the left and above, the fingers closing across the bar."""
-    frame = world.frame(handle.name)
+    """Gripper pose around the bar: as the robot reaches it, the fingers closing across the bar."""
+    frame, approach = world.frame(handle.name), world.robot.handle_approach
     up = np.array([0.0, 0.0, 1.0])
-    right = np.cross(frame.x_axis, up)
-    level = math.cos(_RIGHT) * frame.x_axis + math.sin(_RIGHT) * right
-    forward = math.cos(_DOWN) * level - math.sin(_DOWN) * up
+    left = np.cross(up, frame.x_axis)
+    level = math.cos(approach.yaw) * frame.x_axis + math.sin(approach.yaw) * left
+    forward = math.cos(approach.pitch) * level - math.sin(approach.pitch) * up
     across = np.cross(forward, frame.z_axis)
     across /= np.linalg.norm(across)
     return Pose(frame.position_w, np.column_stack([np.cross(across, forward), across, forward]))

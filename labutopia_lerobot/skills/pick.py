@@ -10,9 +10,6 @@ from labutopia_lerobot.skills.posture import hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
 from labutopia_lerobot.world import BENCH, Pose, Thing, World
 
-OPEN = 0.08
-"""Fully open gripper [m] (Franka Hand data sheet: 80 mm stroke)."""
-
 
 class Graspable(Thing, Protocol):
     """A thing with a place for the fingers."""
@@ -60,15 +57,16 @@ class Pick:
         thing = frozenset({self.thing.name})
         shut = self.thing.grip_width - min(self.squeeze, 0.5 * self.thing.grip_width)
         held = gripped(self.thing)
+        wide = world.robot.max_opening
         away = arrived(within=0.015, within_rad=0.1)
         there = arrived(within=0.004)
         for missed in range(self.tries):
-            yield Phase("hover", lambda w: self._before(w).moved(z=self.hover), OPEN, away)
-            yield Phase("lower", self._before, OPEN, away)
-            yield Phase("reach", self._grasp, OPEN, there, touches=thing, speed=0.15)
+            yield Phase("hover", lambda w: self._before(w).moved(z=self.hover), wide, away)
+            yield Phase("lower", self._before, wide, away)
+            yield Phase("reach", self._grasp, wide, there, touches=thing, speed=0.15)
             here = self._grasp(world)
             still = partial(_stay, here)
-            yield Phase("settle", still, OPEN, waited(0.2), touches=thing)
+            yield Phase("settle", still, wide, waited(0.2), touches=thing)
             yield Phase(
                 "close",
                 still,
@@ -80,9 +78,9 @@ class Pick:
             )
             if held.holds(world):
                 break
-            yield Phase("let go", still, OPEN, waited(0.5), touches=thing)
+            yield Phase("let go", still, wide, waited(0.5), touches=thing)
             back = partial(_stay, here.advanced(-self.standoff))
-            yield Phase("back", back, OPEN, away, touches=thing, speed=0.15)
+            yield Phase("back", back, wide, away, touches=thing, speed=0.15)
         raised = here.moved(z=self.lift)
         carrying = thing | {self.support}
         yield Phase("lift", lambda w: raised, shut, there, carrying, self.thing, speed=0.2)

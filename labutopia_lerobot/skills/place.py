@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from labutopia_lerobot.places import Destination
-from labutopia_lerobot.skills.pick import OPEN
 from labutopia_lerobot.skills.posture import upright_in_hand
 from labutopia_lerobot.skills.skill import Phase, arrived, carrier, waited
 from labutopia_lerobot.world import Pose, Thing, World
@@ -33,6 +32,7 @@ class Place:
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield above, lower, align, settle, open, retract and done."""
         thing, shut = self.thing, world.commanded_opening
+        wide = world.robot.max_opening
         support, own = frozenset({self.on.support}), frozenset({thing.name})
         point = self.on.position_w(world)
         carried = carrier(world, thing)
@@ -46,10 +46,10 @@ class Place:
         yield Phase("align", lambda w: below, shut, self._landed, own | support, thing, speed=0.03)
         here = world.gripper
         yield Phase("settle", lambda w: here, shut, waited(0.3), own | support, thing)
-        yield Phase("open", lambda w: here, OPEN, waited(0.5), own | support)
+        yield Phase("open", lambda w: here, wide, waited(0.5), own | support)
         back = here.advanced(-self.retreat)
-        yield Phase("retract", lambda w: back, OPEN, far, own, speed=0.15)
-        yield Phase("done", lambda w: back, OPEN, waited(0.1), own)
+        yield Phase("retract", lambda w: back, wide, far, own, speed=0.15)
+        yield Phase("done", lambda w: back, wide, waited(0.1), own)
 
     def _landed(self, world: World, target: Pose, elapsed: float) -> bool:
         return world.touching(self.thing.name, self.on.support)

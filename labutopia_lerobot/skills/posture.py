@@ -1,4 +1,4 @@
-"""How the hand and what it holds are best turned: nearly level, off the bearing from the robot."""
+"""How the hand and what it holds are best turned: as the robot reaches vessels comfortably."""
 
 import math
 
@@ -6,21 +6,6 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.world import FloatArray, Pose, Thing, World
-
-APPROACH = math.radians(-60.0)
-"""Yaw of the hand relative to the bearing from the robot [rad].
-
-Pointing straight ahead, a Panda's wrist cannot reach low and level (joint 6 ends at 3.75 rad);
-turned by 60 degrees all joints stay a fifth of their range from their ends over the whole start
-region.
-"""
-
-PITCH = math.radians(7.0)
-"""How far the hand points below the horizontal [rad].
-
-The wrist behind a level hand reaches 54 mm below it, too far for a beaker of 90 mm; with this it
-passes 15 mm above the bench, and the palm still fits below the beaker's lip.
-"""
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -34,9 +19,9 @@ def horizontal(direction: FloatArray) -> FloatArray:
 def hand_at(world: World, point_w: FloatArray) -> Pose:
     """Return the comfortable gripper pose at a point, shape (3,), metres, world frame."""
     dx, dy, _ = point_w - world.robot_base.position_w
-    yaw = math.atan2(dy, dx) + APPROACH
-    level = math.cos(PITCH)
-    forward = np.array([level * math.cos(yaw), level * math.sin(yaw), -math.sin(PITCH)])
+    approach = world.robot.vessel_approach
+    yaw, level = math.atan2(dy, dx) + approach.yaw, math.cos(approach.pitch)
+    forward = np.array([level * math.cos(yaw), level * math.sin(yaw), -math.sin(approach.pitch)])
     side = np.array([math.sin(yaw), -math.cos(yaw), 0.0])
     return Pose(point_w, np.column_stack([np.cross(side, forward), side, forward]))
 

@@ -37,7 +37,6 @@ class Press:
             0.2).
         spacing: Distance between the pads while pressing [m] (original: 0.0015).
         beyond: How much further than the click the press aims, so that it surely comes [m].
-        tip: How far the fingers reach beyond the point between the pads [m].
     """
 
     button: Button
@@ -45,7 +44,6 @@ class Press:
     standoff: float = 0.10
     spacing: float = 0.0
     beyond: float = 0.004
-    tip: float = 0.009
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield approach, close, press, hold and leave."""
@@ -62,7 +60,8 @@ class Press:
 
     def _before(self, world: World) -> Pose:
         """Gripper pose in front of the button, the finger tips at the stand-off."""
-        return world.frame(self.button.name).advanced(-self.standoff - self.tip)
+        distance = self.standoff + world.robot.finger_reach
+        return world.frame(self.button.name).advanced(-distance)
 
     def _closed(self, world: World, target: Pose, elapsed: float) -> bool:
         still = arrived(within=0.004)(world, target, elapsed)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from labutopia_lerobot.predicates.squeezing import Squeezable
-from labutopia_lerobot.skills.pick import OPEN, Graspable
+from labutopia_lerobot.skills.pick import Graspable
 from labutopia_lerobot.skills.posture import hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
 from labutopia_lerobot.world import CONTROL_HZ, Pose, World
@@ -48,15 +48,15 @@ class Squeeze:
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield hover, lower, reach, settle, the strokes (squeeze, hold, release) and withdraw."""
-        touches = frozenset({self.bottle.name})
+        touches, wide = frozenset({self.bottle.name}), world.robot.max_opening
         grasp = self._grasp(world)
         before = grasp.advanced(-self.standoff)
         above = before.moved(z=self.hover)
         away, there = arrived(within=0.015, within_rad=0.1), arrived(within=0.004)
-        yield Phase("hover", lambda w: above, OPEN, away)
-        yield Phase("lower", lambda w: before, OPEN, away)
-        yield Phase("reach", lambda w: grasp, OPEN, there, touches, speed=0.15)
-        yield Phase("settle", lambda w: grasp, OPEN, waited(0.2), touches)
+        yield Phase("hover", lambda w: above, wide, away)
+        yield Phase("lower", lambda w: before, wide, away)
+        yield Phase("reach", lambda w: grasp, wide, there, touches, speed=0.15)
+        yield Phase("settle", lambda w: grasp, wide, waited(0.2), touches)
         for _ in range(self.strokes):
             shut = self.bottle.grip_width
             yield Phase("close", lambda w: grasp, shut, waited(0.4), touches)
@@ -64,11 +64,11 @@ class Squeeze:
                 shut -= self.speed / CONTROL_HZ
                 yield Phase("squeeze", lambda w: grasp, shut, waited(0.0), touches)
             yield Phase("hold", lambda w: grasp, shut, waited(self.pause_s), touches)
-            yield Phase("release", lambda w: grasp, OPEN, waited(0.8), touches)
+            yield Phase("release", lambda w: grasp, wide, waited(0.8), touches)
             if self._enough(world):
                 break
-        yield Phase("withdraw", lambda w: before, OPEN, away, touches, speed=0.15)
-        yield Phase("done", lambda w: before, OPEN, waited(0.1))
+        yield Phase("withdraw", lambda w: before, wide, away, touches, speed=0.15)
+        yield Phase("done", lambda w: before, wide, waited(0.1))
 
     def _grasp(self, world: World) -> Pose:
         """Gripper pose around the body of the bottle."""

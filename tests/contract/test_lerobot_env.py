@@ -19,7 +19,7 @@ import lerobot_env_labutopia  # noqa: F401 (registers the type, as LeRobot's pro
 from labutopia_lerobot.datasets.features import dataset_features
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.features import ACTION, observation_features
+from labutopia_lerobot.features import action_feature, observation_features
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import OBSERVATION_KINDS, Setting
 
@@ -46,8 +46,8 @@ def test_spaces_config_and_dataset_follow_one_declaration(obs: str) -> None:
     assert flat(env.observation_space) == {
         path: (feature.shape, feature.dtype) for path, feature in declared.items()
     }
-    assert env.action_space.shape == ACTION.shape
-    everything = {feature.key: feature for feature in [*declared.values(), ACTION]}
+    assert env.action_space.shape == action_feature(setting).shape
+    everything = {feature.key: feature for feature in [*declared.values(), action_feature(setting)]}
     assert {
         config.features_map[name]: feature.shape for name, feature in config.features.items()
     } == {key: feature.shape for key, feature in everything.items()}

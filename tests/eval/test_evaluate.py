@@ -10,7 +10,7 @@ from labutopia_lerobot.evaluation.evaluate import evaluate, in_order, make_pairi
 from labutopia_lerobot.evaluation.films import choose
 from labutopia_lerobot.evaluation.policies import Action, PolicyMaker, RandomPolicy
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
-from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -81,8 +81,7 @@ def test_random_actions_reach_the_whole_box_within_the_limits() -> None:
     policy = RandomPolicy()
     policy.start(env, seed=0)
     actions = np.array([policy.act(observation) for _ in range(3000)], dtype=np.float64)
-    low, high = np.array([*PANDA.joint_lower, 0.0]), np.array([*PANDA.joint_upper, 0.08])
-    speed = np.array([*PANDA.joint_velocity_limits, PANDA.gripper_max_speed])
+    low, high, speed = (np.array(limit) for limit in (PANDA.lower, PANDA.upper, PANDA.speed))
     assert (np.abs(np.diff(actions, axis=0)) <= speed / CONTROL_HZ + 1e-6).all()
     assert ((actions >= low - 1e-6) & (actions <= high + 1e-6)).all()
     assert (np.ptp(actions, axis=0) > 0.8 * (high - low)).all()

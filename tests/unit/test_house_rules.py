@@ -11,9 +11,10 @@ PACKAGE = ROOT / "labutopia_lerobot"
 SOURCES = sorted(PACKAGE.rglob("*.py"))
 
 LAYERS = (
-    "errors registry world setting",
-    "substances layout places",
+    "errors registry world",
+    "substances places",
     "labware robots scenes",
+    "layout setting",
     "predicates",
     "skills",
     "task progress",

@@ -8,9 +8,9 @@ from scipy.ndimage import binary_dilation
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.liquids.drawing import LiquidDrawing
 from labutopia_lerobot.liquids.surface import VesselPose
-from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT, laboratory
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.sim.renderer import Renderer
-from labutopia_lerobot.views import VESSEL_VIEW
 
 SPACING = 1e-7 ** (1 / 3)
 BLUE, RED = (0.1, 0.3, 0.9, 0.6), (0.9, 0.2, 0.1, 0.6)
@@ -22,13 +22,13 @@ class Scene:
     """Two beakers on the bench, room for a blue and a red liquid, and a renderer."""
 
     def __init__(self) -> None:
-        spec = laboratory(VESSEL_VIEW)
+        spec = LABORATORY.build(VESSEL_VIEW)
         spec.stat.extent = 1.0
         spec.visual.map.znear, spec.visual.map.zfar = 0.01, 20.0
         self.poses = {}
         for vessel, (x, y) in VESSELS.items():
             body = vessel.add_to(spec, spec.worldbody)
-            body.pos = (x, y, BENCH_HEIGHT)
+            body.pos = (x, y, LABORATORY.bench.height)
             self.poses[vessel.name] = VesselPose(vessel.profile, np.array(body.pos), np.eye(3))
         self.blue = LiquidDrawing.add_to(spec, "blue", BLUE, SPACING, 1000)
         self.red = LiquidDrawing.add_to(spec, "red", RED, SPACING, 1000)
@@ -40,7 +40,7 @@ class Scene:
     def show(self, blue: np.ndarray, red: np.ndarray) -> None:
         """Let the next pictures show these particles, shape (n, 3)."""
         for liquid, positions in ((self.blue, blue), (self.red, red)):
-            liquid.extract(positions, list(self.poses.values()), BENCH_HEIGHT)
+            liquid.extract(positions, list(self.poses.values()), LABORATORY.bench.height)
 
     def contents(self, vessel: str) -> np.ndarray:
         """Return particles that fill a vessel 6 spacings high."""
@@ -70,7 +70,7 @@ def cylinder(radius: float, layers: int) -> np.ndarray:
 
 def puddle() -> np.ndarray:
     """Return one layer of particles on the bench, 6 cm wide."""
-    return cylinder(0.03, 1) + np.array([*PUDDLE, BENCH_HEIGHT])
+    return cylinder(0.03, 1) + np.array([*PUDDLE, LABORATORY.bench.height])
 
 
 @pytest.fixture(scope="module")
@@ -113,7 +113,7 @@ def test_liquid_is_transparent(scene):
 def test_a_tenth_of_a_millilitre_on_the_bench_is_seen(scene):
     scene.show(NOTHING, NOTHING)
     dry = scene.color("top")
-    scene.show(np.array([[*PUDDLE, BENCH_HEIGHT + SPACING / 2]]), NOTHING)
+    scene.show(np.array([[*PUDDLE, LABORATORY.bench.height + SPACING / 2]]), NOTHING)
     assert np.any(np.abs(scene.color("top") - dry).max(axis=-1) > 20)
 
 
@@ -160,7 +160,7 @@ def test_colour_comes_back_after_depth_and_segmentation(scene):
 
 def test_every_particle_may_be_a_drop_of_its_own(scene):
     grid = np.stack(np.meshgrid(*[np.arange(10) * 5.3 * SPACING] * 3), axis=-1).reshape(-1, 3)
-    surface = scene.blue.extract(grid + np.array([0.0, 0.0, 1.0]), [], BENCH_HEIGHT)
+    surface = scene.blue.extract(grid + np.array([0.0, 0.0, 1.0]), [], LABORATORY.bench.height)
     assert len(grid) == 1000
     assert len(surface.quads) > 20 * len(grid)
 
@@ -169,7 +169,7 @@ def test_more_particles_than_were_promised_are_refused():
     drawing = LiquidDrawing.add_to(mujoco.MjSpec(), "few", BLUE, SPACING, 1)
     apart = np.array([[0.0, 0.0, 1.0], [0.1, 0.0, 1.0], [0.2, 0.0, 1.0]])
     with pytest.raises(RuntimeError, match="3 particles of few"):
-        drawing.extract(apart, [], BENCH_HEIGHT)
+        drawing.extract(apart, [], LABORATORY.bench.height)
 
 
 def test_a_viewer_is_given_as_much_liquid_as_there_is_and_forgets_what_was(scene: Scene) -> None:

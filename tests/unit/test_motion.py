@@ -8,7 +8,9 @@ import pytest
 
 from labutopia_lerobot.labware.glassware import erlenmeyer_flask
 from labutopia_lerobot.layout import Placement
-from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
@@ -16,7 +18,6 @@ from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.posture import hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived
-from labutopia_lerobot.views import VESSEL_VIEW
 from labutopia_lerobot.world import World
 
 OBSTACLE = erlenmeyer_flask("obstacle", "1000 ml")
@@ -36,7 +37,7 @@ class Sweep:
 
 def sweep(skill: Sweep, obstacle: bool) -> tuple[int, Expert]:
     """Play a sweep; return the control steps in which robot and obstacle touched."""
-    simulation = Simulation(compile_scene([OBSTACLE], PANDA, VESSEL_VIEW))
+    simulation = Simulation(compile_scene([OBSTACLE], PANDA, LABORATORY, VESSEL_VIEW))
     world = SimulatedWorld(simulation)
     aside = Placement(0.25, 0.0, 0.0) if obstacle else Placement(1.0, 0.7, 0.0)
     simulation.reset({OBSTACLE: aside})
@@ -68,17 +69,17 @@ def test_an_obstacle_in_the_way_is_not_touched_with_avoidance():
 
 
 def test_commands_stay_within_the_limits_of_the_joints():
-    simulation = Simulation(compile_scene([OBSTACLE], PANDA, VESSEL_VIEW))
+    simulation = Simulation(compile_scene([OBSTACLE], PANDA, LABORATORY, VESSEL_VIEW))
     world = SimulatedWorld(simulation)
     simulation.reset({OBSTACLE: Placement(1.0, 0.7, 0.0)})
     motion = ReactiveMotion(simulation, world)
-    limits = np.array(PANDA.joint_velocity_limits) / 30
+    limits = np.array(PANDA.speed[:-1]) / 30
     far = world.gripper.moved(x=3.0, z=2.0)
     for _ in range(90):
         joints = motion.follow(far, touches=frozenset(), holds=None)
-        assert (np.abs(joints - simulation.command[:7]) <= limits).all()
-        assert (joints >= np.array(PANDA.joint_lower) - 1e-6).all()
-        assert (joints <= np.array(PANDA.joint_upper) + 1e-6).all()
+        assert (np.abs(joints - simulation.command[:-1]) <= limits).all()
+        assert (joints >= np.array(PANDA.lower[:-1]) - 1e-6).all()
+        assert (joints <= np.array(PANDA.upper[:-1]) + 1e-6).all()
         simulation.step(np.append(joints, 0.08))
 
 
@@ -95,7 +96,7 @@ class Dive:
 
 @pytest.mark.parametrize("depth", [-0.02, 0.0, 0.02])
 def test_the_hand_stops_above_the_bench(depth):
-    simulation = Simulation(compile_scene([OBSTACLE], PANDA, VESSEL_VIEW))
+    simulation = Simulation(compile_scene([OBSTACLE], PANDA, LABORATORY, VESSEL_VIEW))
     world = SimulatedWorld(simulation)
     simulation.reset({OBSTACLE: Placement(1.0, 0.7, 0.0)})
     expert = Expert((Dive(depth),), world, ReactiveMotion(simulation, world))

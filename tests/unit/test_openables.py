@@ -11,11 +11,12 @@ from labutopia_lerobot.labware.drying_oven import DryingOven
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.muffle_furnace import MuffleFurnace
 from labutopia_lerobot.layout import Inside, OnBench, Placement, sample_layout
-from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
-from labutopia_lerobot.views import DOOR_VIEW
 
 AJAR = {"oven": math.radians(30), "furnace": math.radians(30), "cabinet": 0.1}
 KINDS = {"oven": DryingOven, "furnace": MuffleFurnace, "cabinet": Cabinet}
@@ -25,7 +26,7 @@ def scene(name: str, ajar: float = 0.0):
     """Return a simulation, its world and the door or drawer of an instrument on the bench."""
     instrument = KINDS[name](name, ajar)
     part = instrument.top_drawer if isinstance(instrument, Cabinet) else instrument.door
-    simulation = Simulation(compile_scene([instrument], PANDA, DOOR_VIEW))
+    simulation = Simulation(compile_scene([instrument], PANDA, LABORATORY, DOOR_VIEW))
     simulation.reset({instrument: Placement(1.2, 0.1, 0.1)})  # out of reach of the arm
     return simulation, SimulatedWorld(simulation), part
 
@@ -128,7 +129,7 @@ def test_the_frame_of_the_handle_lies_in_the_middle_of_its_bar(name):
 
 def test_a_beaker_stands_in_the_chamber_of_a_closed_furnace():
     furnace, held = MuffleFurnace("furnace"), beaker("beaker")
-    simulation = Simulation(compile_scene([furnace, held], PANDA, DOOR_VIEW))
+    simulation = Simulation(compile_scene([furnace, held], PANDA, LABORATORY, DOOR_VIEW))
     start = {
         furnace: OnBench(x=(1.2, 1.2), y=(0.1, 0.1), yaw=(0.1, 0.1)),
         held: Inside(furnace, furnace.hearth),

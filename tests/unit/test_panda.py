@@ -60,7 +60,7 @@ def hand_pose(angles: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def random_angles(count: int) -> NDArray[np.float64]:
     rng = np.random.default_rng(0)
-    return rng.uniform(PANDA.joint_lower, PANDA.joint_upper, (count, 7))
+    return rng.uniform(PANDA.lower[:-1], PANDA.upper[:-1], (count, 7))
 
 
 def run(model: mujoco.MjModel, data: mujoco.MjData, seconds: float) -> None:
@@ -69,8 +69,10 @@ def run(model: mujoco.MjModel, data: mujoco.MjData, seconds: float) -> None:
 
 def opening(model: mujoco.MjModel, data: mujoco.MjData) -> float:
     """Distance between the pads as the collision geometry has it [m]."""
-    left, right = (data.geom(name) for name in PANDA.pads)
-    thickness = model.geom(PANDA.pads[0]).size[1] + model.geom(PANDA.pads[1]).size[1]
+    left, right = (data.geom(name) for name in PANDA.gripper.pads)
+    thickness = (
+        model.geom(PANDA.gripper.pads[0]).size[1] + model.geom(PANDA.gripper.pads[1]).size[1]
+    )
     return float(np.linalg.norm(left.xpos - right.xpos) - thickness)
 
 
@@ -79,21 +81,21 @@ def test_the_hand_is_where_the_published_kinematics_put_it(model, data, angles):
     data.qpos[:7] = angles
     mujoco.mj_forward(model, data)
     expected = hand_pose(angles)
-    hand = data.body(PANDA.hand_body)
+    hand = data.body(PANDA.gripper.body)
     np.testing.assert_allclose(hand.xpos, expected[:3, 3], atol=1e-9)
     np.testing.assert_allclose(hand.xmat.reshape(3, 3), expected[:3, :3], atol=1e-9)
 
 
 def test_the_model_has_the_limits_that_the_robot_declares(model):
-    for i, joint in enumerate(PANDA.arm_joints):
-        limits = PANDA.joint_lower[i], PANDA.joint_upper[i]
-        np.testing.assert_allclose(model.joint(joint).range, limits)
-        np.testing.assert_allclose(model.actuator(joint).ctrlrange, limits)
-    np.testing.assert_allclose(model.actuator("gripper").ctrlrange, (0, PANDA.gripper_max_opening))
+    for element in PANDA.elements:
+        limits = element.lower, element.upper
+        np.testing.assert_allclose(model.actuator(element.name).ctrlrange, limits)
+    for joint in PANDA.joints:
+        np.testing.assert_allclose(model.joint(joint.name).range, (joint.lower, joint.upper))
 
 
 def test_home_keeps_away_from_every_joint_limit():
-    lower, home, upper = map(np.array, (PANDA.joint_lower, PANDA.home, PANDA.joint_upper))
+    lower, home, upper = map(np.array, (PANDA.lower[:-1], PANDA.home, PANDA.upper[:-1]))
     assert np.minimum(home - lower, upper - home).min() > 0.4
 
 
@@ -102,13 +104,13 @@ def test_the_arm_with_its_hand_weighs_about_18_kg(model):
 
 
 def test_at_home_the_hand_is_level_with_the_x_axis_of_the_grasp_up(data):
-    x = data.site(PANDA.grasp_site).xmat.reshape(3, 3)[:, 0]
+    x = data.site(PANDA.gripper.site).xmat.reshape(3, 3)[:, 0]
     np.testing.assert_allclose(x, (0, 0, 1), atol=2e-3)
 
 
 def test_the_grasp_is_midway_between_the_pads(model, data):
-    left, right = (data.geom(name).xpos for name in PANDA.pads)
-    np.testing.assert_allclose((left + right) / 2, data.site(PANDA.grasp_site).xpos, atol=1e-3)
+    left, right = (data.geom(name).xpos for name in PANDA.gripper.pads)
+    np.testing.assert_allclose((left + right) / 2, data.site(PANDA.gripper.site).xpos, atol=1e-3)
 
 
 def test_home_holds_still_without_touching_itself(model, data):
@@ -134,9 +136,9 @@ def test_the_pads_open_as_far_as_commanded(model, data, command):
 def test_the_fingers_stay_even_under_a_push_on_one_of_them(model, data):
     data.ctrl[model.actuator("gripper").id] = 0.05
     run(model, data, 1.0)
-    data.qfrc_applied[model.joint(PANDA.finger_joints[0]).dofadr] = -10.0
+    data.qfrc_applied[model.joint(PANDA.gripper.finger_joints[0]).dofadr] = -10.0
     run(model, data, 1.0)
-    left, right = (data.joint(name).qpos[0] for name in PANDA.finger_joints)
+    left, right = (data.joint(name).qpos[0] for name in PANDA.gripper.finger_joints)
     assert left < 0.0245
     assert left == pytest.approx(right, abs=1e-3)
 
@@ -149,13 +151,13 @@ def holding(data: mujoco.MjData) -> tuple[mujoco.MjModel, mujoco.MjData]:
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     spec.option.impratio = 10
-    bottle = spec.worldbody.add_body(name="bottle", pos=data.site(PANDA.grasp_site).xpos)
+    bottle = spec.worldbody.add_body(name="bottle", pos=data.site(PANDA.gripper.site).xpos)
     bottle.add_freejoint()
     bottle.add_geom(type=mujoco.mjtGeom.mjGEOM_CYLINDER, size=(0.03, 0.05, 0), mass=0.5)
     model = spec.compile()
     held = mujoco.MjData(model)
     held.qpos[:7] = held.ctrl[:7] = PANDA.home
-    for joint in PANDA.finger_joints:
+    for joint in PANDA.gripper.finger_joints:
         held.joint(joint).qpos = 0.03
     held.ctrl[model.actuator("gripper").id] = 0.05
     return model, held
@@ -173,7 +175,7 @@ def test_the_wrist_camera_sees_both_pads(model, data):
     height = width = 128
     with mujoco.Renderer(model, height, width) as renderer:
         renderer.enable_segmentation_rendering()
-        renderer.update_scene(data, PANDA.cameras[0])
+        renderer.update_scene(data, "wrist")
         seen = renderer.render()[..., 0]
     for finger in ("left_finger_visual", "right_finger_visual"):
         assert np.count_nonzero(seen == model.geom(finger).id) > 50
@@ -183,9 +185,9 @@ def test_the_wrist_camera_sees_both_pads(model, data):
 
 def test_a_cached_mesh_is_the_mesh(tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    made = load_mesh("FRANKA-EMIKA/Panda/hand.stl", 500)
+    made = load_mesh("meshes/FRANKA-EMIKA/Panda/hand.stl", 500)
     assert len(list((tmp_path / "labutopia_lerobot").iterdir())) == 1
-    cached = load_mesh("FRANKA-EMIKA/Panda/hand.stl", 500)
+    cached = load_mesh("meshes/FRANKA-EMIKA/Panda/hand.stl", 500)
     for fresh, kept in zip(made, cached, strict=True):
         np.testing.assert_array_equal(fresh, kept)
 
@@ -193,7 +195,7 @@ def test_a_cached_mesh_is_the_mesh(tmp_path, monkeypatch):
 def test_a_cache_that_cannot_be_written_only_warns(tmp_path, monkeypatch, caplog):
     (tmp_path / "labutopia_lerobot").write_text("a file where the folder should be")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    _, faces = load_mesh("FRANKA-EMIKA/Panda/hand.stl", 500)
+    _, faces = load_mesh("meshes/FRANKA-EMIKA/Panda/hand.stl", 500)
     assert len(faces) == pytest.approx(500, rel=0.1)
     assert "cannot be written" in caplog.text
 

@@ -8,8 +8,9 @@ import pytest
 from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop
+from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.skills.pick import OPEN, Pick
+from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 
 
@@ -84,7 +85,7 @@ def test_a_beaker_let_go_above_the_plate_is_dropped(env):
 
     def let_go(expert, action):
         if env.workcell.world.pose(beaker).position_w[2] < env.workcell.world.bench_height + 0.09:
-            action[-1] = OPEN
+            action[-1] = PANDA.max_opening
 
     assert play(env, Place(beaker, OnTop(plate)), spoil=let_go)["outcome"] == "dropped"
 

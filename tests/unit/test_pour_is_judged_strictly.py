@@ -9,7 +9,8 @@ import pytest
 from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OverBench
-from labutopia_lerobot.skills.pick import OPEN, Pick
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.shake import Shake
 
 
@@ -100,7 +101,7 @@ def test_a_beaker_held_aslant_afterwards_is_not_upright(env):
 def test_a_beaker_let_go_afterwards_is_dropped(env):
     def let_go(expert, action):
         if expert.label == "pour/tilt_back" and env.workcell.world.pose(beaker).tilt < 0.3:
-            action[-1] = OPEN
+            action[-1] = PANDA.max_opening
 
     beaker, _ = env.workcell.task.start
     assert play(env, *env.workcell.task.skills, spoil=let_go)["outcome"] in {"dropped", "collided"}

@@ -5,17 +5,18 @@ import pytest
 
 from labutopia_lerobot.labware.heater import Heater
 from labutopia_lerobot.layout import Placement
-from labutopia_lerobot.robots.panda import PANDA
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
-from labutopia_lerobot.views import VESSEL_VIEW
 
 HEATER = Heater("heater")
 
 
 @pytest.fixture
 def simulation() -> Simulation:
-    result = Simulation(compile_scene([HEATER], PANDA, VESSEL_VIEW))
+    result = Simulation(compile_scene([HEATER], PANDA, LABORATORY, VESSEL_VIEW))
     result.reset({HEATER: Placement(0.3, 0.0, 0.0)})
     return result
 

@@ -8,8 +8,9 @@ import pytest
 
 from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.skills.pick import OPEN, Pick
+from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.shake import Shake
 
 
@@ -58,7 +59,7 @@ def test_a_tilt_of_seventy_degrees_spills(env):
 def test_a_beaker_let_go_between_two_tilts_is_no_shake(env):
     def let_go(expert, action):
         if expert.label == "shake/right":
-            action[-1] = OPEN
+            action[-1] = PANDA.max_opening
 
     assert play(env, shake(env), spoil=let_go)["outcome"] in {"interrupted", "dropped"}
 
@@ -70,7 +71,7 @@ def test_a_beaker_let_go_after_one_and_a_half_seconds_is_dropped(env):
         if expert.label == "shake/stabilise":
             begun.append(env.workcell.world.time)
             if env.workcell.world.time - begun[0] > 1.5:
-                action[-1] = OPEN
+                action[-1] = PANDA.max_opening
 
     info = play(env, shake(env), spoil=let_go)
     assert info["ever_success"]

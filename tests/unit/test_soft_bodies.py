@@ -14,14 +14,14 @@ from labutopia_lerobot.labware.shell import enclosed_volume
 from labutopia_lerobot.labware.silicone_tube import SILICONE, SiliconeTube
 from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Placement
-from labutopia_lerobot.robots.panda import PANDA
-from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.squeeze import Squeeze
-from labutopia_lerobot.views import VESSEL_VIEW
 from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD
 
 BOTTLE = WashBottle("bottle")
@@ -38,7 +38,7 @@ def env() -> LabEnv:
 @pytest.fixture
 def lying() -> Simulation:
     """A tube on the bench, away from the robot."""
-    simulation = Simulation(compile_scene([TUBE], PANDA, VESSEL_VIEW))
+    simulation = Simulation(compile_scene([TUBE], PANDA, LABORATORY, VESSEL_VIEW))
     simulation.reset({TUBE: Placement(0.3, -0.3, 0.5)})
     return simulation
 
@@ -219,7 +219,7 @@ def test_a_tube_comes_to_rest_on_the_bench(lying):
     for _ in range(60):
         lying.step(lying.command)
     assert np.abs(speeds(lying)).max() < 1e-3
-    height = lying.data.flexvert_xpos[:, 2] - BENCH_HEIGHT
+    height = lying.data.flexvert_xpos[:, 2] - LABORATORY.bench.height
     assert 0.0035 < height.min() < 0.0041  # its radius, 4 mm
 
 
@@ -230,14 +230,14 @@ def test_a_tube_that_is_lifted_keeps_its_length_falls_and_rests(lying):
     data.xfrc_applied[end, 2] = 0.25  # a quarter of a newton, twice the tube's weight
     for _ in range(60):
         lying.step(lying.command)
-    assert data.flexvert_xpos[18, 2] > BENCH_HEIGHT + 0.10
+    assert data.flexvert_xpos[18, 2] > LABORATORY.bench.height + 0.10
     now = np.linalg.norm(np.diff(data.flexvert_xpos, axis=0), axis=1)
     assert np.abs(now - edges).max() < 0.01 * edges.max()
     data.xfrc_applied[:] = 0.0
     for _ in range(120):
         lying.step(lying.command)
     assert np.abs(speeds(lying)).max() < 1e-3
-    assert data.flexvert_xpos[18, 2] < BENCH_HEIGHT + 0.005
+    assert data.flexvert_xpos[18, 2] < LABORATORY.bench.height + 0.005
 
 
 @dataclass(frozen=True)

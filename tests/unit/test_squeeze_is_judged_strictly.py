@@ -8,7 +8,7 @@ import pytest
 from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.skills.pick import OPEN, Pick
+from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
 from labutopia_lerobot.skills.squeeze import Squeeze
 
@@ -65,9 +65,9 @@ class Knock(Squeeze):
 
     def phases(self, world):
         above = replace(self._grasp(world), position_w=world.frame(self.on).position_w)
-        far = above.moved(z=0.12)
-        yield Phase("hover", lambda w: far, OPEN, arrived(0.02, 0.2))
-        yield Phase("knock", lambda w: above, OPEN, waited(5.0), self.names)
+        far, wide = above.moved(z=0.12), world.robot.max_opening
+        yield Phase("hover", lambda w: far, wide, arrived(0.02, 0.2))
+        yield Phase("knock", lambda w: above, wide, waited(5.0), self.names)
 
 
 def test_the_unspoilt_expert_succeeds(env):

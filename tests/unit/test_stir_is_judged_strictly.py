@@ -8,7 +8,7 @@ import pytest
 
 from adversary import Spoil, begun, play
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.skills.pick import OPEN
+from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.skills.stir import Stir
 
 
@@ -40,7 +40,7 @@ def after(env: LabEnv, label: str, seconds: float, do: Callable[[np.ndarray], No
 
 
 def let_go(action: np.ndarray) -> None:
-    action[-1] = OPEN
+    action[-1] = PANDA.max_opening
 
 
 def test_the_unspoilt_skill_succeeds(env):

@@ -9,9 +9,9 @@ import math
 from labutopia_lerobot.labware.drying_oven import DryingOven
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, closed, collided
+from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
-from labutopia_lerobot.views import DOOR_VIEW
 
 # The original's expert pushes the door along an arc of 50 degrees. Ours starts 10 cm from the
 # handle; wider or turned further, the door would stand where the hand is.

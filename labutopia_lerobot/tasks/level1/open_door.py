@@ -9,9 +9,9 @@ import math
 from labutopia_lerobot.labware.drying_oven import DryingOven
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, collided, opened
+from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
-from labutopia_lerobot.views import DOOR_VIEW
 
 OPEN_TO = math.radians(50)  # original: the arc that its expert pulls the door along
 BEGUN = math.radians(2)  # ours: further than a grip jolts a door

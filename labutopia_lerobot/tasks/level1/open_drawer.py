@@ -9,9 +9,9 @@ import math
 from labutopia_lerobot.labware.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, collided, opened
+from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
-from labutopia_lerobot.views import DOOR_VIEW
 
 OPEN_TO = 0.13  # original: handle moved by more than 0.13 m
 BEGUN = 0.005  # ours: further than a grip jolts a drawer

@@ -8,10 +8,10 @@ from labutopia_lerobot.labware.target_plate import TargetPlate
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import struck
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
-from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
 
 def place() -> Task:

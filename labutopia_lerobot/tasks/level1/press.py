@@ -8,9 +8,9 @@ import math
 from labutopia_lerobot.labware.button_panel import ButtonPanel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import aligned, collided, fingered, pressed, touched
+from labutopia_lerobot.scenes.views import PRESS_VIEW
 from labutopia_lerobot.skills import Press
 from labutopia_lerobot.task import Milestone, Step, Task
-from labutopia_lerobot.views import PRESS_VIEW
 
 
 def press() -> Task:

@@ -20,9 +20,9 @@ from labutopia_lerobot.predicates import (
     steady,
     switched_on,
 )
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
-from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
 
 def heat_beaker() -> Task:

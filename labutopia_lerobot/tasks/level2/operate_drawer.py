@@ -10,10 +10,10 @@ from dataclasses import replace
 from labutopia_lerobot.labware.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, closed, collided, opened
+from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Milestone, Task
 from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.tasks.level1.open_drawer import BEGUN, OPEN_TO
-from labutopia_lerobot.views import DOOR_VIEW
 
 YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
 

@@ -10,9 +10,9 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import struck
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
-from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
 
 def transport_beaker() -> Task:

@@ -18,9 +18,9 @@ from labutopia_lerobot.predicates import (
     struck,
     withdrawn,
 )
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Squeeze
 from labutopia_lerobot.task import Milestone, Step, Task
-from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
 _AMOUNT_ML = 20.0
 """A rinse of a 250 ml beaker; one firm stroke gives a little more."""

@@ -11,35 +11,34 @@ class ActionFilter:
     """Clips commands to position and velocity limits and counts what it had to change.
 
     Attributes:
-        applied: The command in force, shape (8,), float32: what is recorded.
+        applied: The command in force, shape (elements,), float32: what is recorded.
         clipped: Commands of this episode that were beyond a limit.
         nonfinite: Commands of this episode with an infinite or undefined element.
     """
 
     def __init__(self, robot: Robot) -> None:
-        self._low = np.array([*robot.joint_lower, 0.0])
-        self._high = np.array([*robot.joint_upper, robot.gripper_max_opening])
-        speed = np.array([*robot.joint_velocity_limits, robot.gripper_max_speed])
-        self._reach = speed / CONTROL_HZ
+        self._names = robot.names
+        self._low, self._high = np.array(robot.lower), np.array(robot.upper)
+        self._reach = np.array(robot.speed) / CONTROL_HZ
 
     def start(self, command: FloatArray) -> None:
-        """Begin an episode with the command in force, shape (8,)."""
+        """Begin an episode with the command in force, shape (elements,)."""
         self.applied: NDArray[np.float32] = command.astype(np.float32)
         self._target = self.applied
         self.clipped = 0
         self.nonfinite = 0
 
     def __call__(self, action: NDArray[np.float32]) -> FloatArray:
-        """Return the command that acts, shape (8,); it is exactly representable in float32.
+        """Return the command that acts, shape (elements,); it is exactly representable in float32.
 
         Raises:
-            ValueError: If the action does not have eight elements.
+            ValueError: If the action does not have as many elements as the robot.
         """
         action = np.asarray(action, dtype=np.float32)
         if action.shape != self.applied.shape:
             raise ValueError(
-                f"An action has shape {self.applied.shape} (seven joint angles and the gripper "
-                f"opening), not {action.shape}"
+                f"An action has shape {self.applied.shape} ({', '.join(self._names)}), "
+                f"not {action.shape}"
             )
         finite = np.isfinite(action)
         self._target = wanted = np.where(finite, action, self._target)

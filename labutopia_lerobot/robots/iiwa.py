@@ -1,0 +1,59 @@
+"""The KUKA LBR iiwa 14 R820 with the Franka Hand: names, limits and what skills need to know.
+
+[KUKA] KUKA, data sheet "LBR iiwa 14 R820": axis data.
+"""
+
+import math
+from typing import TYPE_CHECKING
+
+from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
+from labutopia_lerobot.robots.robot import Element, Robot
+from labutopia_lerobot.world import Approach
+
+if TYPE_CHECKING:
+    import mujoco
+
+
+def _axis(name: str, range_deg: float, speed_deg_s: float) -> Element:
+    limit = math.radians(range_deg)
+    return Element(name, -limit, limit, math.radians(speed_deg_s))
+
+
+_JOINTS = (
+    _axis("joint1", 170.0, 85.0),
+    _axis("joint2", 120.0, 85.0),
+    _axis("joint3", 170.0, 100.0),
+    _axis("joint4", 120.0, 75.0),
+    _axis("joint5", 170.0, 130.0),
+    _axis("joint6", 120.0, 135.0),
+    _axis("joint7", 175.0, 135.0),
+)
+"""KUKA's axes A1 to A7: range to either side [deg], speed [deg/s] [KUKA]."""
+
+
+def _add_to(spec: "mujoco.MjSpec", parent: "mujoco.MjsBody") -> None:
+    from labutopia_lerobot.robots.iiwa_model import add_iiwa  # here: it imports mujoco
+
+    add_iiwa(spec, parent)
+
+
+IIWA = Robot(
+    name="iiwa",
+    add_to=_add_to,
+    joints=_JOINTS,
+    gripper=FRANKA_HAND,
+    # Grasp point at (0.52, -0.22, 0.35) m, hand level, turned 70 degrees to the right, the elbow to
+    # the left: above what stands on the bench, to the right of drawers that are open.
+    home=(0.822, 1.339, -1.330, -1.731, -0.466, 0.805, 0.378),
+    # Flange of the stretched arm, 0.946 m from the shoulder [KUKA], at the height of the bench; the
+    # data sheet's "maximum reach" of 0.82 m ends at the wrist.
+    reach=0.90,
+    base_body="base_link",
+    # Found by inverse kinematics over the start regions of pick, place and pour, from the bench to
+    # 0.25 m above it and from 0.10 m before: every joint keeps a tenth of its range from its ends.
+    # Straight ahead the elbow would have to bend further than it can (joint 4). The pitch keeps the
+    # wrist, as thick as the beaker is half high, off the bench.
+    vessel_approach=Approach(yaw=math.radians(-70.0), pitch=math.radians(9.0)),
+    # For the same reason steeply from above; found likewise for drawers and doors.
+    handle_approach=Approach(yaw=math.radians(-25.0), pitch=math.radians(35.0)),
+)

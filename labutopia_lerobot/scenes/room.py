@@ -1,0 +1,50 @@
+"""What the rest of the house needs to know about a room."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.scenes.views import Vector, View
+
+if TYPE_CHECKING:
+    import mujoco
+
+
+class UnknownRoomError(UserError, ValueError):
+    """A room that does not exist; the message lists those that do."""
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A level, rectangular top that things stand on.
+
+    Attributes:
+        height: Above the floor [m].
+        x: Least and greatest x [m], world frame.
+        y: Least and greatest y [m], world frame.
+    """
+
+    height: float
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Room:
+    """A room with a bench and a place for a robot: what to build, and where things are in it.
+
+    The world frame has its origin on the floor, x from the robot to the bench, z up.
+
+    Attributes:
+        name: Short name.
+        build: Returns the room as a spec (angles in radians) with the cameras `front` and `top` of
+            a view, the bench as the body `world.BENCH` and all that is fixed as `world.ROOM`.
+        bench: Top of the bench.
+        robot_stand: Where the base of a robot is mounted, facing +x [m], world frame.
+    """
+
+    name: str
+    build: "Callable[[View], mujoco.MjSpec]"
+    bench: Surface
+    robot_stand: Vector
