@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.action_filter import ActionFilter
 from labutopia_lerobot.features import CAMERAS, IMAGE_SIZE, Feature, observation_features
 from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
-from labutopia_lerobot.liquids.filling import Fillable, require_fillable
+from labutopia_lerobot.substances.filling import Fillable, require_fillable
 from labutopia_lerobot.liquids.liquid import PARTICLES
 from labutopia_lerobot.options import LIQUID, SPLITS, require_choices
 from labutopia_lerobot.progress import DIVERGED, SUCCESS, TIMEOUT, Progress

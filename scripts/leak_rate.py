@@ -18,7 +18,7 @@ from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, graduated_cylinder
 from labutopia_lerobot.labware.vessel import Vessel
-from labutopia_lerobot.liquids.filling import Filling
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.liquids.liquid import PARTICLES, Liquid
 from labutopia_lerobot.sim.scene import PHYSICS_HZ
 
@@ -67,7 +67,7 @@ def handle(seed: int) -> dict[str, int]:
     vessel = VESSELS[seed % len(VESSELS)]("vessel")
     filling = Filling(rng.uniform(0.2, 0.8) * vessel.capacity)
     model, data = _room_with(vessel)
-    liquid = Liquid(model, data, [vessel], filling)
+    liquid = Liquid(model, data, [vessel], [filling])
     liquid.fill({vessel: filling}, rng)
     swing = _Swing(rng, data.qpos.copy())
     watch = _Watch(vessel)

@@ -79,9 +79,12 @@ class Row:
         substeps: Sub-step -> time at which it latched [s], or None.
         facts: Every predicate of the task, as it was at the end.
         liquid: `on` or `off`; None for a task whose vessels are empty anyway.
-        ml_poured: Liquid at the end in other vessels than at the start [ml]; None without liquid.
-        ml_spilled: Liquid on the bench, or on something else that is no vessel [ml].
-        ml_retained: Liquid where it was at the start [ml].
+        ml_total: Liquid in the scene [ml], the sum of the next five; None without liquid.
+        ml_poured: Liquid at the end in other vessels than it was filled into [ml].
+        ml_retained: Liquid in the vessels that it was filled into [ml].
+        ml_spilled: Liquid on something that can never move, as the bench [ml].
+        ml_clinging: Liquid outside on a vessel, or on something that can move [ml].
+        ml_in_flight: Liquid outside all vessels that touches nothing [ml].
         clipped_actions: Actions beyond a limit of position or velocity.
         nonfinite_actions: Actions with an infinite or undefined element.
     """
@@ -100,9 +103,12 @@ class Row:
     substeps: dict[str, float | None]
     facts: dict[str, bool]
     liquid: str | None
+    ml_total: float | None
     ml_poured: float | None
-    ml_spilled: float | None
     ml_retained: float | None
+    ml_spilled: float | None
+    ml_clinging: float | None
+    ml_in_flight: float | None
     clipped_actions: int
     nonfinite_actions: int
 
@@ -170,9 +176,12 @@ def _row(pairing: Pairing, seed: int, steps: int, info: Info) -> Row:
         },
         facts=info["facts"],
         liquid=pairing.liquid if load_task(pairing.task, pairing.tasks_dir).contents else None,
+        ml_total=_millilitres(info.get("ml_total")),
         ml_poured=_millilitres(info.get("ml_poured")),
-        ml_spilled=_millilitres(info.get("ml_spilled")),
         ml_retained=_millilitres(info.get("ml_retained")),
+        ml_spilled=_millilitres(info.get("ml_spilled")),
+        ml_clinging=_millilitres(info.get("ml_clinging")),
+        ml_in_flight=_millilitres(info.get("ml_in_flight")),
         clipped_actions=info["clipped_actions"],
         nonfinite_actions=info["nonfinite_actions"],
     )

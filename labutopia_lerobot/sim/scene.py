@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.layout import Piece
-from labutopia_lerobot.liquids.drawing import LiquidDrawing
-from labutopia_lerobot.liquids.filling import Filling
+from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.liquids.liquid import PARTICLES
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.layout import Piece, Placement
-from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
+from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.liquids.liquid import Liquid
-from labutopia_lerobot.liquids.surface import VesselPose
+from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
 from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
@@ -35,7 +35,7 @@ class Simulation:
         data: MuJoCo's state; positions and contacts in it always belong to the present moment.
         command: Joint targets [rad] and gripper opening [m] in force, shape (8,).
         liquid: The liquid, or None where there is none.
-        volumes: Where it is, as of the last control step.
+        account: Where it is, as of the last control step.
         touched: Groups that touched since the previous control step, shape (groups, groups).
     """
 
@@ -57,7 +57,7 @@ class Simulation:
             if isinstance(piece, SqueezeBottle)
         }
         self.liquid = _liquid(scene, self.data) if scene.contents else None
-        self.volumes = None if self.liquid is None else self.liquid.volumes()
+        self.account = None if self.liquid is None else self.liquid.take_account()
         self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
         self._built = scene.model.body_pos.copy()
 
@@ -102,6 +102,8 @@ class Simulation:
         self.data.time = 0.0
         for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
             displacement.start(state, self.data)
+        if self.liquid is not None:
+            self.liquid.start_dispensing()
 
     def step(self, command: FloatArray) -> None:
         """Advance by one control period.
@@ -131,7 +133,7 @@ class Simulation:
         self._work_switches()
         self._squeeze_bottles()
         if self.liquid is not None:
-            self.volumes = self.liquid.volumes()
+            self.account = self.liquid.take_account()
         self.touched |= self.touched.T
         self.command = np.array(command)
 
@@ -225,12 +227,10 @@ class Simulation:
         self.command = data.ctrl.copy()
         if self.liquid is not None:
             self.liquid.restore(state[size:])
-            self.volumes = self.liquid.volumes()
+            self.account = self.liquid.take_account()
 
 
 def _liquid(scene: Scene, data: mujoco.MjData) -> Liquid:
     """Return all that the contents of a scene are, still empty."""
-    vessels = [piece for piece in scene.pieces if isinstance(piece, Fillable)]
-    fillings = list(scene.contents.values())
-    together = Filling(sum(filling.ml for filling in fillings), fillings[0].of)
-    return Liquid(scene.model, data, vessels, together, scene.particles)
+    vessels = [piece for piece in scene.pieces if isinstance(piece, Fillable | Dispenser)]
+    return Liquid(scene.model, data, vessels, list(scene.contents.values()), scene.particles)

@@ -6,8 +6,8 @@ import pytest
 from scipy.ndimage import binary_dilation
 
 from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.liquids.drawing import LiquidDrawing
-from labutopia_lerobot.liquids.surface import VesselPose
+from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT, laboratory
 from labutopia_lerobot.sim.renderer import Renderer
 from labutopia_lerobot.views import VESSEL_VIEW

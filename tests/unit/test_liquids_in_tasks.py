@@ -10,12 +10,12 @@ from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.labware.glass_rod import GlassRod
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.profile import Profile
-from labutopia_lerobot.liquids.filling import (
+from labutopia_lerobot.substances.filling import (
     Filling,
     ImpossibleFillingError,
     require_fillable,
 )
-from labutopia_lerobot.liquids.substance import SUBSTANCES, UnknownSubstanceError
+from labutopia_lerobot.substances.substance import SUBSTANCES, UnknownSubstanceError
 from labutopia_lerobot.options import UnknownOptionError
 
 
@@ -78,7 +78,7 @@ def test_impossible_contents_are_refused_when_a_task_is_loaded(tmp_path):
     level.mkdir()
     (level / "flood.py").write_text(
         "from dataclasses import replace\n"
-        "from labutopia_lerobot.liquids.filling import Filling\n"
+        "from labutopia_lerobot.substances.filling import Filling\n"
         "from labutopia_lerobot.tasks.level1.pour import pour\n"
         "def flood():\n"
         "    task = pour()\n"

@@ -5,7 +5,7 @@ Ported from: config/level1_pour.yaml, tasks/pickpour_task.py, controllers/pour_c
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.liquids.filling import Filling
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.predicates import (
     falling,
     gripped,

@@ -9,7 +9,7 @@ import math
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.heater import Heater
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.liquids.filling import Filling
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import (
     collided,

@@ -8,7 +8,7 @@ import math
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Inside, OnBench
-from labutopia_lerobot.liquids.filling import Filling
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.predicates import (
     collided,
     dispensed,

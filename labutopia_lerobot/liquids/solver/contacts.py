@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.bodies import Frames, Glass, Shapes, into
+from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes, into
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.obstacles import distance
-from labutopia_lerobot.liquids.walls import (
+from labutopia_lerobot.liquids.solver.obstacles import distance
+from labutopia_lerobot.liquids.solver.walls import (
     ALONG_R,
     ALONG_Z,
     HEIGHT,

@@ -13,7 +13,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.surface import Surface, VesselPose, liquid_surface
+from labutopia_lerobot.liquids.drawing.surface import Surface, VesselPose, liquid_surface
 
 SKIN_GROUP = 5
 """Group of the skins, to be switched off in `MjvOption.skingroup`: MuJoCo would bend them."""
