@@ -119,7 +119,7 @@ def collapse(across: int) -> Collapse:
     places = np.moveaxis(np.indices((across, deep, 2 * across)), 0, -1).reshape(-1, 3) + 0.5
     places = places * spacing - (0, side, 0)
     places += np.random.default_rng(0).uniform(-0.05, 0.05, places.shape) * spacing
-    liquid = Liquid(model, data, [], [Filling(len(places)] * spacing**3 * 1e6), len(places))
+    liquid = Liquid(model, data, [], [Filling(len(places) * spacing**3 * 1e6)], len(places))
     liquid.release(places, np.zeros_like(places))
     fronts = [1.0]
     seconds = np.arange(0.0, 0.2, 1.0 / liquid.hertz)

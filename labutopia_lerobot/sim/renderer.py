@@ -96,6 +96,9 @@ class Renderer:
         self._renderer.update_scene(data, camera, self._options)
         for liquid in self._liquids:
             liquid.draw(self._renderer.scene, self._renderer.model)
+            # MuJoCo's renderer has no public way to what a texture is uploaded to.
+            with self._renderer._gl_context.as_current():
+                liquid.upload(self._renderer.model, self._renderer._mjr_context)
 
     def close(self) -> None:
         """Give the OpenGL context back."""

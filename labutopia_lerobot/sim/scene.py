@@ -108,9 +108,9 @@ def _drawing(
     spec: mujoco.MjSpec, contents: Mapping[Piece, Filling], particles: int
 ) -> LiquidDrawing:
     volume = sum(filling.volume for filling in contents.values()) / particles
-    filling = next(iter(contents.values()))
-    rgba = filling.substance.rgba
-    return LiquidDrawing.add_to(spec, filling.of, rgba, volume ** (1 / 3), particles)
+    colors = {filling.of: filling.substance.rgba for filling in contents.values()}
+    name, spacing = " and ".join(colors), volume ** (1 / 3)
+    return LiquidDrawing.add_to(spec, name, list(colors.values()), spacing, particles)
 
 
 def _contact_groups(

@@ -195,12 +195,13 @@ class Simulation:
                 VesselPose(vessel.profile, *self._frame(vessel.name))
                 for vessel in self.liquid.vessels
             ]
-            self.scene.liquid.extract(self.liquid.positions, vessels, BENCH_HEIGHT)
+            liquid = self.liquid
+            self.scene.liquid.extract(liquid.positions, vessels, BENCH_HEIGHT, liquid.amounts)
 
     def draw_particles(self, scene: mujoco.MjvScene) -> None:
         """Fill a user's scene, as MuJoCo's viewer has one, with the particles of the liquid."""
         if self.liquid is not None and self.scene.liquid is not None:
-            self.scene.liquid.draw_particles(scene, self.liquid.positions)
+            self.scene.liquid.draw_particles(scene, self.liquid.positions, self.liquid.amounts)
 
     def _frame(self, name: str) -> tuple[FloatArray, FloatArray]:
         body = self.data.body(name)
