@@ -90,9 +90,7 @@ def pack(
         for a in range(n):
             for k in range(3):
                 positions[a, k] += matter.lightness[a] * moves[a, k]
-        _push_off_walls(
-            positions, contacts, wall_gradient, factor, matter.lightness, flow.spacing
-        )
+        _push_off_walls(positions, contacts, wall_gradient, factor, matter.lightness, flow.spacing)
 
 
 @kernel
