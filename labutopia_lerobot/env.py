@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from labutopia_lerobot.action_filter import ActionFilter
 from labutopia_lerobot.features import CAMERAS, IMAGE_SIZE, Feature, observation_features
 from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
-from labutopia_lerobot.substances.filling import Fillable, require_fillable
 from labutopia_lerobot.liquids.liquid import PARTICLES
 from labutopia_lerobot.options import LIQUID, SPLITS, require_choices
 from labutopia_lerobot.progress import DIVERGED, SUCCESS, TIMEOUT, Progress
@@ -25,6 +24,7 @@ from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.substances.filling import Fillable, require_fillable
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 _LARGEST = 10.0

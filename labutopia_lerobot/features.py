@@ -7,8 +7,8 @@ from what is here, so that keys, shapes and order cannot diverge. Imports neithe
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from labutopia_lerobot.substances.filling import Fillable
 from labutopia_lerobot.options import UnknownOptionError, require_choices
+from labutopia_lerobot.substances.filling import Fillable
 from labutopia_lerobot.task import Task
 
 STATE_NAMES = (*(f"joint{number}" for number in range(1, 8)), "gripper")

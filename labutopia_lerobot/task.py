@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from labutopia_lerobot.layout import Piece, Start
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.skills.skill import Skill
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.views import VESSEL_VIEW, View
 from labutopia_lerobot.world import CONTROL_HZ
 

@@ -18,9 +18,9 @@ from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, graduated_cylinder
 from labutopia_lerobot.labware.vessel import Vessel
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.liquids.liquid import PARTICLES, Liquid
 from labutopia_lerobot.sim.scene import PHYSICS_HZ
+from labutopia_lerobot.substances.filling import Filling
 
 SECONDS = 10.0
 SPEED, ACCELERATION = 1.7, 13.0
@@ -70,7 +70,7 @@ def handle(seed: int) -> dict[str, int]:
     liquid = Liquid(model, data, [vessel], [filling])
     liquid.fill({vessel: filling}, rng)
     swing = _Swing(rng, data.qpos.copy())
-    watch = _Watch(vessel)
+    watch = Watch(vessel)
     watch.look(liquid.positions, data)
     for step in range(round(SECONDS * PHYSICS_HZ)):
         data.qpos[:] = swing.move(1.0 / PHYSICS_HZ)
@@ -147,11 +147,11 @@ class _Swing:
         return self._qpos
 
 
-class _Watch:
+class Watch:
     """Tests every position against the profile."""
 
     def __init__(self, vessel: Vessel) -> None:
-        self._profile = vessel.profile
+        self._name, self._profile = vessel.name, vessel.profile
         walls = (vessel.profile.inner, vessel.profile.outer)
         self._walls = [np.array(wall).T[::-1] for wall in walls]
         self.crossings = self.left = self.looks = 0
@@ -160,8 +160,8 @@ class _Watch:
     def look(self, positions: NDArray[np.float64], data: mujoco.MjData) -> None:
         """Look once after a step."""
         self.looks += 1
-        profile = self._profile
-        local = (positions - data.xpos[1]) @ data.xmat[1].reshape(3, 3)
+        profile, body = self._profile, data.body(self._name)
+        local = (positions - body.xpos) @ body.xmat.reshape(3, 3)
         radius, z = np.hypot(local[:, 0], local[:, 1]), local[:, 2]
         between = (z > 0.0) & (z < profile.height)
         inner, outer = (np.interp(z, heights, radii) for heights, radii in self._walls)

@@ -10,11 +10,11 @@ from scipy.special import j1, jn_zeros
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.vessel import Vessel
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.liquids.liquid import PARTICLES, Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ
-from labutopia_lerobot.substances.substance import SUBSTANCES
 from labutopia_lerobot.sim.scene import PHYSICS_HZ
+from labutopia_lerobot.substances.filling import Filling
+from labutopia_lerobot.substances.substance import SUBSTANCES
 
 COLUMN = 2.25 * 0.0254
 """Width a of the column of water in the experiment of Martin and Moyce [m]; it is 2 a high."""

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.liquids.compilation import kernel
 from labutopia_lerobot.liquids.solver.advance import FIXED, MOVING
 from labutopia_lerobot.liquids.solver.bodies import Glass, into
-from labutopia_lerobot.liquids.compilation import kernel
 from labutopia_lerobot.liquids.solver.walls import holds
 
 

@@ -6,11 +6,11 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.substances.filling import Fillable
+from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes
 from labutopia_lerobot.liquids.solver.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
 from labutopia_lerobot.liquids.solver.walls import EDGE_NUMBERS, edges_of
+from labutopia_lerobot.substances.filling import Fillable
 from labutopia_lerobot.world import FloatArray
 
 _KINDS = {

@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.liquids.liquid import PARTICLES
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.laboratory import ROBOT_BASE, laboratory
 from labutopia_lerobot.sim.displacement import SqueezeBottle
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.views import View
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
 

@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.layout import Piece, Placement
-from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
-from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
+from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
 from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
+from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 
 _SUBSTEPS = PHYSICS_HZ // CONTROL_HZ

@@ -5,7 +5,7 @@ import numpy as np
 
 from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT, ROBOT_BASE
 from labutopia_lerobot.sim.simulation import Simulation
-from labutopia_lerobot.world import FloatArray, Pose, Thing, LiquidAccount
+from labutopia_lerobot.world import FloatArray, LiquidAccount, Pose, Thing
 
 
 class SimulatedWorld:

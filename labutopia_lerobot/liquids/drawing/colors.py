@@ -10,8 +10,8 @@ REACH = 2.0
 """How far particles colour the surface, in particle spacings."""
 
 _SIDE = 32
-"""Cells after which the grid repeats itself, a power of 2: what shares a bucket by chance is further
-away than the reach, and counts for nothing."""
+"""Cells after which the grid repeats itself, a power of 2: what shares a bucket by chance is
+further away than the reach, and counts for nothing."""
 
 
 @kernel

@@ -36,7 +36,8 @@ class LiquidDrawing:
     """One liquid as it is drawn: made with a scene's specification, used after its compilation.
 
     Drawing takes four calls: `add_to` at compile time, `extract` once per frame, and `draw` and
-    `upload` once per picture, after the scene was updated. Without any skin, `draw_particles` shows balls.
+    `upload` once per picture, after the scene was updated. Without any skin, `draw_particles` shows
+    balls.
 
     Attributes:
         name: Name of the liquid, of its skin and of its body, by which segmentation calls it.
@@ -176,10 +177,10 @@ class LiquidDrawing:
         scene.ngeom += 1
 
     def _tint(self) -> NDArray[np.float32]:
-        """Return what the skin is drawn with, shape (4,): the colour, or what texels are part of."""
-        if len(self.colors) > 1:
-            return np.array([1.0, 1.0, 1.0, self.colors[:, 3].max()], np.float32)
-        return self.colors[0].astype(np.float32)
+        """Return what the skin is drawn with, shape (4,): its colour, or that of full texels."""
+        tint: NDArray[np.float32] = np.ones(4, np.float32)
+        tint[:] = self.colors[0] if len(self.colors) == 1 else (1, 1, 1, self.colors[:, 3].max())
+        return tint
 
     def upload(self, model: mujoco.MjModel, context: mujoco.MjrContext) -> None:
         """Send the colours of several substances to OpenGL, whose context must be current."""

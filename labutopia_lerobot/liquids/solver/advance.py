@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.liquids.compilation import kernel
 from labutopia_lerobot.liquids.solver.bodies import (
     Glass,
     Shapes,
@@ -12,10 +13,9 @@ from labutopia_lerobot.liquids.solver.bodies import (
     out_of,
     stop_at_vessels,
 )
-from labutopia_lerobot.liquids.compilation import kernel
 from labutopia_lerobot.liquids.solver.contacts import Contacts, find_contacts, gap
-from labutopia_lerobot.liquids.solver.fluid import blend, pack
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, REACH, Flow, Matter
+from labutopia_lerobot.liquids.solver.fluid import blend, pack
 from labutopia_lerobot.liquids.solver.neighbors import near_pairs
 from labutopia_lerobot.liquids.solver.smoothing import BEHIND_WALL, look_up
 
@@ -23,7 +23,7 @@ _WETTING = 10.0
 """Rate at which what lies on the bench comes to rest [1/s]: a puddle's rim sticks."""
 
 NOTHING, MOVING, FIXED = range(3)
-"""What a particle touches: nothing, something that can move or a vessel, something that is fixed."""
+"""What a particle touches: nothing, a vessel or something that can move, something fixed."""
 
 
 @kernel

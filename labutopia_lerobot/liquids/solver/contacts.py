@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes, into
 from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes, into
 from labutopia_lerobot.liquids.solver.obstacles import distance
 from labutopia_lerobot.liquids.solver.walls import (
     ALONG_R,
@@ -22,7 +22,6 @@ from labutopia_lerobot.liquids.solver.walls import (
     Edges,
     first_crossing,
 )
-
 
 _ROOM = 6
 """Planes per particle that there is room for at first: a corner of a vessel against a hand."""
@@ -70,7 +69,7 @@ def find_contacts(
 ) -> Contacts:
     """Return every wall within reach of a particle.
 
-    Edges of glass shorter than the reach that follow each other smoothly are one wall: a plane that
+    Edges of glass that follow each other smoothly are one wall: a plane that
     is the mean of theirs, each counting as much as it covers. So it does not matter how finely a
     straight or a round wall is cut.
 
@@ -82,7 +81,7 @@ def find_contacts(
         reach: How far a wall matters [m].
     """
     near = _shapes_near(positions, shapes, reach)
-    joined = _joined(glass.edges, reach)
+    joined = np.append(glass.edges[:, SMOOTH_START] > 0.0, False)
     room = _ROOM * len(positions) + len(glass.edges) + len(near)
     while True:
         starts = np.zeros(len(positions) + 1, np.int64)
@@ -189,16 +188,6 @@ def _shapes_near(positions: NDArray[np.float64], shapes: Shapes, reach: float) -
             chosen[count] = s
             count += 1
     return chosen[:count]
-
-
-@kernel
-def _joined(edges: Edges, reach: float) -> NDArray[np.bool_]:
-    """Tell which edges and the ones before them are parts of one wall, shape (edges + 1,)."""
-    joined = np.zeros(len(edges) + 1, np.bool_)
-    for e in range(1, len(edges)):
-        short = min(edges[e, LENGTH], edges[e - 1, LENGTH]) < reach
-        joined[e] = short and edges[e, SMOOTH_START] > 0.0
-    return joined
 
 
 @kernel

@@ -5,7 +5,6 @@ Ported from: config/level1_pour.yaml, tasks/pickpour_task.py, controllers/pour_c
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.predicates import (
     falling,
     gripped,
@@ -19,6 +18,7 @@ from labutopia_lerobot.predicates import (
 )
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.pour import Pour
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Substep, Task
 from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 

@@ -5,7 +5,6 @@ Ported from: config/level1_shake.yaml, tasks/shake_task.py, controllers/shake_co
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import (
     falling,
@@ -20,6 +19,7 @@ from labutopia_lerobot.predicates import (
 )
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.shake import Shake
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Substep, Task
 
 

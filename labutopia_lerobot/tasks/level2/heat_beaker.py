@@ -9,7 +9,6 @@ import math
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.heater import Heater
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import (
     collided,
@@ -31,6 +30,7 @@ from labutopia_lerobot.predicates import (
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.press import Press
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Substep, Task
 from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 

@@ -6,7 +6,6 @@ controllers/pickpour_controller.py.
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import (
     falling,
@@ -26,6 +25,7 @@ from labutopia_lerobot.predicates import (
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.pour import Pour
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Substep, Task
 from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 

@@ -6,7 +6,6 @@ controllers/shakebeaker_controller.py.
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import (
     falling,
@@ -22,6 +21,7 @@ from labutopia_lerobot.predicates import (
 )
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.shake import Shake
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Substep, Task
 
 

@@ -8,7 +8,6 @@ from labutopia_lerobot.labware.glass_rod import GlassRod
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import Inside, OnBench
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.predicates import (
     dipped,
     falling,
@@ -26,6 +25,7 @@ from labutopia_lerobot.predicates import (
 )
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.stir import Stir
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Substep, Task
 from labutopia_lerobot.views import WIDEST_VESSEL_VIEW
 

@@ -7,7 +7,6 @@ controllers/pickplace_controller.py.
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.target_plate import TargetPlate
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import (
     falling,
@@ -24,6 +23,7 @@ from labutopia_lerobot.predicates import (
 )
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Substep, Task
 from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 

@@ -8,7 +8,6 @@ import math
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Inside, OnBench
-from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.predicates import (
     collided,
     dispensed,
@@ -19,6 +18,7 @@ from labutopia_lerobot.predicates import (
     withdrawn,
 )
 from labutopia_lerobot.skills.squeeze import Squeeze
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Substep, Task
 from labutopia_lerobot.views import WIDE_VESSEL_VIEW
 
