@@ -12,9 +12,9 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.filling import Fillable
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.substances.filling import Fillable
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import FloatArray, World
 

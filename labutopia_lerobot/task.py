@@ -5,11 +5,11 @@ from dataclasses import dataclass, field, fields, replace
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.layout import Piece, Start
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.predicates.predicate import same
 from labutopia_lerobot.scenes.views import VESSEL_VIEW, View
 from labutopia_lerobot.skills.skill import Skill
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import CONTROL_HZ
 
 HOLD_S = 2.0

@@ -18,10 +18,10 @@ from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, graduated_cylinder
 from labutopia_lerobot.labware.vessel import Vessel
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.sim.scene import PHYSICS_HZ
+from labutopia_lerobot.substances.filling import Filling
 
 SECONDS = 10.0
 SPEED, ACCELERATION = 1.7, 13.0
@@ -68,10 +68,10 @@ def handle(seed: int) -> dict[str, int]:
     vessel = VESSELS[seed % len(VESSELS)]("vessel")
     filling = Filling(rng.uniform(0.2, 0.8) * vessel.capacity)
     model, data = _room_with(vessel)
-    liquid = Liquid(model, data, [vessel], filling)
+    liquid = Liquid(model, data, [vessel], [filling])
     liquid.fill({vessel: filling}, rng)
     swing = _Swing(rng, data.qpos.copy())
-    watch = _Watch(vessel)
+    watch = Watch(vessel)
     watch.look(liquid.positions, data)
     for step in range(round(SECONDS * PHYSICS_HZ)):
         data.qpos[:] = swing.move(1.0 / PHYSICS_HZ)
@@ -148,11 +148,11 @@ class _Swing:
         return self._qpos
 
 
-class _Watch:
+class Watch:
     """Tests every position against the profile."""
 
     def __init__(self, vessel: Vessel) -> None:
-        self._profile = vessel.profile
+        self._name, self._profile = vessel.name, vessel.profile
         walls = (vessel.profile.inner, vessel.profile.outer)
         self._walls = [np.array(wall).T[::-1] for wall in walls]
         self.crossings = self.left = self.looks = 0
@@ -161,8 +161,8 @@ class _Watch:
     def look(self, positions: NDArray[np.float64], data: mujoco.MjData) -> None:
         """Look once after a step."""
         self.looks += 1
-        profile = self._profile
-        local = (positions - data.xpos[1]) @ data.xmat[1].reshape(3, 3)
+        profile, body = self._profile, data.body(self._name)
+        local = (positions - body.xpos) @ body.xmat.reshape(3, 3)
         radius, z = np.hypot(local[:, 0], local[:, 1]), local[:, 2]
         between = (z > 0.0) & (z < profile.height)
         inner, outer = (np.interp(z, heights, radii) for heights, radii in self._walls)

@@ -10,12 +10,12 @@ from scipy.special import j1, jn_zeros
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.vessel import Vessel
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.liquids.liquid import Liquid
-from labutopia_lerobot.liquids.solver import GRAVITY, LIQUID_HZ
-from labutopia_lerobot.liquids.substance import SUBSTANCES
+from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.sim.scene import PHYSICS_HZ
+from labutopia_lerobot.substances.filling import Filling
+from labutopia_lerobot.substances.substance import SUBSTANCES
 
 COLUMN = 2.25 * 0.0254
 """Width a of the column of water in the experiment of Martin and Moyce [m]; it is 2 a high."""
@@ -66,7 +66,7 @@ def filled(
     """Return a vessel that stands at a height [m], with liquid at rest in it."""
     model, data = world(vessel, bench=bench)
     move_to(model, data, (0, 0, height), 0.0)
-    liquid = Liquid(model, data, [vessel], filling, count)
+    liquid = Liquid(model, data, [vessel], [filling], count)
     liquid.fill({vessel: filling}, np.random.default_rng(seed))
     return model, data, liquid
 
@@ -120,7 +120,7 @@ def collapse(across: int) -> Collapse:
     places = np.moveaxis(np.indices((across, deep, 2 * across)), 0, -1).reshape(-1, 3) + 0.5
     places = places * spacing - (0, side, 0)
     places += np.random.default_rng(0).uniform(-0.05, 0.05, places.shape) * spacing
-    liquid = Liquid(model, data, [], Filling(len(places) * spacing**3 * 1e6), len(places))
+    liquid = Liquid(model, data, [], [Filling(len(places) * spacing**3 * 1e6)], len(places))
     liquid.release(places, np.zeros_like(places))
     fronts = [1.0]
     seconds = np.arange(0.0, 0.2, 1.0 / liquid.hertz)

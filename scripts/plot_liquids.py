@@ -15,10 +15,10 @@ from PIL import Image
 
 from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, graduated_cylinder
 from labutopia_lerobot.labware.vessel import Vessel
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.liquids.liquid import Liquid
-from labutopia_lerobot.liquids.solver import LIQUID_HZ
-from labutopia_lerobot.liquids.substance import SUBSTANCES
+from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
+from labutopia_lerobot.substances.filling import Filling
+from labutopia_lerobot.substances.substance import SUBSTANCES
 from liquid_experiments import FRONTS, collapse, filled, move_to, surface, swirl
 
 DOCS = Path(__file__).parents[1] / "docs"

@@ -57,9 +57,12 @@ class Row:
         facts: Every predicate of the task, as it was at the end.
         history: Predicate -> when it first and last held [s], and how often it came to hold.
         liquid: `on` or `off`; None for a task whose vessels are empty anyway.
-        ml_poured: Liquid at the end in other vessels than at the start [ml]; None without liquid.
-        ml_spilled: Liquid on the bench, or on something else that is no vessel [ml].
-        ml_retained: Liquid where it was at the start [ml].
+        ml_total: Liquid in the scene [ml], the sum of the next five; None without liquid.
+        ml_poured: Liquid at the end in other vessels than it was filled into [ml].
+        ml_retained: Liquid in the vessels that it was filled into [ml].
+        ml_spilled: Liquid on something that can never move, as the bench [ml].
+        ml_clinging: Liquid outside on a vessel, or on something that can move [ml].
+        ml_in_flight: Liquid outside all vessels that touches nothing [ml].
         clipped_actions: Actions beyond a limit of position or velocity.
         nonfinite_actions: Actions with an infinite or undefined element.
     """
@@ -81,9 +84,12 @@ class Row:
     facts: dict[str, bool]
     history: dict[str, dict[str, float | int | None]]
     liquid: str | None
+    ml_total: float | None
     ml_poured: float | None
-    ml_spilled: float | None
     ml_retained: float | None
+    ml_spilled: float | None
+    ml_clinging: float | None
+    ml_in_flight: float | None
     clipped_actions: int
     nonfinite_actions: int
 
@@ -159,9 +165,12 @@ def _row(
             for name, fact in history.items()
         },
         liquid=setting.liquid if filled else None,
+        ml_total=_millilitres(info.get("ml_total")),
         ml_poured=_millilitres(info.get("ml_poured")),
-        ml_spilled=_millilitres(info.get("ml_spilled")),
         ml_retained=_millilitres(info.get("ml_retained")),
+        ml_spilled=_millilitres(info.get("ml_spilled")),
+        ml_clinging=_millilitres(info.get("ml_clinging")),
+        ml_in_flight=_millilitres(info.get("ml_in_flight")),
         clipped_actions=info["clipped_actions"],
         nonfinite_actions=info["nonfinite_actions"],
     )

@@ -1,1 +1,1 @@
-"""Liquids: position-based fluid, containment in vessels, coupling, drawing."""
+"""Liquids: particles between MuJoCo and their solver, the account of them, their drawing."""

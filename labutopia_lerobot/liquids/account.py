@@ -1,11 +1,12 @@
-"""Where the liquid is, in particles: the counts add up to all of it, exactly."""
+"""Which vessels particles are in, and the account of it: whole numbers that add up, exactly."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.bodies import Glass, into
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.walls import holds
+from labutopia_lerobot.liquids.solver.advance import FIXED, MOVING
+from labutopia_lerobot.liquids.solver.bodies import Glass, into
+from labutopia_lerobot.liquids.solver.walls import holds
 
 
 @kernel
@@ -29,3 +30,27 @@ def whereabouts(
                 if holds(edges, inner[v], local[0], local[1], local[2]):
                     places[a] = v
     return places
+
+
+def tally(
+    vessels: int,
+    origins: NDArray[np.int64],
+    inside: NDArray[np.int64],
+    touching: NDArray[np.int8],
+) -> NDArray[np.int64]:
+    """Count particles by origin and place, as `LiquidAccount.counts` has them.
+
+    Args:
+        vessels: Number of vessels and bottles.
+        origins: Where each particle was filled, shape (n,); -1 nowhere.
+        inside: Which vessel it is in, shape (n,); -1 none.
+        touching: What it touches, shape (n,), one of the constants of `solver.advance`.
+    """
+    outside = np.full(len(inside), vessels + 2)
+    outside[touching == MOVING] = vessels + 1
+    outside[touching == FIXED] = vessels
+    places = np.where(inside >= 0, inside, outside)
+    rows, columns = vessels + 1, vessels + 3
+    # A row of -1 is the last one: remainders are never negative.
+    cells = (origins % rows) * columns + places
+    return np.bincount(cells, minlength=rows * columns).reshape(rows, columns)

@@ -16,12 +16,12 @@ def _forget_stale_kernels() -> None:
 
     numba looks only at the file of a kernel itself, not at those of the kernels that it calls.
     """
-    sources = b"".join(path.read_bytes() for path in sorted(_SOURCES.glob("*.py")))
+    sources = b"".join(path.read_bytes() for path in sorted(_SOURCES.rglob("*.py")))
     digest = hashlib.sha256(sources).hexdigest()
     if _DIGEST.exists() and _DIGEST.read_text() == digest:
         return
     try:
-        for compiled in _DIGEST.parent.glob("*.nb[ic]"):
+        for compiled in _SOURCES.rglob("__pycache__/*.nb[ic]"):
             compiled.unlink(missing_ok=True)
         _DIGEST.parent.mkdir(exist_ok=True)
         _DIGEST.write_text(digest)

@@ -6,13 +6,15 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.account import whereabouts
-from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
+from labutopia_lerobot.liquids.account import tally, whereabouts
 from labutopia_lerobot.liquids.lattice import lattice
-from labutopia_lerobot.liquids.solver import Flow, advance
+from labutopia_lerobot.liquids.solver.advance import advance
+from labutopia_lerobot.liquids.solver.flow import Mixing
 from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.setting import PARTICLES
-from labutopia_lerobot.world import FloatArray, Pose, Volumes
+from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
+from labutopia_lerobot.substances.substance import Substance
+from labutopia_lerobot.world import FloatArray, LiquidAccount, Pose
 
 _SETTLE_STEPS = 120
 """Steps in which a new filling comes to rest, the vessels standing still."""
@@ -28,18 +30,23 @@ density times speed squared)."""
 
 
 class Liquid:
-    """Particles of one substance among the vessels and shapes of a model.
+    """Particles of one or several substances among the vessels and shapes of a model.
 
     Args:
         model: The compiled scene.
         data: Its state; the walls are where it says at every step.
-        vessels: Everything that can hold the liquid.
-        filling: What it is, and how much there is of it in all.
+        vessels: Everything that can hold the liquid, and the bottles that it can come from.
+        fillings: Everything that is to be filled in: what it is, and how much of it in all.
         particles: Number of particles.
 
     Attributes:
+        vessels: Those that liquid flows among: not the bottles.
+        substances: All that there are, each once.
+        volume: Of a particle [m^3].
         positions: Shape (n, 3), metres, world frame; none before `fill`.
         velocities: Shape (n, 3), m/s, world frame.
+        origins: Which of `names` held each particle at the fill, shape (n,); -1 none.
+        names: Of all vessels and bottles.
         diverged: Whether the solver has failed; the particles then stay where they are.
     """
 
@@ -47,39 +54,61 @@ class Liquid:
         self,
         model: mujoco.MjModel,
         data: mujoco.MjData,
-        vessels: Sequence[Fillable],
-        filling: Filling,
+        vessels: Sequence[Fillable | Dispenser],
+        fillings: Sequence[Filling],
         particles: int = PARTICLES,
     ) -> None:
-        self.vessels = tuple(vessels)
-        self.substance = filling.substance
-        self.volume = filling.volume / particles
+        bottles = [vessel for vessel in vessels if isinstance(vessel, Dispenser)]
+        self.vessels = tuple(vessel for vessel in vessels if not isinstance(vessel, Dispenser))
+        self.names = tuple(vessel.name for vessel in (*self.vessels, *bottles))
+        self.substances = tuple(dict.fromkeys(filling.substance for filling in fillings))
+        volume = sum(filling.ml for filling in fillings) * 1e-6
+        self.volume = volume / particles
         self._particles = particles
-        self._sources: frozenset[str] = frozenset()
-        self._filled: dict[str, int] = {}
-        self._waiting: dict[str, int] = {}
-        depths = [vessel.profile.depth(filling.volume) for vessel in vessels]
-        self._flow = Flow.of(self.substance, self.volume, max(depths, default=0.0))
-        self._around = Surroundings(model, data, vessels)
+        self._waiting = {bottle.name: 0 for bottle in bottles}
+        self._waiting_at_start = dict(self._waiting)
+        self._held = dict.fromkeys(self._waiting, self.substances[0])
+        depths = [vessel.profile.depth(volume) for vessel in self.vessels]
+        self._mixing = Mixing(self.substances, self.volume, max(depths, default=0.0))
+        self._around = Surroundings(model, data, self.vessels)
         self._impulse = np.zeros((self._around.owners, 6))
         self.empty()
 
     @property
     def hertz(self) -> int:
         """Steps per second."""
-        return self._flow.hertz
+        return self._mixing.flow.hertz
+
+    @property
+    def amounts(self) -> FloatArray:
+        """Part of each particle that is each substance, by volume, shape (n, substances).
+
+        A copy; to set it changes what the particles are made of, and with that how they flow.
+        """
+        return self._amounts.copy()
+
+    @amounts.setter
+    def amounts(self, amounts: FloatArray) -> None:
+        self._amounts = np.array(amounts)
+        self._matter = self._mixing.matter(self._amounts)
 
     def empty(self) -> None:
         """Take all liquid away."""
         self._waiting = dict.fromkeys(self._waiting, 0)
-        self._start(np.empty((0, 3)))
+        self._waiting_at_start = dict(self._waiting)
+        self._start(np.empty((0, 3)), np.empty(0, int), np.empty((0, len(self.substances))))
 
-    def _start(self, positions: FloatArray) -> None:
+    def _start(
+        self, positions: FloatArray, origins: NDArray[np.int64], amounts: FloatArray
+    ) -> None:
         self.positions = positions
         self.velocities = np.zeros_like(positions)
         self.diverged = False
+        self.origins = origins
+        self.amounts = amounts
+        self._last_held: NDArray[np.int64] = origins.copy()
         self._pressure: FloatArray = np.zeros(len(positions))
-        self._on_surface: NDArray[np.bool_] = np.zeros(len(positions), dtype=np.bool_)
+        self._touching: NDArray[np.int8] = np.zeros(len(positions), np.int8)
         self._impulse[:] = 0.0
         self._around.move()
         self._around.move()
@@ -89,33 +118,44 @@ class Liquid:
     ) -> None:
         """Fill vessels, where they are and as they stand, and let the liquid come to rest in them.
 
-        What is in a squeeze bottle waits there until it is dispensed.
+        What there was before is taken away. What is in a squeeze bottle waits there until it is
+        dispensed.
 
         Args:
             contents: What each vessel holds; together they are all the liquid there is.
             rng: Where the particles' disorder comes from.
         """
-        self._around.move()
+        self.empty()
         total = sum(filling.volume for filling in contents.values())
-        heaps, last = [np.empty((0, 3))], 0.0
-        self._waiting = {}
+        heaps, origins, kinds, last = [np.empty((0, 3))], [], [], 0.0
         for vessel, filling in contents.items():
             first, last = last, last + filling.volume
             counts = [round(volume / total * self._particles) for volume in (first, last)]
             share = counts[1] - counts[0]
             if isinstance(vessel, Dispenser):
                 self._waiting[vessel.name] = share
+                self._held[vessel.name] = filling.substance
                 continue
             index = self.vessels.index(vessel)
-            local = lattice(vessel.profile, share, self._flow.spacing, rng)
+            local = lattice(vessel.profile, share, self._mixing.flow.spacing, rng)
             origin, rotation = self._around.glass.now
             heaps.append(origin[index] + local @ rotation[index].T)
-        self._filled = dict(self._waiting)
-        self._start(np.vstack(heaps))
-        self._sources = frozenset(vessel.name for vessel in contents)
+            origins += [index] * share
+            kinds += [filling.substance] * share
+        self.start_dispensing()
+        self._start(np.vstack(heaps), np.array(origins, dtype=int), self._pure(kinds))
         for _ in range(_SETTLE_STEPS if len(self.positions) else 0):
             self._advance()
             self.velocities *= _SETTLE_DAMPING
+
+    def _pure(self, kinds: Sequence[Substance]) -> FloatArray:
+        """Return the amounts of particles of one substance each, shape (n, substances)."""
+        indices = [self.substances.index(kind) for kind in kinds]
+        return np.eye(len(self.substances))[indices]
+
+    def start_dispensing(self) -> None:
+        """Count from now what the walls of bottles displace."""
+        self._waiting_at_start = dict(self._waiting)
 
     def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
         """Let liquid out of a bottle, a particle for every volume of one that its wall displaces.
@@ -124,15 +164,14 @@ class Liquid:
 
         Args:
             bottle: What it leaves.
-            volume: What the wall has displaced since the bottle was filled, all in all [m^3].
+            volume: What the wall has displaced since `start_dispensing`, all in all [m^3].
             spout: End of the spout; z the way that the liquid leaves.
             duration: Time since the previous call [s].
         """
-        waiting = self._waiting.get(bottle.name, 0)
+        waiting = self._waiting[bottle.name]
         if not waiting:
             return
-        filled = self._filled[bottle.name]
-        due = volume - (filled - waiting) * self.volume
+        due = volume - (self._waiting_at_start[bottle.name] - waiting) * self.volume
         passing = min(due, _JET_SPEED * bottle.bore_area * duration)
         count = min(waiting, max(int(passing / self.volume), int(due >= self.volume)))
         if not count:
@@ -140,20 +179,37 @@ class Liquid:
         self._waiting[bottle.name] = waiting - count
         velocity = passing / duration / bottle.bore_area * spout.z_axis
         ages = duration * (np.arange(count)[:, None] + 0.5) / count
-        self.release(spout.position_w + ages * velocity, np.tile(velocity, (count, 1)))
+        self.release(
+            spout.position_w + ages * velocity,
+            np.tile(velocity, (count, 1)),
+            self._held[bottle.name],
+            self.names.index(bottle.name),
+        )
 
-    def release(self, positions: FloatArray, velocities: FloatArray) -> None:
+    def release(
+        self,
+        positions: FloatArray,
+        velocities: FloatArray,
+        of: Substance | None = None,
+        origin: int = -1,
+    ) -> None:
         """Add particles, as from a spout.
 
         Args:
             positions: Shape (m, 3), metres, world frame, none in glass.
             velocities: Shape (m, 3), m/s, world frame.
+            of: What they are; the first of the substances if not said.
+            origin: Which of `names` they come from; -1 none.
         """
-        fresh = np.zeros(len(positions))
+        count = len(positions)
+        amounts = self._pure([of or self.substances[0]] * count)
         self.positions = np.vstack([self.positions, positions])
         self.velocities = np.vstack([self.velocities, velocities])
-        self._pressure = np.append(self._pressure, fresh)
-        self._on_surface = np.append(self._on_surface, fresh.astype(np.bool_))
+        self.amounts = np.vstack([self._amounts, amounts])
+        self.origins = np.append(self.origins, np.full(count, origin))
+        self._last_held = np.append(self._last_held, np.full(count, origin))
+        self._pressure = np.append(self._pressure, np.zeros(count))
+        self._touching = np.append(self._touching, np.zeros(count, np.int8))
 
     def step(self) -> None:
         """Move on by 1 / `hertz`, to where the bodies are now, and push them.
@@ -171,7 +227,7 @@ class Liquid:
             self.positions, self.velocities[:] = before, 0.0
             self._impulse[:] = 0.0
         # Newton's third law: minus what the bodies gave to the particles.
-        self._around.push(-self.substance.density * self.volume * self.hertz * self._impulse)
+        self._around.push(-self._mixing.density * self.volume * self.hertz * self._impulse)
 
     def _sane(self) -> bool:
         """Tell whether all is in motion as liquid on a bench can be; a speed may be no number."""
@@ -182,45 +238,43 @@ class Liquid:
             self.positions,
             self.velocities,
             self._pressure,
+            self._matter,
             self._around.glass,
             self._around.shapes,
-            self._flow,
+            self._mixing.flow,
             self._impulse,
-            self._on_surface,
+            self._touching,
         )
 
-    def counts(self) -> tuple[NDArray[np.int64], int]:
-        """Return the number of particles in each vessel, shape (vessels,), and on other things.
-
-        The rest is on its way.
-        """
-        places = whereabouts(self.positions, self._around.glass, self._around.inner)
-        inside = np.bincount(places[places >= 0], minlength=len(self.vessels))
-        return inside, int(np.count_nonzero(self._on_surface & (places < 0)))
-
-    def volumes(self) -> Volumes:
-        """Return where the liquid is."""
-        inside, spilled = self.counts()
-        names = [vessel.name for vessel in self.vessels]
-        return Volumes(
-            total=self._particles * self.volume,
-            inside={
-                name: int(count) * self.volume
-                for name, count in (*zip(names, inside, strict=True), *self._waiting.items())
-            },
-            spilled=spilled * self.volume,
-            sources=self._sources,
-        )
+    def take_account(self) -> LiquidAccount:
+        """Return where the liquid is; `transfers` run from the previous call to this one."""
+        count = len(self.names)
+        inside = whereabouts(self.positions, self._around.glass, self._around.inner)
+        counts = tally(count, self.origins, inside, self._touching)
+        for name, waiting in self._waiting.items():
+            bottle = self.names.index(name)
+            counts[bottle, bottle] += waiting
+        moves = np.zeros((count, count), int)
+        moved = (inside >= 0) & (self._last_held >= 0) & (inside != self._last_held)
+        np.add.at(moves, (self._last_held[moved], inside[moved]), 1)
+        self._last_held = np.where(inside >= 0, inside, self._last_held)
+        return LiquidAccount(self.names, counts, moves, self.volume)
 
     def state(self) -> FloatArray:
-        """Return all that the next step depends on beside MuJoCo's state, shape (2 + 8 n,)."""
+        """Return all that the next step depends on beside MuJoCo's state.
+
+        Shape (2 + bottles + (10 + substances) n,).
+        """
         return np.concatenate(
             [
                 [len(self.positions), self.diverged, *self._waiting.values()],
                 self.positions.ravel(),
                 self.velocities.ravel(),
                 self._pressure,
-                self._on_surface,
+                self._touching,
+                self.origins,
+                self._last_held,
+                self._amounts.ravel(),
             ]
         )
 
@@ -229,8 +283,10 @@ class Liquid:
         count, bottles = int(state[0]), len(self._waiting)
         waiting, rest = np.split(state[2:], [bottles])
         self._waiting = dict(zip(self._waiting, waiting.astype(int).tolist(), strict=True))
-        positions, velocities, rest = np.split(rest, [3 * count, 6 * count])
-        self._start(positions.reshape(-1, 3).copy())
+        positions, velocities, rest, amounts = np.split(rest, [3 * count, 6 * count, 10 * count])
+        pressure, touching, origins, last_held = rest.reshape(4, -1)
+        parts = amounts.reshape(-1, len(self.substances))
+        self._start(positions.reshape(-1, 3).copy(), origins.astype(int), parts)
         self.velocities[:] = velocities.reshape(-1, 3)
-        self._pressure[:], self._on_surface[:] = rest.reshape(2, -1)
+        self._pressure[:], self._touching[:], self._last_held[:] = pressure, touching, last_held
         self.diverged = bool(state[1])

@@ -6,11 +6,11 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.bodies import Frames, Glass, Shapes
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.filling import Fillable
-from labutopia_lerobot.liquids.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
-from labutopia_lerobot.liquids.walls import EDGE_NUMBERS, edges_of
+from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes
+from labutopia_lerobot.liquids.solver.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
+from labutopia_lerobot.liquids.solver.walls import EDGE_NUMBERS, edges_of
+from labutopia_lerobot.substances.filling import Fillable
 from labutopia_lerobot.world import FloatArray
 
 _KINDS = {
@@ -110,7 +110,9 @@ def _shapes(model: mujoco.MjModel, geoms: NDArray[np.intp]) -> Shapes:
     kinds = [_KINDS.get(mujoco.mjtGeom(kind), BOX) for kind in model.geom_type[geoms]]
     boxed = np.isin(model.geom_type[geoms], [int(kind) for kind in _KINDS], invert=True)
     size = np.where(boxed[:, None], model.geom_aabb[geoms, 3:], model.geom_size[geoms])
-    return Shapes(np.array(kinds, dtype=np.int64), size, _frames(len(geoms)), _frames(len(geoms)))
+    fixed = model.body_weldid[model.geom_bodyid[geoms]] == 0
+    frames = _frames(len(geoms)), _frames(len(geoms))
+    return Shapes(np.array(kinds, dtype=np.int64), size, fixed, *frames)
 
 
 def _frames(count: int) -> Frames:

@@ -12,7 +12,7 @@ from labutopia_lerobot.world import Thing, World
 def poured(
     vessel: Pourable, target: Pourable, *, share: float, beyond_deg: float = 95.0
 ) -> Predicate:
-    """At least this share of all liquid is in the target.
+    """At least this share of what was filled into the vessel is in the target.
 
     Without liquid: the vessel leans more than `beyond_deg` degrees, beyond the level, where nothing
     stays in a beaker, with its lip over the target's mouth.
@@ -23,15 +23,18 @@ def poured(
         liquid = world.liquid
         if liquid is None:
             return tipped.holds(world) and aimed.holds(world)
-        return liquid.inside[target.name] >= share * liquid.total
+        arrived = liquid.from_in(vessel.name, target.name)
+        return arrived > 0.0 and arrived >= share * liquid.originated_in(vessel.name)
 
-    return Predicate(f"{vessel.name} poured into {target.name}", holds)
+    return Predicate(f"{100 * share:g} % of {vessel.name} poured into {target.name}", holds)
 
 
 def spilled(
     vessel: Thing, *, share: float, unless: Predicate | None = None, beyond_deg: float = 45.0
 ) -> Predicate:
-    """More than this share of all liquid lies on the bench or on something else that is no vessel.
+    """More than this share of what was filled into the vessel lies on the bench or the like.
+
+    What clings to glass, to the hand or to anything else that can move is not spilled yet.
 
     Without liquid: the vessel leans more than `beyond_deg` degrees (a half-full beaker runs over
     at 52 to 56), unless that fact holds.
@@ -41,7 +44,8 @@ def spilled(
     def holds(world: World) -> bool:
         liquid = world.liquid
         if liquid is not None:
-            return liquid.spilled > share * liquid.total
+            spilt = liquid.spilled_from(vessel.name)
+            return spilt > share * liquid.originated_in(vessel.name)
         return tipped.holds(world) and not (unless is not None and unless.holds(world))
 
-    return Predicate(f"{vessel.name} spilled", holds)
+    return Predicate(f"more than {100 * share:g} % of {vessel.name} spilled", holds)

@@ -27,7 +27,7 @@ class Open(Thing, Protocol):
 
 
 def dispensed(bottle: Squeezable, vessel: Open, *, at_least_ml: float) -> Predicate:
-    """No less than this volume [ml] is in the vessel.
+    """No less than this volume [ml] out of the bottle is in the vessel.
 
     Without liquid: the bottle's wall has displaced that much, and the spout is over the vessel.
     """
@@ -36,7 +36,7 @@ def dispensed(bottle: Squeezable, vessel: Open, *, at_least_ml: float) -> Predic
     def holds(world: World) -> bool:
         if world.liquid is None:
             return world.displaced(bottle) * 1e6 >= at_least_ml and aimed.holds(world)
-        return world.liquid.inside[vessel.name] * 1e6 >= at_least_ml
+        return world.liquid.from_in(bottle.name, vessel.name) * 1e6 >= at_least_ml
 
     return Predicate(f"{at_least_ml:g} ml squeezed into {vessel.name}", holds)
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.liquids.drawing import SKIN_GROUP, LiquidDrawing
+from labutopia_lerobot.liquids.drawing.liquid_drawing import SKIN_GROUP, LiquidDrawing
 
 _CURE = (
     "No picture without OpenGL. On a headless Linux machine type\n"
@@ -94,6 +94,9 @@ class Renderer:
         self._renderer.update_scene(data, camera, self._options)
         for liquid in self._liquids:
             liquid.draw(self._renderer.scene, self._renderer.model)
+            # MuJoCo's renderer has no public way to what a texture is uploaded to.
+            with self._renderer._gl_context.as_current():
+                liquid.upload(self._renderer.model, self._renderer._mjr_context)
 
     def close(self) -> None:
         """Give the OpenGL context back."""

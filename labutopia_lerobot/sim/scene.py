@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.layout import Piece
-from labutopia_lerobot.liquids.drawing import LiquidDrawing
-from labutopia_lerobot.liquids.filling import Filling
+from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.sim.displacement import SqueezeBottle
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
 
 HULL_GROUP = 4
@@ -116,9 +116,9 @@ def _drawing(
     spec: mujoco.MjSpec, contents: Mapping[Piece, Filling], particles: int
 ) -> LiquidDrawing:
     volume = sum(filling.volume for filling in contents.values()) / particles
-    filling = next(iter(contents.values()))
-    rgba = filling.substance.rgba
-    return LiquidDrawing.add_to(spec, filling.of, rgba, volume ** (1 / 3), particles)
+    colors = {filling.of: filling.substance.rgba for filling in contents.values()}
+    name, spacing = " and ".join(colors), volume ** (1 / 3)
+    return LiquidDrawing.add_to(spec, name, list(colors.values()), spacing, particles)
 
 
 def _contact_groups(

@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.layout import Piece, Placement
-from labutopia_lerobot.liquids.filling import Dispenser, Fillable, Filling
+from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
-from labutopia_lerobot.liquids.surface import VesselPose
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
 from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
+from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 
 _SUBSTEPS = PHYSICS_HZ // CONTROL_HZ
@@ -36,7 +36,7 @@ class Simulation:
         command: Joint targets [rad] and gripper opening [m] in force, in the order of the robot's
             elements, shape (elements,).
         liquid: The liquid, or None where there is none.
-        volumes: Where it is, as of the last control step.
+        account: Where it is, as of the last control step.
         touched: Groups that touched since the previous control step, shape (groups, groups).
     """
 
@@ -56,7 +56,7 @@ class Simulation:
             if isinstance(piece, SqueezeBottle)
         }
         self.liquid = _liquid(scene, self.data) if scene.contents else None
-        self.volumes = None if self.liquid is None else self.liquid.volumes()
+        self.account = None if self.liquid is None else self.liquid.take_account()
         self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
         self._built = scene.model.body_pos.copy()
 
@@ -114,6 +114,8 @@ class Simulation:
     def _start_displacements(self) -> None:
         for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
             displacement.start(state, self.data)
+        if self.liquid is not None:
+            self.liquid.start_dispensing()
 
     def step(self, command: FloatArray) -> None:
         """Advance by one control period.
@@ -143,7 +145,7 @@ class Simulation:
         self._work_switches()
         self._squeeze_bottles()
         if self.liquid is not None:
-            self.volumes = self.liquid.volumes()
+            self.account = self.liquid.take_account()
         self.touched |= self.touched.T
         self.command = np.array(command)
 
@@ -199,13 +201,13 @@ class Simulation:
                 VesselPose(vessel.profile, *self._frame(vessel.name))
                 for vessel in self.liquid.vessels
             ]
-            height = self.scene.room.bench.height
-            self.scene.liquid.extract(self.liquid.positions, vessels, height)
+            liquid, height = self.liquid, self.scene.room.bench.height
+            self.scene.liquid.extract(liquid.positions, vessels, height, liquid.amounts)
 
     def draw_particles(self, scene: mujoco.MjvScene) -> None:
         """Fill a user's scene, as MuJoCo's viewer has one, with the particles of the liquid."""
         if self.liquid is not None and self.scene.liquid is not None:
-            self.scene.liquid.draw_particles(scene, self.liquid.positions)
+            self.scene.liquid.draw_particles(scene, self.liquid.positions, self.liquid.amounts)
 
     def _frame(self, name: str) -> tuple[FloatArray, FloatArray]:
         body = self.data.body(name)
@@ -232,12 +234,10 @@ class Simulation:
         self.command = self._drives.targets(data)
         if self.liquid is not None:
             self.liquid.restore(state[size:])
-            self.volumes = self.liquid.volumes()
+            self.account = self.liquid.take_account()
 
 
 def _liquid(scene: Scene, data: mujoco.MjData) -> Liquid:
     """Return all that the contents of a scene are, still empty."""
-    vessels = [piece for piece in scene.pieces if isinstance(piece, Fillable)]
-    fillings = list(scene.contents.values())
-    together = Filling(sum(filling.ml for filling in fillings), fillings[0].of)
-    return Liquid(scene.model, data, vessels, together, scene.particles)
+    vessels = [piece for piece in scene.pieces if isinstance(piece, Fillable | Dispenser)]
+    return Liquid(scene.model, data, vessels, list(scene.contents.values()), scene.particles)

@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 
 from labutopia_lerobot.sim.simulation import Simulation
-from labutopia_lerobot.world import FloatArray, Manipulator, Pose, Thing, Volumes
+from labutopia_lerobot.world import FloatArray, LiquidAccount, Manipulator, Pose, Thing
 
 
 class SimulatedWorld:
@@ -87,9 +87,9 @@ class SimulatedWorld:
         return self._simulation.displaced(thing.name)
 
     @property
-    def liquid(self) -> Volumes | None:
+    def liquid(self) -> LiquidAccount | None:
         """Where the liquid is; None where none is simulated."""
-        return self._simulation.volumes
+        return self._simulation.account
 
     def touching(self, first: str, second: str) -> bool:
         """Tell whether the two touched since the last control step."""

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
-from labutopia_lerobot.liquids.filling import require_fillable
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.robots.action_filter import ActionFilter
@@ -29,6 +28,7 @@ from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
+from labutopia_lerobot.substances.filling import require_fillable
 from labutopia_lerobot.task import DIVERGED
 
 _TRIES = 5

@@ -45,9 +45,12 @@ def row(seed: int, outcome: str, *, ever: bool, lifted: float | None, split: str
         axes=[],
         drawn={},
         liquid=None,
+        ml_total=None,
         ml_poured=None,
-        ml_spilled=None,
         ml_retained=None,
+        ml_spilled=None,
+        ml_clinging=None,
+        ml_in_flight=None,
         clipped_actions=0,
         nonfinite_actions=0,
     )

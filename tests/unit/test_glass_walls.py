@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.glassware import (
     volumetric_flask,
 )
 from labutopia_lerobot.labware.profile import Profile
-from labutopia_lerobot.liquids.walls import (
+from labutopia_lerobot.liquids.solver.walls import (
     SKIN,
     Edges,
     distance_to_glass,

@@ -6,8 +6,8 @@ import pytest
 from scipy.ndimage import binary_dilation
 
 from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.liquids.drawing import LiquidDrawing
-from labutopia_lerobot.liquids.surface import VesselPose
+from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.sim.renderer import Renderer
@@ -30,8 +30,8 @@ class Scene:
             body = vessel.add_to(spec, spec.worldbody)
             body.pos = (x, y, LABORATORY.bench.height)
             self.poses[vessel.name] = VesselPose(vessel.profile, np.array(body.pos), np.eye(3))
-        self.blue = LiquidDrawing.add_to(spec, "blue", BLUE, SPACING, 1000)
-        self.red = LiquidDrawing.add_to(spec, "red", RED, SPACING, 1000)
+        self.blue = LiquidDrawing.add_to(spec, "blue", [BLUE], SPACING, 1000)
+        self.red = LiquidDrawing.add_to(spec, "red", [RED], SPACING, 1000)
         self.model = spec.compile()
         self.data = mujoco.MjData(self.model)
         mujoco.mj_forward(self.model, self.data)
@@ -166,7 +166,7 @@ def test_every_particle_may_be_a_drop_of_its_own(scene):
 
 
 def test_more_particles_than_were_promised_are_refused():
-    drawing = LiquidDrawing.add_to(mujoco.MjSpec(), "few", BLUE, SPACING, 1)
+    drawing = LiquidDrawing.add_to(mujoco.MjSpec(), "few", [BLUE], SPACING, 1)
     apart = np.array([[0.0, 0.0, 1.0], [0.1, 0.0, 1.0], [0.2, 0.0, 1.0]])
     with pytest.raises(RuntimeError, match="3 particles of few"):
         drawing.extract(apart, [], LABORATORY.bench.height)

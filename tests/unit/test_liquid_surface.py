@@ -8,8 +8,8 @@ from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, volumetric_flask
-from labutopia_lerobot.liquids.open_space import PlacedSpace, inside_vessel, look_up
-from labutopia_lerobot.liquids.surface import Surface, VesselPose, liquid_surface
+from labutopia_lerobot.liquids.drawing.open_space import PlacedSpace, inside_vessel, look_up
+from labutopia_lerobot.liquids.drawing.surface import Surface, VesselPose, liquid_surface
 
 VOLUME = 1e-7
 SPACING = VOLUME ** (1 / 3)

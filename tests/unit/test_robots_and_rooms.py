@@ -24,6 +24,7 @@ from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
 from labutopia_lerobot.robots.franka_hand_model import add_franka_hand
 from labutopia_lerobot.robots.parts import add_joint_servo
 from labutopia_lerobot.scenes import LABORATORY, ROOMS, load_room
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.world import Approach
 
 JOINTS = tuple(Element(f"axis{i}", -3.0, 3.0, 2.0 + 0.1 * i) for i in range(6))
@@ -81,7 +82,7 @@ SIX = Robot(
 @pytest.fixture
 def env(monkeypatch) -> LabEnv:
     monkeypatch.setitem(ROBOTS, "six", SIX)
-    return LabEnv("level1/pick", obs="state", robot="six")
+    return LabEnv(Setting("level1/pick", obs="state", robot="six"))
 
 
 def test_features_have_as_many_numbers_as_the_robot():
@@ -123,14 +124,14 @@ def test_spaces_observations_and_policies_have_as_many_numbers_as_the_robot(env)
 
 def test_the_expert_moves_a_six_joint_arm_to_where_it_wants(env):
     env.reset(seed=0)
-    goal = env.world.gripper.moved(x=0.05, y=-0.05, z=-0.05)
+    goal = env.workcell.world.gripper.moved(x=0.05, y=-0.05, z=-0.05)
     for _ in range(90):
-        joints = env.motion.follow(goal, touches=frozenset(), holds=None)
+        joints = env.workcell.motion.follow(goal, touches=frozenset(), holds=None)
         assert joints.shape == (6,)
         env.step(np.append(joints, SIX.max_opening).astype(np.float32))
-    assert env.world.gripper.distance_to(goal) < 0.005
-    assert env.world.gripper.angle_to(goal) < 0.05
-    assert env.simulation.data.joint("fan").qpos[0] == 0.0
+    assert env.workcell.world.gripper.distance_to(goal) < 0.005
+    assert env.workcell.world.gripper.angle_to(goal) < 0.05
+    assert env.workcell.simulation.data.joint("fan").qpos[0] == 0.0
 
 
 def test_drives_find_the_elements_wherever_they_are_in_the_model():
@@ -154,9 +155,9 @@ def test_drives_find_the_elements_wherever_they_are_in_the_model():
 def test_the_same_seed_is_the_same_layout_for_every_robot():
     layouts = []
     for robot in (PANDA, IIWA):
-        env = LabEnv("level1/pick", obs="state", robot=robot.name)
+        env = LabEnv(Setting("level1/pick", obs="state", robot=robot.name))
         env.reset(seed=3)
-        layouts.append(env.world.pose(next(iter(env.definition.start))).position_w)
+        layouts.append(env.workcell.world.pose(next(iter(env.workcell.task.start))).position_w)
     np.testing.assert_allclose(*layouts, atol=1e-6)
 
 
@@ -176,7 +177,7 @@ def test_robots_and_rooms_are_found_by_their_names():
     [
         (load_robot, "robot='ur5' is unknown. Choose from: panda, iiwa"),
         (load_room, "room='ur5' is unknown. Choose from: laboratory"),
-        (lambda name: LabEnv("level1/pick", robot=name), "robot='ur5' is unknown"),
+        (lambda name: LabEnv(Setting("level1/pick", robot=name)), "robot='ur5' is unknown"),
     ],
 )
 def test_an_unknown_robot_or_room_is_told_with_the_choices(load, message):

@@ -5,10 +5,10 @@ Ported from: config/level1_pour.yaml, tasks/pickpour_task.py, controllers/pour_c
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import gripped, lifted, lip_over, steady, struck, upright
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 

@@ -7,10 +7,10 @@ from labutopia_lerobot.labware.glass_rod import GlassRod
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import Inside, OnBench
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import steady, upright
 from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 

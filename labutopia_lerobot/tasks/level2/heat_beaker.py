@@ -9,7 +9,6 @@ import math
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.heater import Heater
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import (
     collided,
@@ -21,6 +20,7 @@ from labutopia_lerobot.predicates import (
     switched_on,
 )
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 

@@ -6,10 +6,10 @@ controllers/pickpour_controller.py.
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import lip_over, struck, upright
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 

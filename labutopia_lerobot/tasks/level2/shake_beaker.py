@@ -6,9 +6,9 @@ controllers/shakebeaker_controller.py.
 
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import gripped, steady
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 

@@ -7,10 +7,10 @@ controllers/pickplace_controller.py.
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.target_plate import TargetPlate
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import struck
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 

@@ -8,7 +8,6 @@ import math
 from labutopia_lerobot.labware.glassware import beaker
 from labutopia_lerobot.labware.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Inside, OnBench
-from labutopia_lerobot.liquids.filling import Filling
 from labutopia_lerobot.predicates import (
     collided,
     dispensed,
@@ -20,6 +19,7 @@ from labutopia_lerobot.predicates import (
 )
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Squeeze
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Milestone, Step, Task
 
 _AMOUNT_ML = 20.0

@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.bodies import Frames, Glass, Shapes, into
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.obstacles import distance
-from labutopia_lerobot.liquids.walls import (
+from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes, into
+from labutopia_lerobot.liquids.solver.obstacles import distance
+from labutopia_lerobot.liquids.solver.walls import (
     ALONG_R,
     ALONG_Z,
     HEIGHT,
@@ -18,12 +18,16 @@ from labutopia_lerobot.liquids.walls import (
     OPEN_END,
     OPEN_START,
     RADIUS,
+    SMOOTH_START,
     Edges,
     first_crossing,
 )
 
-_MOST = 6
-"""Planes per particle at most: a corner of a vessel on the bench against a hand."""
+_ROOM = 6
+"""Planes per particle that there is room for at first: a corner of a vessel against a hand."""
+
+_COVER = 3
+"""Which number of a wall that is put together tells how much of a plane it covers."""
 
 
 class Contacts(NamedTuple):
@@ -65,6 +69,10 @@ def find_contacts(
 ) -> Contacts:
     """Return every wall within reach of a particle.
 
+    Edges of glass that follow each other smoothly are one wall: a plane that
+    is the mean of theirs, each counting as much as it covers. So it does not matter how finely a
+    straight or a round wall is cut.
+
     Args:
         positions: Shape (n, 3), metres, world frame, none in glass.
         glass: The vessels.
@@ -72,29 +80,46 @@ def find_contacts(
         clear: How far from each vessel's glass they are at least [m], shape (vessels, n).
         reach: How far a wall matters [m].
     """
-    n, vessels = len(positions), len(glass.starts) - 1
-    room = _MOST * n
-    starts = np.zeros(n + 1, np.int64)
-    normal, offset, extent = np.empty((room, 3)), np.empty(room), np.empty(room)
-    owner = np.empty(room, np.int64)
-    # Only shapes that come near the ball around all the liquid.
-    middle, half = np.empty(3), np.empty(3)
-    for k in range(3):
-        low, high = positions[:, k].min(), positions[:, k].max()
-        middle[k], half[k] = 0.5 * (low + high), 0.5 * (high - low)
-    around = reach + np.sqrt(np.sum(half**2))
-    candidates = np.empty(len(shapes.kind), np.int64)
-    chosen = 0
-    local, scratch, count = np.empty(3), np.empty((3, 3)), 0
-    for s in range(len(shapes.kind)):
-        into(shapes.now, s, middle, local)
-        far, _ = distance(shapes.kind[s], shapes.size[s], local[0], local[1], local[2])
-        if far < around:
-            candidates[chosen] = s
-            chosen += 1
-    edges = glass.edges
-    for a in range(n):
-        limit = count + _MOST
+    near = _shapes_near(positions, shapes, reach)
+    joined = np.append(glass.edges[:, SMOOTH_START] > 0.0, False)
+    room = _ROOM * len(positions) + len(glass.edges) + len(near)
+    while True:
+        starts = np.zeros(len(positions) + 1, np.int64)
+        normal, offset, extent = np.empty((room, 3)), np.empty(room), np.empty(room)
+        found = Contacts(starts, normal, offset, extent, np.empty(room, np.int64), np.empty(0))
+        if _list_walls(positions, glass, shapes, clear, reach, near, joined, found):
+            break
+        room *= 2
+    count = starts[-1]
+    return Contacts(
+        starts,
+        normal[:count],
+        offset[:count],
+        extent[:count],
+        found.owner[:count],
+        np.zeros(count),
+    )
+
+
+@kernel
+def _list_walls(
+    positions: NDArray[np.float64],
+    glass: Glass,
+    shapes: Shapes,
+    clear: NDArray[np.float64],
+    reach: float,
+    near: NDArray[np.int64],
+    joined: NDArray[np.bool_],
+    found: Contacts,
+) -> bool:
+    """Write down the walls within reach of all particles; tell whether there was room for them."""
+    vessels, edges = len(glass.starts) - 1, glass.edges
+    starts, normal, offset = found.starts, found.normal, found.offset
+    extent, owner = found.extent, found.owner
+    local, scratch, wall, count = np.empty(3), np.empty((3, 3)), np.zeros(4), 0
+    for a in range(len(positions)):
+        if count + len(edges) + len(near) > len(offset):
+            return False
         point = positions[a]
         for v in range(vessels):
             if clear[v, a] >= reach:
@@ -102,14 +127,22 @@ def find_contacts(
             into(glass.now, v, point, local)
             radius = np.sqrt(local[0] ** 2 + local[1] ** 2)
             ux, uy = (local[0] / radius, local[1] / radius) if radius > 0.0 else (1.0, 0.0)
+            wall[_COVER] = 0.0
             for e in range(glass.starts[v], glass.starts[v + 1]):
                 r, z = radius - edges[e, RADIUS], local[2] - edges[e, HEIGHT]
                 nr, nz = edges[e, NORMAL_R], edges[e, NORMAL_Z]
                 far = nr * r + nz * z
-                if far < 0.0 or far >= reach:
-                    continue
-                part = _extent(edges, e, edges[e, ALONG_R] * r + edges[e, ALONG_Z] * z, reach)
-                if part <= 0.0 or count == limit:
+                cover = 0.0
+                if 0.0 <= far < reach:
+                    place = edges[e, ALONG_R] * r + edges[e, ALONG_Z] * z
+                    cover = _extent(edges, e, place, reach, joined[e] or joined[e + 1])
+                if joined[e] or joined[e + 1]:
+                    _add_edge(nr, nz, far, cover, wall)
+                    if joined[e + 1]:
+                        continue
+                    nr, nz, far, cover = wall[0], wall[1], wall[2], wall[_COVER]
+                    wall[_COVER] = 0.0
+                if cover <= 0.0:
                     continue
                 _turn(glass.now, v, nr * ux, nr * uy, nz, normal[count])
                 if _another_is_nearer(clear, a, v, far) and _behind_glass(
@@ -117,15 +150,15 @@ def find_contacts(
                 ):
                     continue
                 offset[count] = _dot(normal[count], point) - far
-                extent[count], owner[count] = part, v
+                extent[count], owner[count] = cover, v
                 count += 1
-        for index in range(chosen):
-            s = candidates[index]
+        for index in range(len(near)):
+            s = near[index]
             into(shapes.now, s, point, local)
             far, (nx, ny, nz) = distance(
                 shapes.kind[s], shapes.size[s], local[0], local[1], local[2]
             )
-            if far >= reach or count == limit:
+            if far >= reach:
                 continue
             _turn(shapes.now, s, nx, ny, nz, normal[count])
             if _another_is_nearer(clear, a, -1, far) and _behind_glass(
@@ -136,14 +169,47 @@ def find_contacts(
             extent[count], owner[count] = 1.0, vessels + s
             count += 1
         starts[a + 1] = count
-    return Contacts(
-        starts,
-        normal[:count],
-        offset[:count],
-        extent[:count],
-        owner[:count],
-        np.zeros(count),
-    )
+    return True
+
+
+@kernel
+def _shapes_near(positions: NDArray[np.float64], shapes: Shapes, reach: float) -> NDArray[np.int64]:
+    """Return the indices of those shapes that come near the ball around all the liquid."""
+    middle, half, local = np.empty(3), np.empty(3), np.empty(3)
+    for k in range(3):
+        low, high = positions[:, k].min(), positions[:, k].max()
+        middle[k], half[k] = 0.5 * (low + high), 0.5 * (high - low)
+    around = reach + np.sqrt(np.sum(half**2))
+    chosen, count = np.empty(len(shapes.kind), np.int64), 0
+    for s in range(len(shapes.kind)):
+        into(shapes.now, s, middle, local)
+        far, _ = distance(shapes.kind[s], shapes.size[s], local[0], local[1], local[2])
+        if far < around:
+            chosen[count] = s
+            count += 1
+    return chosen[:count]
+
+
+@kernel
+def _add_edge(nr: float, nz: float, far: float, cover: float, wall: NDArray[np.float64]) -> None:
+    """Add an edge to the wall that it is part of.
+
+    Args:
+        nr: Normal of the edge, radius.
+        nz: The same, height.
+        far: Distance of a point from the edge [m].
+        cover: How much of a plane it covers there; nothing happens if none.
+        wall: Mean normal (radius, height) and distance [m] of the parts so far, and how much of a
+            plane they cover, shape (4,); changed in place.
+    """
+    if cover <= 0.0:
+        return
+    new = cover / (max(wall[_COVER], 0.0) + cover)
+    wr, wz = (1.0 - new) * wall[0] + new * nr, (1.0 - new) * wall[1] + new * nz
+    length = np.sqrt(wr * wr + wz * wz)
+    wall[0], wall[1] = wr / length, wz / length
+    wall[2] += new * (far - wall[2])
+    wall[_COVER] = min(wall[_COVER] + cover, 1.0)
 
 
 @kernel
@@ -197,19 +263,22 @@ def _behind_glass(
 
 
 @kernel
-def _extent(edges: Edges, e: int, place: float, reach: float) -> float:
+def _extent(edges: Edges, e: int, place: float, reach: float, in_wall: bool) -> float:
     """Return how much of a plane a wall is at a place along an edge [m].
 
-    At the free end of a wall half a plane is seen, and beyond it less.
+    At the free end of a wall half a plane is seen, and beyond it less. Of an edge that is part of a
+    longer wall only what it covers itself counts: those of all parts add up to that of the wall.
     """
-    part = 1.0
+    start, end = 1.0, 1.0
     if edges[e, OPEN_START] > 0.0:
-        part = min(part, 0.5 + place / reach)
+        start = min(start, 0.5 + place / reach)
     elif place < 0.0:
         return 0.0
     beyond = place - edges[e, LENGTH]
     if edges[e, OPEN_END] > 0.0:
-        part = min(part, 0.5 - beyond / reach)
+        end = min(end, 0.5 - beyond / reach)
     elif beyond > 0.0:
         return 0.0
-    return min(part, 1.0)
+    if in_wall and start < 1.0 and end < 1.0:
+        return start + end - 1.0
+    return min(start, end)

@@ -12,13 +12,28 @@ from numpy.typing import NDArray
 from labutopia_lerobot.labware.profile import Profile
 from labutopia_lerobot.liquids.compilation import kernel
 
-EDGE_NUMBERS = 9
+EDGE_NUMBERS = 10
 
 type Edges = NDArray[np.float64]
-"""Shape (edges, 9): start (radius, height) [m], direction (radius, height), length [m], normal
-towards the liquid (radius, height), and whether the wall goes on beyond the start and the end."""
+"""Shape (edges, 10): start (radius, height) [m], direction (radius, height), length [m], normal
+towards the liquid (radius, height), whether the wall goes on beyond the start and the end, and
+whether it does so smoothly at the start, so that it and the edge before are parts of one wall."""
 
-RADIUS, HEIGHT, ALONG_R, ALONG_Z, LENGTH, NORMAL_R, NORMAL_Z, OPEN_START, OPEN_END = range(9)
+(
+    RADIUS,
+    HEIGHT,
+    ALONG_R,
+    ALONG_Z,
+    LENGTH,
+    NORMAL_R,
+    NORMAL_Z,
+    OPEN_START,
+    OPEN_END,
+    SMOOTH_START,
+) = range(EDGE_NUMBERS)
+
+_SMOOTH = 0.3
+"""Sine of the angle up to which a joint is none: a curved wall cut into edges."""
 
 SKIN = 2e-5
 """How far from the glass a stopped particle is left [m]: enough for rounding, too little to see."""
@@ -43,9 +58,11 @@ def edges_of(profile: Profile) -> Edges:
     # Where the polygon turns left, the liquid is in a corner and there is no wall beyond it; where
     # it goes straight on or turns right, the wall goes on around the corner.
     turn = along[:-1, 0] * along[1:, 1] - along[:-1, 1] * along[1:, 0]
-    goes_on = (turn < 0.3).astype(float)
+    goes_on = (turn < _SMOOTH).astype(float)
     first, last = np.append(0.0, goes_on), np.append(goes_on, 0.0)
-    return np.column_stack([starts, along, length, normal, first, last])
+    ahead = np.sum(along[:-1] * along[1:], axis=1) > 0.0
+    smooth = np.append(0.0, (ahead & (abs(turn) < _SMOOTH)).astype(float))
+    return np.column_stack([starts, along, length, normal, first, last, smooth])
 
 
 @kernel

@@ -6,6 +6,10 @@ to. Walls take part in the packing as if liquid went on behind them (Koschier an
 "Density Maps for Improved SPH Boundary Handling", for plane walls), so that a particle keeps its
 distance from glass as from other particles.
 
+Density is counted in volumes, not in masses, so that where a dense liquid lies under a light one
+neither is torn off the other (Solenthaler and Pajarola 2008, "Density Contrast SPH Interfaces").
+Every correction is shared out by inverse masses: what is lighter than its surroundings rises.
+
 Two things are not in the paper. Corrections are begun with a part of the previous step's, since a
 settled liquid needs the same again to carry its weight; and a correction that went too far is taken
 back. Both keep a settled liquid still.
@@ -15,9 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.contacts import Contacts, gap
-from labutopia_lerobot.liquids.neighbors import Pairs
-from labutopia_lerobot.liquids.smoothing import AT_WALL, BEHIND_WALL, look_up, slope, weight
+from labutopia_lerobot.liquids.solver.contacts import Contacts, gap
+from labutopia_lerobot.liquids.solver.flow import PACKING, REACH, Flow, Matter
+from labutopia_lerobot.liquids.solver.neighbors import Pairs
+from labutopia_lerobot.liquids.solver.smoothing import AT_WALL, BEHIND_WALL, look_up, slope, weight
 
 type Vectors = NDArray[np.float64]
 """Shape (n, 3)."""
@@ -32,18 +37,24 @@ _KEPT = 0.5
 """Part of the previous step's corrections that a step begins with."""
 
 
+_LEAST_GAP = 0.25
+"""Distance from a wall that particles keep in any case, in spacings; half is where they settle."""
+
+_SHARE = REACH**-3 / PACKING
+"""What a particle adds to the density, of 1, times the kernel's `weight`."""
+
+_WALL_SHARE = 1.0 / PACKING
+"""What a wall adds to the density, times the kernel's part behind it."""
+
+
 @kernel
 def pack(
     positions: Vectors,
     pairs: Pairs,
     contacts: Contacts,
     pressure: NDArray[np.float64],
-    iterations: int,
-    reach: float,
-    share: float,
-    wall_share: float,
-    least: float,
-    most: float,
+    matter: Matter,
+    flow: Flow,
 ) -> None:
     """Move particles apart until the liquid is nowhere denser than it is at rest.
 
@@ -53,26 +64,20 @@ def pack(
         contacts: Walls near the particles; what they push is added to their `push`.
         pressure: What the corrections of the previous step came to, shape (n,), square metres, not
             positive; changed in place.
-        iterations: How often every particle is moved.
-        reach: Of the kernel [m].
-        share: What a particle adds to the density, of 1, times the kernel's `weight`.
-        wall_share: What a wall adds, times the kernel's part behind it.
-        least: Distance from a wall that a particle keeps in any case [m].
-        most: How far a wall moves it at once, at most, to that end [m].
+        matter: What each particle is made of.
+        flow: What all of it has in common.
     """
-    n = len(positions)
+    n, reach = len(positions), REACH * flow.spacing
     gradients = np.empty((len(pairs.second), 3))
     wall_gradient = np.empty(len(contacts.offset))
     density, diagonal = np.empty(n), np.empty(n)
     factor = np.empty(n)
     moves = np.empty((n, 3))
     pressure *= _KEPT
-    for turn in range(iterations + 1):
-        _measure(
-            positions, pairs, contacts, reach, share, wall_share, density, gradients, wall_gradient
-        )
+    for turn in range(flow.iterations + 1):
+        _measure(positions, pairs, contacts, reach, density, gradients, wall_gradient)
         if turn == 0:
-            _diagonal(pairs, contacts, gradients, wall_gradient, diagonal)
+            _diagonal(pairs, contacts, gradients, wall_gradient, matter.lightness, diagonal)
             diagonal += _RELAXATION / reach**2
             factor[:] = pressure
         else:
@@ -81,39 +86,62 @@ def pack(
                 new = min(0.0, pressure[a] - _STEP * (density[a] - 1.0) / diagonal[a])
                 factor[a] = new - pressure[a]
                 pressure[a] = new
-        moves[:] = 0.0
-        for k in range(n):
-            a = pairs.first[k]
-            mine = factor[a]
-            mx, my, mz = 0.0, 0.0, 0.0
-            for p in range(pairs.starts[k], pairs.starts[k + 1]):
-                b = pairs.second[p]
-                s = mine + factor[b]
-                gx, gy, gz = s * gradients[p, 0], s * gradients[p, 1], s * gradients[p, 2]
-                mx += gx
-                my += gy
-                mz += gz
-                moves[b, 0] -= gx
-                moves[b, 1] -= gy
-                moves[b, 2] -= gz
-            moves[a, 0] += mx
-            moves[a, 1] += my
-            moves[a, 2] += mz
+        _push_apart(pairs, gradients, factor, moves)
         for a in range(n):
             for k in range(3):
-                positions[a, k] += moves[a, k]
-            for c in range(contacts.starts[a], contacts.starts[a + 1]):
-                push = factor[a] * wall_gradient[c]
+                positions[a, k] += matter.lightness[a] * moves[a, k]
+        _push_off_walls(positions, contacts, wall_gradient, factor, matter.lightness, flow.spacing)
+
+
+@kernel
+def _push_apart(
+    pairs: Pairs, gradients: Vectors, factor: NDArray[np.float64], moves: Vectors
+) -> None:
+    """Set the corrections that neighbours give each other, per unit of lightness [m]."""
+    moves[:] = 0.0
+    for k in range(len(moves)):
+        a = pairs.first[k]
+        mine = factor[a]
+        mx, my, mz = 0.0, 0.0, 0.0
+        for p in range(pairs.starts[k], pairs.starts[k + 1]):
+            b = pairs.second[p]
+            s = mine + factor[b]
+            gx, gy, gz = s * gradients[p, 0], s * gradients[p, 1], s * gradients[p, 2]
+            mx += gx
+            my += gy
+            mz += gz
+            moves[b, 0] -= gx
+            moves[b, 1] -= gy
+            moves[b, 2] -= gz
+        moves[a, 0] += mx
+        moves[a, 1] += my
+        moves[a, 2] += mz
+
+
+@kernel
+def _push_off_walls(
+    positions: Vectors,
+    contacts: Contacts,
+    wall_gradient: NDArray[np.float64],
+    factor: NDArray[np.float64],
+    lightness: NDArray[np.float64],
+    spacing: float,
+) -> None:
+    """Make the corrections that walls give, and keep particles a least distance away from them."""
+    least = _LEAST_GAP * spacing
+    for a in range(len(positions)):
+        for c in range(contacts.starts[a], contacts.starts[a + 1]):
+            push = lightness[a] * (factor[a] * wall_gradient[c])
+            for k in range(3):
+                positions[a, k] += push * contacts.normal[c, k]
+            x, y, z = positions[a, 0], positions[a, 1], positions[a, 2]
+            # What is deep in a wall, as a drop that a finger closes on, is not shot out of it.
+            short = min(least - gap(contacts, c, x, y, z), spacing)
+            if short > 0.0 and contacts.extent[c] > 0.5:
+                push += short
                 for k in range(3):
-                    positions[a, k] += push * contacts.normal[c, k]
-                x, y, z = positions[a, 0], positions[a, 1], positions[a, 2]
-                # What is deep in a wall, as a drop that a finger closes on, is not shot out of it.
-                short = min(least - gap(contacts, c, x, y, z), most)
-                if short > 0.0 and contacts.extent[c] > 0.5:
-                    push += short
-                    for k in range(3):
-                        positions[a, k] += short * contacts.normal[c, k]
-                contacts.push[c] += push
+                    positions[a, k] += short * contacts.normal[c, k]
+            contacts.push[c] += push
 
 
 @kernel
@@ -122,14 +150,12 @@ def _measure(
     pairs: Pairs,
     contacts: Contacts,
     reach: float,
-    share: float,
-    wall_share: float,
     density: NDArray[np.float64],
     gradients: Vectors,
     wall_gradient: NDArray[np.float64],
 ) -> None:
     """Find the density at every particle, of 1 at rest, and how it changes with distances [1/m]."""
-    density[:] = share * weight(0.0)
+    density[:] = _SHARE * weight(0.0)
     per_reach = 1.0 / reach
     for k in range(len(positions)):
         a = pairs.first[k]
@@ -139,10 +165,10 @@ def _measure(
             b = pairs.second[p]
             dx, dy, dz = x - positions[b, 0], y - positions[b, 1], z - positions[b, 2]
             q = np.sqrt(dx * dx + dy * dy + dz * dz) * per_reach
-            w = share * weight(q)
+            w = _SHARE * weight(q)
             own += w
             density[b] += w
-            s = share * per_reach * per_reach * slope(q)
+            s = _SHARE * per_reach * per_reach * slope(q)
             gradients[p, 0], gradients[p, 1], gradients[p, 2] = s * dx, s * dy, s * dz
         density[a] += own
     for a in range(len(positions)):
@@ -152,11 +178,11 @@ def _measure(
         for c in range(contacts.starts[a], contacts.starts[a + 1]):
             q = gap(contacts, c, x, y, z) * per_reach
             free *= 1.0 - contacts.extent[c] * look_up(BEHIND_WALL, q)
-        density[a] += wall_share * (1.0 - free)
+        density[a] += _WALL_SHARE * (1.0 - free)
         for c in range(contacts.starts[a], contacts.starts[a + 1]):
             q = gap(contacts, c, x, y, z) * per_reach
             others = free / (1.0 - contacts.extent[c] * look_up(BEHIND_WALL, q))
-            wall_gradient[c] = -wall_share * others * contacts.extent[c] * look_up(AT_WALL, q)
+            wall_gradient[c] = -_WALL_SHARE * others * contacts.extent[c] * look_up(AT_WALL, q)
             wall_gradient[c] *= per_reach
 
 
@@ -166,9 +192,14 @@ def _diagonal(
     contacts: Contacts,
     gradients: Vectors,
     wall_gradient: NDArray[np.float64],
+    lightness: NDArray[np.float64],
     diagonal: NDArray[np.float64],
 ) -> None:
-    """Find the sum of the squared gradients of each density (the denominator of equation 9)."""
+    """Find the sum of the squared gradients of each density (the denominator of equation 9).
+
+    Each is weighted with the inverse mass of the particle that it moves (Mueller et al. 2007,
+    "Position Based Dynamics", equation 8).
+    """
     total = np.zeros((len(diagonal), 3))
     diagonal[:] = 0.0
     for k in range(len(diagonal)):
@@ -180,13 +211,14 @@ def _diagonal(
                 total[a, axis] += gradients[p, axis]
                 total[b, axis] -= gradients[p, axis]
                 square += gradients[p, axis] ** 2
-            diagonal[a] += square
-            diagonal[b] += square
+            diagonal[a] += lightness[b] * square
+            diagonal[b] += lightness[a] * square
     for a in range(len(diagonal)):
         for c in range(contacts.starts[a], contacts.starts[a + 1]):
             for axis in range(3):
                 total[a, axis] += wall_gradient[c] * contacts.normal[c, axis]
-        diagonal[a] += total[a, 0] ** 2 + total[a, 1] ** 2 + total[a, 2] ** 2
+        own = total[a, 0] ** 2 + total[a, 1] ** 2 + total[a, 2] ** 2
+        diagonal[a] += lightness[a] * own
 
 
 @kernel
@@ -194,23 +226,20 @@ def blend(
     positions: Vectors,
     velocities: Vectors,
     pairs: Pairs,
+    matter: Matter,
     reach: float,
-    share: float,
-    viscosity: float,
-    cohesion: float,
 ) -> None:
     """Exchange momentum between neighbours: viscosity (XSPH), and the pull of surface tension.
 
     Args:
         positions: Metres, world frame.
-        velocities: Metres per second; changed in place, their sum stays.
+        velocities: Metres per second; changed in place, the sum of momenta stays.
         pairs: Neighbours.
+        matter: What each particle is made of; a pair has the mean of its two.
         reach: Of the kernel [m].
-        share: What a particle adds to the density, of 1, times the kernel's `weight`.
-        viscosity: Part of the velocity difference that is evened out.
-        cohesion: Greatest change of velocity by one neighbour [m/s].
     """
     n = len(positions)
+    thickness, cohesion = matter.thickness, matter.cohesion
     change = np.zeros((n, 3))
     for k in range(n):
         a = pairs.first[k]
@@ -223,8 +252,8 @@ def blend(
             q = r / reach
             if q >= 1.0:
                 continue
-            even = viscosity * share * weight(q)
-            pull = cohesion * _attraction(q) / r
+            even = (thickness[a] + thickness[b]) * _SHARE * weight(q)
+            pull = (cohesion[a] + cohesion[b]) * _attraction(q) / r
             cx = even * (velocities[b, 0] - velocities[a, 0]) - pull * dx
             cy = even * (velocities[b, 1] - velocities[a, 1]) - pull * dy
             cz = even * (velocities[b, 2] - velocities[a, 2]) - pull * dz
@@ -234,7 +263,9 @@ def blend(
             change[b, 0] -= cx
             change[b, 1] -= cy
             change[b, 2] -= cz
-    velocities += change
+    for a in range(n):
+        for axis in range(3):
+            velocities[a, axis] += matter.lightness[a] * change[a, axis]
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""What is in a vessel when an episode begins."""
+"""What is put into a vessel."""
 
 import math
 from collections.abc import Mapping
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.liquids.substance import Substance, substance
+from labutopia_lerobot.substances.substance import Substance, substance
 from labutopia_lerobot.world import Thing
 
 if TYPE_CHECKING:
@@ -88,12 +88,8 @@ def require_fillable[Present: Thing](
             is not in the task or not watertight.
         UnknownSubstanceError: A substance does not exist.
     """
-    substances = {filling.substance.name for filling in contents.values()}
-    if len(substances) > 1:
-        raise ImpossibleFillingError(
-            f"A task has one liquid, not {' and '.join(sorted(substances))}. Fill all with one"
-        )
     for vessel, filling in contents.items():
+        filling.substance  # noqa: B018 - raises if there is none of that name
         if vessel not in present:
             names = ", ".join(thing.name for thing in present)
             raise ImpossibleFillingError(

@@ -8,20 +8,20 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.labware.profile import Profile
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.open_space import (
+from labutopia_lerobot.liquids.drawing.open_space import (
     PlacedSpace,
     above_plane,
     inside_vessel,
     look_up,
 )
-from labutopia_lerobot.liquids.particle_field import (
+from labutopia_lerobot.liquids.drawing.particle_field import (
     INSET,
     add_bodies,
     add_drops,
     outside_bodies,
     take_away,
 )
-from labutopia_lerobot.liquids.surface_nets import (
+from labutopia_lerobot.liquids.drawing.surface_nets import (
     BLOCK,
     Field,
     Grid,

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.open_space import (
+from labutopia_lerobot.liquids.drawing.open_space import (
     KERNEL_SLOPE,
     KERNEL_VOLUME,
     PlacedSpace,
     look_up,
 )
-from labutopia_lerobot.liquids.surface_nets import BLOCK, Field, Grid, block_at, interpolate
+from labutopia_lerobot.liquids.drawing.surface_nets import BLOCK, Field, Grid, block_at, interpolate
 
 type Vectors = NDArray[np.float64]
 """Shape (n, 3)."""

@@ -6,7 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.walls import distance_to_glass, stop_at_glass
+from labutopia_lerobot.liquids.solver.walls import distance_to_glass, stop_at_glass
+
+_ROUNDS = 4
+"""Turns that every vessel gets at most, to stop what another one has moved."""
 
 
 class Frames(NamedTuple):
@@ -47,12 +50,14 @@ class Shapes(NamedTuple):
     Attributes:
         kind: See `obstacles`, shape (shapes,).
         size: As MuJoCo's geom_size, shape (shapes, 3), metres.
+        fixed: Whether they can never move, shape (shapes,).
         before: Where they were at the beginning of the step.
         now: Where they are at its end.
     """
 
     kind: NDArray[np.int64]
     size: NDArray[np.float64]
+    fixed: NDArray[np.bool_]
     before: Frames
     now: Frames
 
@@ -121,32 +126,44 @@ def stop_at_vessels(
     end: NDArray[np.float64],
     glass: Glass,
     clear: NDArray[np.float64],
+    mass: NDArray[np.float64],
     impulse: NDArray[np.float64],
 ) -> None:
     """Let no particle pass through glass while it and the vessels move.
+
+    What one vessel moves may come to another one's glass, as in a spout inside a mouth: vessels
+    take turns until none has to move the particle.
 
     Args:
         start: Where particles were, outside all glass, shape (n, 3), metres, world frame.
         end: Where they are to go; changed in place.
         glass: The vessels.
         clear: See `clearances`; reduced by what particles are moved.
-        impulse: How the vessels moved particles: the sum of displacements [m], and of their moments
-            about the world's origin [m^2], shape (owners, 6); added to.
+        mass: Relative masses of the particles, shape (n,).
+        impulse: How the vessels moved particles: the sum of displacements [m] times masses, and of
+            their moments about the world's origin [m^2], shape (owners, 6); added to.
     """
     p, q, moved = np.empty(3), np.empty(3), np.empty(3)
-    for v in range(len(clear)):
-        edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
-        for a in range(len(start)):
+    vessels = len(clear)
+    for a in range(len(start)):
+        v, quiet = -1, 0
+        for _ in range(_ROUNDS * vessels):
+            if quiet == vessels:
+                break
+            v = (v + 1) % vessels
+            quiet += 1
             if clear[v, a] >= 0.0:
                 continue
             into(glass.before, v, start[a], p)
             into(glass.now, v, end[a], q)
-            if stop_at_glass(edges, p, q):
+            if stop_at_glass(glass.edges[glass.starts[v] : glass.starts[v + 1]], p, q):
                 moved[:] = end[a]
                 out_of(glass.now, v, q, end[a])
                 moved[:] = end[a] - moved
-                add_moment(impulse[v], end[a], moved)
                 clear[:, a] -= np.sqrt(np.sum(moved**2))
+                moved *= mass[a]
+                add_moment(impulse[v], end[a], moved)
+                quiet = 1
 
 
 @kernel

@@ -5,6 +5,9 @@ faces count can be set in the scene. The skin made here has four vertices of its
 so that its list of faces never changes, and room for the surface of all particles as separate
 drops. `mjr_uploadMesh`, the other way to draw a mesh that changes, costs as much by itself as
 drawing the skin does, and a sphere per particle several times as much as the whole picture.
+
+Where there are several substances, every quad of the skin has a texel of its own, and the texture
+is new in every frame too. One substance needs no texture.
 """
 
 from collections.abc import Sequence
@@ -13,7 +16,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.surface import Surface, VesselPose, liquid_surface
+from labutopia_lerobot.liquids.drawing.colors import REACH, colors_at
+from labutopia_lerobot.liquids.drawing.surface import Surface, VesselPose, liquid_surface
+from labutopia_lerobot.substances.substance import Color
 
 SKIN_GROUP = 5
 """Group of the skins, to be switched off in `MjvOption.skingroup`: MuJoCo would bend them."""
@@ -30,20 +35,23 @@ _FAR = 100.0  # where liquids are, to the sorting of transparent things [m]
 class LiquidDrawing:
     """One liquid as it is drawn: made with a scene's specification, used after its compilation.
 
-    Drawing takes three calls: `add_to` at compile time, `extract` once per frame, and `draw` once
-    per picture, after the scene was updated. Without any skin, `draw_particles` shows balls.
+    Drawing takes four calls: `add_to` at compile time, `extract` once per frame, and `draw` and
+    `upload` once per picture, after the scene was updated. Without any skin, `draw_particles` shows
+    balls.
 
     Attributes:
         name: Name of the liquid, of its skin and of its body, by which segmentation calls it.
-        rgba: Colour and opacity; MuJoCo blends every transparent face twice.
+        colors: Colour and opacity of every substance, shape (substances, 4); MuJoCo blends every
+            transparent face twice.
         spacing: Edge of the cube that has a particle's volume [m].
     """
 
-    def __init__(self, name: str, rgba: Sequence[float], spacing: float, capacity: int) -> None:
+    def __init__(self, name: str, colors: Sequence[Color], spacing: float, capacity: int) -> None:
         self.name = name
         self.spacing = spacing
-        self.rgba: NDArray[np.float32] = np.array(rgba, np.float32)
+        self.colors: NDArray[np.float64] = np.array(colors, dtype=float)
         self._capacity = capacity
+        self._texels: NDArray[np.uint8] = np.zeros((0, 4), np.uint8)
         self._corners: NDArray[np.float32] = np.zeros((0, 3), np.float32)
         self._normals: NDArray[np.float32] = np.zeros((0, 3), np.float32)
 
@@ -52,7 +60,7 @@ class LiquidDrawing:
         cls,
         spec: mujoco.MjSpec,
         name: str,
-        rgba: Sequence[float],
+        colors: Sequence[Color],
         spacing: float,
         particles: int,
     ) -> "LiquidDrawing":
@@ -61,7 +69,7 @@ class LiquidDrawing:
         Args:
             spec: Of the scene.
             name: Not yet the name of a body or a skin.
-            rgba: Red, green, blue and opacity, 0 to 1.
+            colors: Red, green, blue and opacity, 0 to 1, of every substance.
             spacing: Edge of the cube that has a particle's volume [m].
             particles: The most that are ever drawn.
         """
@@ -69,7 +77,7 @@ class LiquidDrawing:
         quads = QUADS_PER_PARTICLE * particles
         vertices = np.arange(4 * quads, dtype=np.int32)
         first = vertices[::4, None]
-        spec.add_skin(
+        skin = spec.add_skin(
             name=name,
             group=SKIN_GROUP,
             vert=np.zeros(3 * len(vertices), np.float32),
@@ -80,13 +88,24 @@ class LiquidDrawing:
             vertid=[vertices],
             vertweight=[np.ones(len(vertices), np.float32)],
         )
-        return cls(name, rgba, spacing, quads)
+        if len(colors) > 1:
+            side = int(np.ceil(np.sqrt(quads)))
+            kind = mujoco.mjtTexture.mjTEXTURE_2D
+            texture = spec.add_texture(name=name, type=kind, nchannel=4, width=side, height=side)
+            texture.data = bytes(4 * side * side)
+            spec.add_material(name=name).textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = name
+            quad = np.arange(quads)
+            middles = (np.column_stack([quad % side, quad // side]) + 0.5) / side
+            skin.texcoord = np.repeat(middles, 4, axis=0).astype(np.float32).ravel()
+            skin.material = name
+        return cls(name, colors, spacing, quads)
 
     def extract(
         self,
         positions_w: NDArray[np.float64],
         vessels: Sequence[VesselPose],
         bench_height: float,
+        amounts: NDArray[np.float64] | None = None,
     ) -> Surface:
         """Find the surface that the next pictures show, and return it.
 
@@ -94,6 +113,8 @@ class LiquidDrawing:
             positions_w: The particles, shape (n, 3), metres, world frame.
             vessels: All that may hold some of the liquid.
             bench_height: Height of the bench top [m].
+            amounts: Part of each particle that is each substance, shape (n, substances); all is
+                the first if not said.
 
         Raises:
             RuntimeError: There are more particles than `add_to` was told.
@@ -106,7 +127,19 @@ class LiquidDrawing:
             )
         self._corners = surface.vertices_w[surface.quads.ravel()]
         self._normals = surface.normals_w[surface.quads.ravel()]
+        if len(self.colors) > 1:
+            middles = surface.vertices_w[surface.quads].mean(axis=1)
+            colors = self._colors(len(positions_w), amounts)
+            found = colors_at(middles, positions_w, colors, REACH * self.spacing)
+            # The picture is drawn with the greatest opacity, of which a texel has a part.
+            found[:, 3] /= self.colors[:, 3].max()
+            self._texels = np.rint(255 * found).astype(np.uint8)
         return surface
+
+    def _colors(self, count: int, amounts: NDArray[np.float64] | None) -> NDArray[np.float64]:
+        """Return the colour of every particle, shape (n, 4)."""
+        colors = np.tile(self.colors[0], (count, 1)) if amounts is None else amounts @ self.colors
+        return np.asarray(colors)
 
     def draw(self, scene: mujoco.MjvScene, model: mujoco.MjModel) -> None:
         """Put the surface into an updated scene.
@@ -133,23 +166,47 @@ class LiquidDrawing:
             np.zeros(3),
             np.array(head + _FAR * ahead, float),
             np.eye(3).ravel(),
-            self.rgba,
+            self._tint(),
         )
         geom.objtype, geom.objid = mujoco.mjtObj.mjOBJ_SKIN, skin
         geom.category = mujoco.mjtCatBit.mjCAT_DYNAMIC
         geom.specular, geom.shininess = _SPECULAR, _SHININESS
         geom.segid = scene.ngeom
+        if len(self.colors) > 1:
+            geom.matid, geom.texcoord = model.material(self.name).id, 1
         scene.ngeom += 1
 
-    def draw_particles(self, scene: mujoco.MjvScene, positions_w: NDArray[np.float64]) -> None:
+    def _tint(self) -> NDArray[np.float32]:
+        """Return what the skin is drawn with, shape (4,): its colour, or that of full texels."""
+        tint: NDArray[np.float32] = np.ones(4, np.float32)
+        tint[:] = self.colors[0] if len(self.colors) == 1 else (1, 1, 1, self.colors[:, 3].max())
+        return tint
+
+    def upload(self, model: mujoco.MjModel, context: mujoco.MjrContext) -> None:
+        """Send the colours of several substances to OpenGL, whose context must be current."""
+        if len(self.colors) > 1 and len(self._texels):
+            texture = model.texture(self.name).id
+            start = model.tex_adr[texture]
+            texels = self._texels.ravel()
+            model.tex_data[start : start + len(texels)] = texels
+            mujoco.mjr_uploadTexture(model, context, texture)
+
+    def draw_particles(
+        self,
+        scene: mujoco.MjvScene,
+        positions_w: NDArray[np.float64],
+        amounts: NDArray[np.float64] | None = None,
+    ) -> None:
         """Fill a scene with a ball for every particle, for viewers that draw no changing skin.
 
         Args:
             scene: That of the viewer's user; what was in it goes.
             positions_w: The particles, shape (n, 3), metres, world frame.
+            amounts: As in `extract`.
         """
         size = np.array([_BALL * self.spacing, 0.0, 0.0])
         scene.ngeom = len(positions_w)
-        for geom, position in zip(scene.geoms, positions_w, strict=False):
+        colors = self._colors(len(positions_w), amounts).astype(np.float32)
+        for geom, position, color in zip(scene.geoms, positions_w, colors, strict=False):
             kind = mujoco.mjtGeom.mjGEOM_SPHERE
-            mujoco.mjv_initGeom(geom, kind, size, position, np.eye(3).ravel(), self.rgba)
+            mujoco.mjv_initGeom(geom, kind, size, position, np.eye(3).ravel(), color)

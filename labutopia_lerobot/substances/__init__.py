@@ -1,0 +1,1 @@
+"""What vessels hold: substances and fillings."""

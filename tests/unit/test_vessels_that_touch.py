@@ -1,0 +1,80 @@
+"""Liquid between two vessels: what one moves, the other one does not let through its glass."""
+
+from collections.abc import Callable
+
+import mujoco
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
+from labutopia_lerobot.substances.filling import Filling
+from leak_rate import Watch
+from liquid_experiments import world
+
+type Path = Callable[[float], tuple[tuple[float, float, float], float]]
+"""Position [m] and tilt about the y axis [rad] at a time [s]."""
+
+
+def put(data: mujoco.MjData, index: int, position: tuple[float, float, float], tilt: float) -> None:
+    quat = Rotation.from_euler("y", tilt).as_quat(scalar_first=True)
+    data.qpos[7 * index : 7 * index + 7] = (*position, *quat)
+
+
+def crossings(vessels: list[Vessel], paths: list[Path], ml: list[float], seconds: float) -> int:
+    """Move vessels along their paths and count what goes through the glass of any."""
+    model, data = world(*vessels, bench=False)
+    contents = {v: Filling(m) for v, m in zip(vessels, ml, strict=True) if m}
+    liquid = Liquid(model, data, vessels, list(contents.values()), 800)
+    watches = [Watch(vessel) for vessel in vessels]
+    for step in range(round(seconds * LIQUID_HZ)):
+        for index, path in enumerate(paths):
+            put(data, index, *path(step / LIQUID_HZ))
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        if step == 0:
+            liquid.fill(contents, np.random.default_rng(0))
+        liquid.step()
+        assert not liquid.diverged
+        for watch in watches:
+            watch.look(liquid.positions, data)
+    assert sum(watch.left for watch in watches) > 100  # it was wild enough
+    return sum(watch.crossings for watch in watches)
+
+
+def test_a_spout_inside_a_mouth_lets_nothing_through_either_glass() -> None:
+    vessels = [beaker("small", "150 ml"), beaker("large", "800 ml")]
+
+    def spout(seconds: float) -> tuple[tuple[float, float, float], float]:
+        tilt = np.radians(105) * min(1.0, seconds / 0.25)
+        # Only once it lies does it come down into the mouth, where its wall is clear of the rim.
+        down = 0.05 * min(1.0, max(0.0, seconds - 0.25) / 0.15)
+        # Its lip is 33 mm aside and 90 mm up.
+        aside = 0.033 * np.cos(tilt) + 0.09 * np.sin(tilt)
+        up = -0.033 * np.sin(tilt) + 0.09 * np.cos(tilt)
+        wag = 0.004 * np.sin(25 * seconds)
+        return (float(0.03 - aside + wag), 0.0, float(0.17 - down - up)), tilt
+
+    def mouth(seconds: float) -> tuple[tuple[float, float, float], float]:
+        return (0.003 * np.sin(17 * seconds), 0.0, 0.0), 0.03 * np.sin(11 * seconds)
+
+    assert crossings(vessels, [spout, mouth], [100.0, 300.0], 2.0) == 0
+
+
+@pytest.mark.parametrize("make", [beaker, erlenmeyer_flask])
+def test_nothing_crosses_the_glass_of_two_vessels_that_touch_while_they_swing(make) -> None:
+    vessels = [make("left"), make("right")]
+    half = max(radius for radius, _ in vessels[0].profile.outer)
+
+    def swing(side: int) -> Path:
+        def path(seconds: float) -> tuple[tuple[float, float, float], float]:
+            shake = 0.05 * np.sin(15 * seconds)
+            apart = 0.0005 + 0.004 * (1 + np.sin(9 * seconds))
+            return (shake + side * (half + apart), 0.0, 0.02 * np.sin(21 * seconds)), 0.0
+
+        return path
+
+    assert crossings(vessels, [swing(-1), swing(1)], [230.0, 230.0], 2.0) == 0
