@@ -22,13 +22,7 @@ from labutopia_lerobot.predicates.placing import near, released, standing_on, st
 from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.predicates.squeezing import dispensed, spout_over
 from labutopia_lerobot.predicates.stirring import dipped, moving, off_axis, on_side, over_mouth
-from labutopia_lerobot.predicates.tilting import (
-    Pourable,
-    lip_over,
-    tilted,
-    tilted_left,
-    tilted_right,
-)
+from labutopia_lerobot.predicates.tilting import lip_over, tilted, tilted_left, tilted_right
 from labutopia_lerobot.predicates.vessels import (
     falling,
     gripped,
@@ -39,7 +33,6 @@ from labutopia_lerobot.predicates.vessels import (
 )
 
 __all__ = [
-    "Pourable",
     "Predicate",
     "aligned",
     "clear_of",

@@ -5,26 +5,7 @@ from typing import Protocol
 import numpy as np
 
 from labutopia_lerobot.predicates.predicate import Predicate
-from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Thing, World
-
-
-class Button(Thing, Protocol):
-    """A button; the frame of its name lies in the middle of its face, z the way it is pressed."""
-
-    @property
-    def joint(self) -> str:
-        """Name of its slide [m]; positive is in."""
-        ...
-
-    @property
-    def travel(self) -> float:
-        """How far in it clicks [m]."""
-        ...
-
-    @property
-    def force_sensor(self) -> str:
-        """Name of the sensor of the force on it [N]."""
-        ...
+from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Button, Thing, World
 
 
 class Switch(Protocol):

@@ -5,12 +5,12 @@ told from how vessels are tilted, as in the original.
 """
 
 from labutopia_lerobot.predicates.predicate import Predicate
-from labutopia_lerobot.predicates.tilting import Pourable, lip_over, tilted
-from labutopia_lerobot.world import Thing, World
+from labutopia_lerobot.predicates.tilting import lip_over, tilted
+from labutopia_lerobot.world import OpenVessel, Thing, World
 
 
 def poured(
-    vessel: Pourable, target: Pourable, *, share: float, beyond_deg: float = 95.0
+    vessel: OpenVessel, target: OpenVessel, *, share: float, beyond_deg: float = 95.0
 ) -> Predicate:
     """At least this share of what was filled into the vessel is in the target.
 

@@ -1,32 +1,16 @@
 """Facts about setting a vessel down and leaving it."""
 
-from typing import Protocol
-
 import numpy as np
 
 from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates.predicate import Predicate
-from labutopia_lerobot.world import BENCH, HAND, LEFT_PAD, RIGHT_PAD, Thing, World
+from labutopia_lerobot.world import BENCH, HAND, LEFT_PAD, RIGHT_PAD, Standing, Thing, World
 
 _LEVEL_DEG = 1.0
 """A base of 70 mm diameter that leans more than this has an edge 1 mm in the air."""
 
 _CONTACT = 0.001
 """Greatest height of a base above what it stands on [m]; contacts give by less than 0.1 mm."""
-
-
-class Standing(Thing, Protocol):
-    """A thing with an upright axis."""
-
-    @property
-    def height(self) -> float:
-        """Overall height [m]."""
-        ...
-
-    @property
-    def footprint_radius(self) -> float:
-        """Radius of the circle around its axis that it needs on the bench [m]."""
-        ...
 
 
 def near(thing: Thing, place: Destination, *, within: float) -> Predicate:

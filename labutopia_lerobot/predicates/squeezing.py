@@ -5,7 +5,7 @@ from typing import Protocol
 import numpy as np
 
 from labutopia_lerobot.predicates.predicate import Predicate
-from labutopia_lerobot.world import Thing, World
+from labutopia_lerobot.world import OpenVessel, Thing, World
 
 
 class Squeezable(Thing, Protocol):
@@ -17,16 +17,7 @@ class Squeezable(Thing, Protocol):
         ...
 
 
-class Open(Thing, Protocol):
-    """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
-
-    @property
-    def mouth_radius(self) -> float:
-        """Inner radius of the mouth [m]."""
-        ...
-
-
-def dispensed(bottle: Squeezable, vessel: Open, *, at_least_ml: float) -> Predicate:
+def dispensed(bottle: Squeezable, vessel: OpenVessel, *, at_least_ml: float) -> Predicate:
     """No less than this volume [ml] out of the bottle is in the vessel.
 
     Without liquid: the bottle's wall has displaced that much, and the spout is over the vessel.
@@ -41,11 +32,11 @@ def dispensed(bottle: Squeezable, vessel: Open, *, at_least_ml: float) -> Predic
     return Predicate(f"{at_least_ml:g} ml squeezed into {vessel.name}", holds)
 
 
-def spout_over(bottle: Squeezable, vessel: Open) -> Predicate:
+def spout_over(bottle: Squeezable, vessel: OpenVessel) -> Predicate:
     """Liquid that falls from the spout falls into the vessel: it is above the mouth, inside it."""
 
     def holds(world: World) -> bool:
-        spout, rim = world.frame(bottle.spout), world.frame(f"{vessel.name}_rim")
+        spout, rim = world.frame(bottle.spout), world.frame(vessel.rim)
         x, y, z = spout.position_w - rim.position_w
         return bool(np.hypot(x, y) < vessel.mouth_radius and z > 0.0)
 

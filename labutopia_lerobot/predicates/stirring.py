@@ -1,11 +1,11 @@
 """Facts about a rod that stirs in a vessel."""
 
-from typing import Literal, Protocol
+from typing import Literal
 
 import numpy as np
 
 from labutopia_lerobot.predicates.predicate import Predicate
-from labutopia_lerobot.world import FloatArray, Thing, World
+from labutopia_lerobot.world import FloatArray, OpenVessel, Thing, World
 
 type Side = Literal["ahead", "left", "behind", "right"]
 
@@ -18,26 +18,17 @@ _SIDES: dict[Side, tuple[float, float]] = {
 """Directions along the x and y axis of the robot's base."""
 
 
-class Open(Thing, Protocol):
-    """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
-
-    @property
-    def mouth_radius(self) -> float:
-        """Inner radius of the mouth [m]."""
-        ...
-
-
-def dipped(rod: Thing, vessel: Open, *, by: float) -> Predicate:
+def dipped(rod: Thing, vessel: OpenVessel, *, by: float) -> Predicate:
     """Tip of the rod is in the vessel, more than `by` metres below its mouth."""
 
     def holds(world: World) -> bool:
-        x, y, z = (world.frame(f"{vessel.name}_rim").inverse() @ world.pose(rod)).position_w
+        x, y, z = (world.frame(vessel.rim).inverse() @ world.pose(rod)).position_w
         return bool(np.hypot(x, y) < vessel.mouth_radius and z < -by)
 
     return Predicate(f"{rod.name} dipped {by:g} m into {vessel.name}", holds)
 
 
-def over_mouth(rod: Thing, vessel: Thing, *, within: float, by: float) -> Predicate:
+def over_mouth(rod: Thing, vessel: OpenVessel, *, within: float, by: float) -> Predicate:
     """Tip is more than `by` metres above the mouth, horizontally `within` metres of its middle."""
 
     def holds(world: World) -> bool:
@@ -47,7 +38,7 @@ def over_mouth(rod: Thing, vessel: Thing, *, within: float, by: float) -> Predic
     return Predicate(f"{rod.name} {by:g} m over {vessel.name}", holds)
 
 
-def off_axis(rod: Thing, vessel: Thing, *, beyond: float) -> Predicate:
+def off_axis(rod: Thing, vessel: OpenVessel, *, beyond: float) -> Predicate:
     """Tip is, horizontally, further than `beyond` metres from the middle of the vessel's mouth."""
     return Predicate(
         f"{rod.name} {beyond:g} m off the axis of {vessel.name}",
@@ -55,7 +46,7 @@ def off_axis(rod: Thing, vessel: Thing, *, beyond: float) -> Predicate:
     )
 
 
-def on_side(rod: Thing, vessel: Thing, side: Side, *, beyond: float) -> Predicate:
+def on_side(rod: Thing, vessel: OpenVessel, side: Side, *, beyond: float) -> Predicate:
     """Tip is further than `beyond` metres off the vessel's axis, to a side as the robot sees it.
 
     Each side is a quarter of the circle; from above, ahead, left, behind and right follow one
@@ -80,8 +71,8 @@ def moving(thing: Thing, *, above: float) -> Predicate:
     )
 
 
-def _offset(world: World, rod: Thing, vessel: Thing) -> FloatArray:
+def _offset(world: World, rod: Thing, vessel: OpenVessel) -> FloatArray:
     """Tip of the rod from the middle of the vessel's mouth, shape (3,), metres, world frame."""
-    mouth = world.frame(f"{vessel.name}_rim")
+    mouth = world.frame(vessel.rim)
     offset: FloatArray = world.pose(rod).position_w - mouth.position_w
     return offset

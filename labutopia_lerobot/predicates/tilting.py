@@ -1,25 +1,9 @@
 """Facts about tilting a held vessel."""
 
-from typing import Protocol
-
 import numpy as np
 
 from labutopia_lerobot.predicates.predicate import Predicate
-from labutopia_lerobot.world import FloatArray, Thing, World
-
-
-class Pourable(Thing, Protocol):
-    """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
-
-    @property
-    def height(self) -> float:
-        """Height of the lip above the base [m]."""
-        ...
-
-    @property
-    def mouth_radius(self) -> float:
-        """Inner radius of the mouth [m]."""
-        ...
+from labutopia_lerobot.world import FloatArray, OpenVessel, Thing, World
 
 
 def tilted(thing: Thing, *, beyond_deg: float) -> Predicate:
@@ -49,7 +33,7 @@ def tilted_right(thing: Thing, *, beyond_deg: float) -> Predicate:
     )
 
 
-def lip_over(vessel: Pourable, target: Pourable) -> Predicate:
+def lip_over(vessel: OpenVessel, target: OpenVessel) -> Predicate:
     """Lowest point of the vessel's lip is above the mouth of the target, inside its edge."""
     return Predicate(
         f"{vessel.name} lip over {target.name}", lambda world: _lip_over(world, vessel, target)
@@ -63,15 +47,15 @@ def _lean(world: World, thing: Thing) -> float:
     return float(np.arctan2(axis @ left, axis[2]))
 
 
-def _lip_over(world: World, vessel: Pourable, target: Pourable) -> bool:
-    mouth = world.frame(f"{target.name}_rim").position_w
+def _lip_over(world: World, vessel: OpenVessel, target: OpenVessel) -> bool:
+    mouth = world.frame(target.rim).position_w
     offset = _lip(world, vessel) - mouth
     return bool(np.hypot(offset[0], offset[1]) < target.mouth_radius and offset[2] > 0.0)
 
 
-def _lip(world: World, vessel: Pourable) -> FloatArray:
+def _lip(world: World, vessel: OpenVessel) -> FloatArray:
     """Lowest point of the vessel's lip, shape (3,), metres, world frame."""
-    rim = world.frame(f"{vessel.name}_rim")
+    rim = world.frame(vessel.rim)
     # The part of "down" that lies in the plane of the rim.
     slope: FloatArray = rim.z_axis * rim.z_axis[2] - (0.0, 0.0, 1.0)
     lip: FloatArray = slope * vessel.mouth_radius / max(float(np.linalg.norm(slope)), 1e-9)

@@ -3,26 +3,11 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import Protocol
 
 from labutopia_lerobot.predicates import gripped
 from labutopia_lerobot.skills.posture import hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
-from labutopia_lerobot.world import BENCH, Pose, Thing, World
-
-
-class Graspable(Thing, Protocol):
-    """A thing with a place for the fingers."""
-
-    @property
-    def grip_height(self) -> float:
-        """Height of the grasp above the base [m]."""
-        ...
-
-    @property
-    def grip_width(self) -> float:
-        """Outer diameter at the grasp [m]."""
-        ...
+from labutopia_lerobot.world import BENCH, Graspable, Pose, World
 
 
 @dataclass(frozen=True)

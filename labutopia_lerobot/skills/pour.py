@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.predicates import Pourable
 from labutopia_lerobot.skills.posture import UP, hand_at, horizontal, upright_in_hand
 from labutopia_lerobot.skills.skill import Phase, Target, arrived, carrier, waited
-from labutopia_lerobot.world import FloatArray, Pose, World
+from labutopia_lerobot.world import FloatArray, OpenVessel, Pose, World
 
 
 @dataclass(frozen=True)
@@ -33,8 +32,8 @@ class Pour:
         pause_s: How long it is kept tilted [s].
     """
 
-    thing: Pourable
-    into: Pourable
+    thing: OpenVessel
+    into: OpenVessel
     drop: float = 0.10
     hover: float = 0.05
     angle: float = math.radians(105.0)
@@ -46,9 +45,7 @@ class Pour:
         """Yield start, ready, tilt, pause, tilt back and stabilise."""
         thing, shut = self.thing, world.commanded_opening
         own = frozenset({thing.name})
-        pivot = _Pivot.over(
-            world, self.thing, world.frame(f"{self.into.name}_rim"), self.drop, self.short
-        )
+        pivot = _Pivot.over(world, self.thing, world.frame(self.into.rim), self.drop, self.short)
         ready = carrier(world, thing)(pivot.tilted(0.0))
         above = ready.moved(z=self.hover)
         there = arrived(within=0.006)
@@ -73,14 +70,14 @@ class _Pivot:
         lip_w: The point, shape (3,), metres, world frame.
     """
 
-    thing: Pourable
+    thing: OpenVessel
     upright: FloatArray
     axis: FloatArray
     lip_w: FloatArray
 
     @classmethod
     def over(
-        cls, world: World, thing: Pourable, mouth: Pose, drop: float, short: float
+        cls, world: World, thing: OpenVessel, mouth: Pose, drop: float, short: float
     ) -> "_Pivot":
         """Return the pivot above a mouth by a height [m], and short of its middle [m]."""
         axis = horizontal(hand_at(world, mouth.position_w).z_axis)

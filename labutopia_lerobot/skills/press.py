@@ -2,28 +2,9 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
 
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
-from labutopia_lerobot.world import Pose, Thing, World
-
-
-class Button(Thing, Protocol):
-    """A button; the frame of its name lies in the middle of its face.
-
-    Its z axis is the way it is pressed, its x axis the way the back of a hand looks that presses it
-    comfortably.
-    """
-
-    @property
-    def joint(self) -> str:
-        """Name of its slide [m]; positive is in."""
-        ...
-
-    @property
-    def travel(self) -> float:
-        """How far in it clicks [m]."""
-        ...
+from labutopia_lerobot.world import Button, Pose, World
 
 
 @dataclass(frozen=True)

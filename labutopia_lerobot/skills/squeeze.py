@@ -5,10 +5,9 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from labutopia_lerobot.predicates.squeezing import Squeezable
-from labutopia_lerobot.skills.pick import Graspable
 from labutopia_lerobot.skills.posture import hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
-from labutopia_lerobot.world import CONTROL_HZ, Pose, World
+from labutopia_lerobot.world import CONTROL_HZ, Graspable, Pose, World
 
 
 class SoftBottle(Graspable, Squeezable, Protocol):

@@ -3,25 +3,10 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
 
 from labutopia_lerobot.skills.posture import UP, upright_in_hand
 from labutopia_lerobot.skills.skill import Phase, Target, arrived, carrier, waited
-from labutopia_lerobot.world import Pose, Thing, World
-
-
-class Stirrable(Thing, Protocol):
-    """A vessel with a round mouth; the frame `<name>_rim` lies in the middle of it."""
-
-    @property
-    def height(self) -> float:
-        """Height of the mouth above the base [m]."""
-        ...
-
-    @property
-    def mouth_radius(self) -> float:
-        """Inner radius of the mouth [m]."""
-        ...
+from labutopia_lerobot.world import OpenVessel, Pose, Thing, World
 
 
 @dataclass(frozen=True)
@@ -42,7 +27,7 @@ class Stir:
     """
 
     rod: Thing
-    vessel: Stirrable
+    vessel: OpenVessel
     turns: float = 5.0
     radius: float = 1 / 3
     turn_s: float = 2.0
@@ -60,7 +45,7 @@ class Stir:
         yield Phase("lift", lambda w: raised, shut, there, own, rod)
         above = self._tip_at(world, height=world.pose(rod).position_w[2])
         yield Phase("over", above, shut, there, own, rod)
-        mouth = world.frame(f"{self.vessel.name}_rim").position_w[2]
+        mouth = world.frame(self.vessel.rim).position_w[2]
         deep = mouth - self.vessel.height + self.bottom_gap
         yield Phase("insert", self._tip_at(world, deep), shut, there, inside, rod, speed=0.12)
         circling = self._tip_circling(world, deep)
@@ -73,7 +58,7 @@ class Stir:
 
     def _tip_at(self, world: World, height: float) -> Target:
         """Return the gripper pose with the tip on the vessel's axis, `height` [m] up the world."""
-        point = world.frame(f"{self.vessel.name}_rim").position_w * (1, 1, 0) + height * UP
+        point = world.frame(self.vessel.rim).position_w * (1, 1, 0) + height * UP
         hand = carrier(world, self.rod)(upright_in_hand(world, self.rod, point))
         return lambda w: hand
 

@@ -6,7 +6,6 @@ its line. A task that does an action twice gives the step another name (`Step.na
 
 from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates import (
-    Pourable,
     Predicate,
     closed,
     dipped,
@@ -36,14 +35,10 @@ from labutopia_lerobot.predicates import (
     upright,
     withdrawn,
 )
-from labutopia_lerobot.predicates.buttons import Button
-from labutopia_lerobot.predicates.placing import Standing
 from labutopia_lerobot.skills import Close, Open, Pick, Place, Pour, Press, Shake, Stir
 from labutopia_lerobot.skills.handle import Operable
-from labutopia_lerobot.skills.pick import Graspable
-from labutopia_lerobot.skills.stir import Stirrable
 from labutopia_lerobot.task import Milestone, Step
-from labutopia_lerobot.world import BENCH, Thing
+from labutopia_lerobot.world import BENCH, Button, Graspable, OpenVessel, Standing, Thing
 
 
 def pick(
@@ -65,7 +60,7 @@ def pick(
     )
 
 
-def pour(vessel: Pourable, into: Pourable) -> Step:
+def pour(vessel: OpenVessel, into: OpenVessel) -> Step:
     """Pour: 80 % of what was in the vessel, which is then held upright again.
 
     The share is ours; the original judges a tilt of 50 degrees, and 30 for upright.
@@ -141,7 +136,7 @@ def held_at(vessel: Graspable, at: Destination) -> tuple[Predicate, ...]:
     )
 
 
-def stir(rod: Graspable, vessel: Stirrable) -> Step:
+def stir(rod: Graspable, vessel: OpenVessel) -> Step:
     """Stir: five circles counterclockwise, and take the rod out."""
     # Ours: the lower half of the beaker, where the liquid of a half-full one is.
     inside = (gripped(rod), dipped(rod, vessel, by=0.045))
@@ -167,7 +162,7 @@ def stir(rod: Graspable, vessel: Stirrable) -> Step:
     )
 
 
-def held_over(rod: Graspable, vessel: Stirrable) -> tuple[Predicate, ...]:
+def held_over(rod: Graspable, vessel: OpenVessel) -> tuple[Predicate, ...]:
     """Return what holds when a rod has been taken out (original: within 0.04 m; ours: clear)."""
     return (gripped(rod), over_mouth(rod, vessel, within=0.04, by=0.05))
 
@@ -241,7 +236,7 @@ def mishaps(
     }
 
 
-def stirring_mishaps(rod: Graspable, vessel: Stirrable, rack: Thing) -> dict[str, Predicate]:
+def stirring_mishaps(rod: Graspable, vessel: OpenVessel, rack: Thing) -> dict[str, Predicate]:
     """Return what must not happen while a rod from a rack stirs in a vessel."""
     return {
         "knocked_over": knocked_over(rod, beyond_deg=30),

@@ -1,0 +1,37 @@
+"""What predicates and skills may see of the simulation: a read-only view."""
+
+from labutopia_lerobot.world.liquid_account import LiquidAccount
+from labutopia_lerobot.world.manipulator import Approach, Manipulator
+from labutopia_lerobot.world.pose import FloatArray, Pose
+from labutopia_lerobot.world.things import Button, Graspable, OpenVessel, Standing, Thing
+from labutopia_lerobot.world.world import (
+    ARM,
+    BENCH,
+    CONTROL_HZ,
+    HAND,
+    LEFT_PAD,
+    RIGHT_PAD,
+    ROOM,
+    World,
+)
+
+__all__ = [
+    "ARM",
+    "BENCH",
+    "CONTROL_HZ",
+    "HAND",
+    "LEFT_PAD",
+    "RIGHT_PAD",
+    "ROOM",
+    "Approach",
+    "Button",
+    "FloatArray",
+    "Graspable",
+    "LiquidAccount",
+    "Manipulator",
+    "OpenVessel",
+    "Pose",
+    "Standing",
+    "Thing",
+    "World",
+]

@@ -1,0 +1,101 @@
+"""Where the liquid of a scene is, and where it came from."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, eq=False)
+class LiquidAccount:
+    """Where the liquid of a scene is, by where it was filled, as of one control step.
+
+    Every particle is counted once, and every volume is a number of particles times the volume of
+    one: inside vessels, spilled, clinging and in flight are all of it, exactly.
+
+    Attributes:
+        vessels: Names of all vessels and bottles. Any of them may be an origin: what held a
+            particle when the scene was filled.
+        counts: Particles by origin, after the vessels none, and by place: inside each vessel, then
+            spilled, clinging, in flight; shape (vessels + 1, vessels + 3).
+        moves: Particles that since the previous control step have arrived in a vessel (column)
+            after another one had been the last to hold them (row), shape (vessels, vessels).
+        particle_volume: Of each [m^3].
+    """
+
+    vessels: tuple[str, ...]
+    counts: NDArray[np.int64]
+    moves: NDArray[np.int64]
+    particle_volume: float
+
+    @property
+    def total(self) -> float:
+        """All of it [m^3]."""
+        return self._volume(self.counts)
+
+    @property
+    def inside(self) -> Mapping[str, float]:
+        """In each vessel, by its name, wherever it came from [m^3]."""
+        return {name: self._volume(self.counts[:, v]) for v, name in enumerate(self.vessels)}
+
+    @property
+    def retained(self) -> float:
+        """In the vessels that it was filled into [m^3]."""
+        return self._volume(np.diagonal(self.counts[:-1]))
+
+    @property
+    def poured(self) -> float:
+        """In other vessels than it was filled into [m^3]."""
+        elsewhere = self.counts[:, :-3].copy()
+        np.fill_diagonal(elsewhere, 0)
+        return self._volume(elsewhere)
+
+    @property
+    def spilled(self) -> float:
+        """In no vessel, and on something that can never move, as bench and floor [m^3]."""
+        return self._volume(self.counts[:, -3])
+
+    @property
+    def clinging(self) -> float:
+        """In no vessel, and on the outside of one or on something that can move [m^3]."""
+        return self._volume(self.counts[:, -2])
+
+    @property
+    def in_flight(self) -> float:
+        """In no vessel, and touching nothing [m^3]."""
+        return self._volume(self.counts[:, -1])
+
+    @property
+    def transfers(self) -> Mapping[tuple[str, str], float]:
+        """What has moved since the previous control step, by (from, to) [m^3]; no zeros."""
+        return {
+            (self.vessels[a], self.vessels[b]): int(self.moves[a, b]) * self.particle_volume
+            for a, b in np.argwhere(self.moves).tolist()
+        }
+
+    @property
+    def millilitres(self) -> dict[str, float]:
+        """The total and its five parts as `info` has them [ml]."""
+        names = ("total", "poured", "retained", "spilled", "clinging", "in_flight")
+        return {f"ml_{name}": round(1e6 * float(getattr(self, name)), 6) for name in names}
+
+    def originated_in(self, vessel: str) -> float:
+        """Return all that was filled into a vessel, wherever it is [m^3]."""
+        return self._volume(self.counts[self._index(vessel)])
+
+    def from_in(self, origin: str, vessel: str) -> float:
+        """Return what was filled into one vessel and is inside another, or the same one [m^3]."""
+        return self._volume(self.counts[self._index(origin), self._index(vessel)])
+
+    def spilled_from(self, origin: str) -> float:
+        """Return what was filled into a vessel and is spilled [m^3]."""
+        return self._volume(self.counts[self._index(origin), -3])
+
+    def _index(self, vessel: str) -> int:
+        if vessel not in self.vessels:
+            raise KeyError(f"{vessel} holds no liquid; {', '.join(self.vessels)} can")
+        return self.vessels.index(vessel)
+
+    def _volume(self, counts: NDArray[np.int64]) -> float:
+        return int(counts.sum()) * self.particle_volume

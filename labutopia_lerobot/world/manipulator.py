@@ -1,0 +1,46 @@
+"""What skills may know of the robot."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+
+@dataclass(frozen=True)
+class Approach:
+    """A direction of the hand that its arm reaches comfortably.
+
+    Attributes:
+        yaw: About the vertical, to the left of some level direction [rad].
+        pitch: Below the horizontal [rad].
+    """
+
+    yaw: float
+    pitch: float
+
+
+class Manipulator(Protocol):
+    """What skills may know of the robot: its hand, and how its arm likes to turn it."""
+
+    @property
+    def max_opening(self) -> float:
+        """Greatest distance between the pads [m]."""
+        ...
+
+    @property
+    def closing_speed(self) -> float:
+        """Rate of that distance to command [m/s]."""
+        ...
+
+    @property
+    def finger_reach(self) -> float:
+        """How far the fingers reach beyond the point between the pads [m]."""
+        ...
+
+    @property
+    def vessel_approach(self) -> Approach:
+        """How the hand comes to vessels, relative to the bearing from the robot's base."""
+        ...
+
+    @property
+    def handle_approach(self) -> Approach:
+        """How the hand comes to handles, relative to straight into the door or drawer."""
+        ...

@@ -1,0 +1,82 @@
+"""What predicates and skills may ask of a thing, beside where it is."""
+
+from typing import Protocol
+
+
+class Thing(Protocol):
+    """A piece of labware or an instrument, known to the world by its name."""
+
+    @property
+    def name(self) -> str:
+        """Name of the root body; every element of the thing starts with it."""
+        ...
+
+
+class Standing(Thing, Protocol):
+    """A thing with an upright axis."""
+
+    @property
+    def height(self) -> float:
+        """Overall height [m]."""
+        ...
+
+    @property
+    def footprint_radius(self) -> float:
+        """Radius of the circle around its axis that it needs on the bench [m]."""
+        ...
+
+
+class OpenVessel(Thing, Protocol):
+    """A vessel with a round mouth."""
+
+    @property
+    def rim(self) -> str:
+        """Name of the frame in the middle of the mouth; z out of it."""
+        ...
+
+    @property
+    def height(self) -> float:
+        """Height of the mouth above the base [m]."""
+        ...
+
+    @property
+    def mouth_radius(self) -> float:
+        """Inner radius of the mouth [m]."""
+        ...
+
+
+class Graspable(Thing, Protocol):
+    """A thing with a place for the fingers."""
+
+    @property
+    def grip_height(self) -> float:
+        """Height of the grasp above the base [m]."""
+        ...
+
+    @property
+    def grip_width(self) -> float:
+        """Outer diameter at the grasp [m]."""
+        ...
+
+
+class Button(Thing, Protocol):
+    """A push-button; the frame of its name lies in the middle of its face.
+
+    Its z axis is the way it is pressed, its x axis the way the back of a hand looks that presses it
+    comfortably.
+    """
+
+    @property
+    def joint(self) -> str:
+        """Name of its slide [m]; positive is in."""
+        ...
+
+    @property
+    def travel(self) -> float:
+        """How far in it clicks [m]."""
+        ...
+
+    @property
+    def force_sensor(self) -> str:
+        """Name of the sensor of the force on it [N]."""
+        ...

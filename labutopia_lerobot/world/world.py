@@ -1,0 +1,104 @@
+"""The read-only view of the simulation."""
+
+from typing import Protocol
+
+from labutopia_lerobot.world.liquid_account import LiquidAccount
+from labutopia_lerobot.world.manipulator import Manipulator
+from labutopia_lerobot.world.pose import FloatArray, Pose
+from labutopia_lerobot.world.things import Thing
+
+CONTROL_HZ = 30
+"""Control, camera and recording rate: LeRobot's usual frame rate (the original runs at 60)."""
+
+LEFT_PAD = "left_pad"
+RIGHT_PAD = "right_pad"
+HAND = "hand"
+ARM = "arm"
+BENCH = "bench"
+ROOM = "room"
+
+
+class World(Protocol):
+    """Getters only: nothing that holds a `World` can change the simulation.
+
+    Everything handed out is a copy. Contacts are those of any physics step since the previous
+    control step, so that a touch shorter than a control period is seen too. Contact names are
+    the names of bodies (a thing's own, or a moving part's), and `left_pad`, `right_pad`, `hand`,
+    `arm`, `bench`, `room`.
+    """
+
+    @property
+    def time(self) -> float:
+        """Time since the episode began [s]."""
+        ...
+
+    @property
+    def bench_height(self) -> float:
+        """Height of the bench top above the floor [m]."""
+        ...
+
+    @property
+    def robot(self) -> Manipulator:
+        """What is known of the robot beforehand."""
+        ...
+
+    @property
+    def robot_base(self) -> Pose:
+        """Base of the robot, x forward, z up."""
+        ...
+
+    @property
+    def gripper(self) -> Pose:
+        """Frame between the pads: z forward, y along the motion of the fingers."""
+        ...
+
+    @property
+    def gripper_opening(self) -> float:
+        """Distance between the pads [m]."""
+        ...
+
+    @property
+    def commanded_opening(self) -> float:
+        """Distance between the pads that is commanded [m]; less than measured in a grasp."""
+        ...
+
+    def pose(self, thing: Thing) -> Pose:
+        """Return the frame of a thing: origin at the centre of its base, z up when it stands."""
+        ...
+
+    def frame(self, name: str) -> Pose:
+        """Return a named frame (a MuJoCo site), such as `flask_rim`."""
+        ...
+
+    def velocity(self, thing: Thing) -> FloatArray:
+        """Return the velocity of a thing's centre of mass, shape (3,), m/s, world frame."""
+        ...
+
+    def joint(self, name: str) -> float:
+        """Return the position of a named hinge [rad] or slide [m]."""
+        ...
+
+    def sensor(self, name: str) -> float:
+        """Return the reading of a named scalar sensor, such as the force on a button [N]."""
+        ...
+
+    def switched_on(self, name: str) -> bool:
+        """Tell whether a named switch is on."""
+        ...
+
+    def displaced(self, thing: Thing) -> float:
+        """Return the volume of liquid squeezed out of a bottle since the episode began [m^3]."""
+        ...
+
+    @property
+    def liquid(self) -> LiquidAccount | None:
+        """Where the liquid is; None where none is simulated."""
+        ...
+
+    def touching(self, first: str, second: str) -> bool:
+        """Tell whether the two touched at any physics step since the last control step."""
+        ...
+
+    def touched_by(self, name: str) -> frozenset[str]:
+        """Return everything that touched it at any physics step since the last control step."""
+        ...
