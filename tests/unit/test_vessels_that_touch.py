@@ -10,7 +10,10 @@ from scipy.spatial.transform import Rotation
 from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask
 from labutopia_lerobot.labware.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.solver.bodies import Glass, clearances, stop_at_vessels
 from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
+from labutopia_lerobot.liquids.solver.walls import Edges, edges_of, first_crossing, in_glass
+from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.substances.filling import Filling
 from leak_rate import Watch
 from liquid_experiments import world
@@ -78,3 +81,42 @@ def test_nothing_crosses_the_glass_of_two_vessels_that_touch_while_they_swing(ma
         return path
 
     assert crossings(vessels, [swing(-1), swing(1)], [230.0, 230.0], 2.0) == 0
+
+
+def test_what_the_second_vessel_moves_is_offered_to_the_first_again() -> None:
+    left, right = beaker("left"), beaker("right")
+    model, data = world(left, right, bench=False)
+    around = Surroundings(model, data, [left, right])
+    rng, half = np.random.default_rng(0), max(radius for radius, _ in left.profile.outer)
+    edges, glass = edges_of(left.profile), around.glass
+    met = 0
+    for _ in range(400):
+        # They come together until their lips almost touch, turning; drops between them fly about.
+        for apart, turn in ((0.008, 0.0), (0.001, rng.uniform(-0.02, 0.02))):
+            put(data, 0, (-half - apart / 2, 0.0, 0.0), turn)
+            put(data, 1, (half + apart / 2, 0.0, rng.uniform(-0.004, 0.004)), -turn)
+            mujoco.mj_kinematics(model, data)
+            around.move()
+        start = rng.uniform((-0.003, -0.02, 0.086), (0.003, 0.02, 0.092), (50, 3))
+        outside = np.array([not _in_either(glass, edges, point) for point in start])
+        start = start[outside]
+        end = start + rng.normal(0.0, 0.01, start.shape)
+        clear, impulse = clearances(start, end, glass), np.zeros((around.owners, 6))
+        stop_at_vessels(start, end, glass, clear, np.ones(len(start)), impulse)
+        met += int(impulse[0].any() and impulse[1].any())
+        assert not any(_crosses(glass, edges, *path) for path in zip(start, end, strict=True))
+    assert met > 100
+
+
+def _in_either(glass: Glass, edges: Edges, point: np.ndarray) -> bool:
+    local = [glass.before.rotation[v].T @ (point - glass.before.origin[v]) for v in (0, 1)]
+    return any(in_glass(edges, *place) for place in local)
+
+
+def _crosses(glass: Glass, edges: Edges, start: np.ndarray, end: np.ndarray) -> bool:
+    for v in (0, 1):
+        p = glass.before.rotation[v].T @ (start - glass.before.origin[v])
+        q = glass.now.rotation[v].T @ (end - glass.now.origin[v])
+        if first_crossing(edges, p, q)[1] >= 0:
+            return True
+    return False

@@ -133,14 +133,8 @@ def surface_of(
         shape (q, 4), of vertex numbers, counterclockwise as seen from outside.
     """
     count = len(grid.blocks)
-    ahead = np.full((count, 8), -1, np.int32)  # the blocks at (0 or 1, 0 or 1, 0 or 1) from each
-    lowest, highest = np.empty(count, np.float32), np.empty(count, np.float32)
-    for b in range(count):
-        i, j, k = grid.blocks[b]
-        for step in range(8):
-            ahead[b, step] = block_at(grid, i + (step >> 2), j + ((step >> 1) & 1), k + (step & 1))
-        lowest[b], highest[b] = field[b].min(), field[b].max()
-
+    ahead = _blocks_ahead(grid)
+    crossed = _crossed(field, ahead, outside)
     room = 1024
     vertices: NDArray[np.float32] = np.empty((room, 3), np.float32)
     normals: NDArray[np.float32] = np.empty((room, 3), np.float32)
@@ -151,12 +145,7 @@ def surface_of(
     corners = np.empty((BLOCK + 1, BLOCK + 1, BLOCK + 1), np.float32)
     found = 0
     for b in range(count):
-        low, high = lowest[b], highest[b]
-        for step in range(1, 8):
-            other = ahead[b, step]
-            low = min(low, lowest[other] if other >= 0 else outside)
-            high = max(high, highest[other] if other >= 0 else outside)
-        if low > 0.0 or high <= 0.0:
+        if not crossed[b]:
             continue
         _gather(corners, field, ahead[b], outside)
         if found + BLOCK**3 > room:
@@ -181,6 +170,35 @@ def surface_of(
                     cells[found] = b, (((i << _SHIFT) | j) << _SHIFT | k) << 8 | signs
                     found += 1
     return vertices[:found], normals[:found], _quads(cells[:found], vertex_of, ahead)
+
+
+@kernel
+def _blocks_ahead(grid: Grid) -> NDArray[np.int32]:
+    """Return the blocks at (0 or 1, 0 or 1, 0 or 1) from each, shape (blocks, 8); -1 for none."""
+    ahead = np.empty((len(grid.blocks), 8), np.int32)
+    for b in range(len(grid.blocks)):
+        i, j, k = grid.blocks[b]
+        for step in range(8):
+            ahead[b, step] = block_at(grid, i + (step >> 2), j + ((step >> 1) & 1), k + (step & 1))
+    return ahead
+
+
+@kernel
+def _crossed(field: Field, ahead: NDArray[np.int32], outside: float) -> NDArray[np.bool_]:
+    """Tell which blocks, with the first layers of those ahead, the surface may go through."""
+    count = len(field)
+    lowest, highest = np.empty(count, np.float32), np.empty(count, np.float32)
+    for b in range(count):
+        lowest[b], highest[b] = field[b].min(), field[b].max()
+    crossed = np.empty(count, np.bool_)
+    for b in range(count):
+        low, high = lowest[b], highest[b]
+        for step in range(1, 8):
+            other = ahead[b, step]
+            low = min(low, lowest[other] if other >= 0 else outside)
+            high = max(high, highest[other] if other >= 0 else outside)
+        crossed[b] = low <= 0.0 < high
+    return crossed
 
 
 @kernel
