@@ -15,7 +15,9 @@ def main() -> None:
     """Replay the dataset that the command line names; exit with 1 if anything differs."""
     parser = argparse.ArgumentParser(prog="labutopia-replay", description=__doc__)
     parser.add_argument("dataset", type=Path, help="folder that labutopia-record made")
-    parser.add_argument("--episodes", type=int, metavar="N", help="only the first N episodes")
+    parser.add_argument(
+        "--episodes", type=int, metavar="N", help="only the first N episodes (default: all)"
+    )
     arguments = parser.parse_args()
     console = Console(highlight=False, soft_wrap=True)
     replays = []
