@@ -21,6 +21,7 @@ class Pick:
         lift: How far to raise it [m].
         support: What it stands on or in, and touches while it is lifted.
         standoff: Distance from which the last approach starts [m] (original: 0.1, before).
+        hover: How far above that the hand comes first [m].
         squeeze: How much narrower than the thing the closed gripper is commanded [m]; at most half
             of its width, so that a thin rod is held gently.
         depth: How far beyond the middle of the pads its axis lies [m]; keeps the widest beaker,
