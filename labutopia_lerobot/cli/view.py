@@ -9,10 +9,10 @@ import numpy as np
 from PIL import Image
 from rich.console import Console
 
+from labutopia_lerobot.checks.why import why_failed
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.setting_flags import add_setting_flags, setting_of_flags
-from labutopia_lerobot.cli.why import why_failed
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.video import require_filmable, write_video
