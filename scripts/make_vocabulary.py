@@ -43,7 +43,7 @@ def _chapters() -> Iterator[str]:
     yield "# Vocabulary"
     yield ""
     yield "Made by `python scripts/make_vocabulary.py` from the package; do not edit. How a task"
-    yield "is made: [README](../README.md#add-a-task). Metres and radians, unless a name says else."
+    yield "is made: [tutorial.md](tutorial.md). Metres and radians, unless a name says else."
     yield "Predicates, skills and pieces of your own may stand in your task file."
     yield ""
     yield from _chapter("Task, step, milestone", "labutopia_lerobot.task")

@@ -79,6 +79,7 @@ def test_a_task_that_cannot_be_made_is_told_and_does_not_keep_others_from_being_
     assert lines[-1] == "3 tasks checked; 1 check failed"
 
 
+@pytest.mark.slow
 def test_a_good_task_passes_everything(monkeypatch, capsys, folder):
     status, lines = checked(monkeypatch, capsys, str(folder), "--task", "level1/fine")
     assert status == 0, [line for line in lines if not line.startswith("pass")]
