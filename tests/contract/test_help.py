@@ -11,8 +11,10 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from labutopia_lerobot.cli import bench, record, speed
+from labutopia_lerobot.cli import bench, record, recording_bars, speed
 from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.cli.recording_bars import RecordingBars
+from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.evaluation.config import EvaluationConfig
 from labutopia_lerobot.setting import option_help
@@ -72,6 +74,7 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
         ("verify", ["dataset"]),
         ("replay", ["dataset", "--episodes"]),
         ("bench", ["tasks", "--json", "--seconds", "--episodes"]),
+        ("check", ["folder", "--task"]),
         ("view", ["task", "--seed", "--out", "--headless", "--split", "--robot", "--tasks-dir"]),
     ],
 )
@@ -102,3 +105,13 @@ def test_in_a_terminal_what_is_going_on_vanishes_when_it_is_over():
     drawn = terminal.file.getvalue()  # type: ignore[attr-defined]
     assert "Playing" in drawn
     assert drawn.endswith("\x1b[2K")  # the line is erased
+
+
+def test_a_recording_writes_lines_into_a_log_file(monkeypatch):
+    monkeypatch.setattr(recording_bars, "_LOG_S", 0.0)
+    log = Console(file=StringIO())
+    bars = RecordingBars(3, log)
+    bars.resumed([])
+    bars.played(Candidate(0, 0, "success", None, 90, (), None, {}, "Pick it up."))
+    assert log.file.getvalue().startswith("Playing 1/3, ")  # type: ignore[attr-defined]
+    assert "0 failed" in log.file.getvalue()  # type: ignore[attr-defined]
