@@ -12,8 +12,8 @@ _OFF = ("disable", "disabled", "off", "false", "0")
 _LIBRARIES = {"egl": "libEGL.so.1", "osmesa": "libOSMesa.so.8"}
 
 
-refused: list[str] = []
-"""The value of `MUJOCO_GL` that MuJoCo does not know, if the user has set such a one."""
+_REFUSED = "LABUTOPIA_REFUSED_MUJOCO_GL"
+"""Environment variable that tells worker processes which value of `MUJOCO_GL` was unknown."""
 
 
 def choose_backend() -> None:
@@ -28,11 +28,16 @@ def choose_backend() -> None:
         os.environ.setdefault("MUJOCO_GL", "egl")
     value = os.environ.get("MUJOCO_GL", "").lower().strip()
     if value not in (*BACKENDS, *_SWITCHES, *_OFF):
-        refused.append(os.environ["MUJOCO_GL"])
+        os.environ[_REFUSED] = value
         os.environ["MUJOCO_GL"] = "disable"
     library = _LIBRARIES.get(os.environ.get("MUJOCO_GL", ""))
     if library is not None and not _loads(library):
         os.environ["MUJOCO_GL"] = "disable"
+
+
+def refused_backend() -> str | None:
+    """Return the value of `MUJOCO_GL` that MuJoCo does not know, if the user has set such a one."""
+    return os.environ.get(_REFUSED)
 
 
 def _loads(library: str) -> bool:
