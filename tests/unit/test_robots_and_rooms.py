@@ -4,6 +4,7 @@ import math
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import mujoco
@@ -23,7 +24,7 @@ from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
 from labutopia_lerobot.robots.franka_hand_model import add_franka_hand
 from labutopia_lerobot.robots.parts import add_joint_servo
-from labutopia_lerobot.scenes import LABORATORY, ROOMS, load_room
+from labutopia_lerobot.scenes import LABORATORY, ROOMS, Surface, load_room
 from labutopia_lerobot.world import Approach
 
 JOINTS = tuple(Element(f"axis{i}", -3.0, 3.0, 2.0 + 0.1 * i) for i in range(6))
@@ -100,6 +101,30 @@ def test_the_filter_clips_every_element_to_its_own_limits():
         applied, np.minimum(np.array(SIX.start) + np.array(SIX.speed) / 30, SIX.upper), atol=1e-6
     )
     assert act.clipped == 1
+
+
+def test_heights_come_from_the_room():
+    """The expert picks a flask from a bench that is 15 cm higher and 10 cm to the left."""
+    bench, (x, y, z) = LABORATORY.bench, LABORATORY.robot_stand
+    higher = replace(
+        LABORATORY,
+        bench=Surface(bench.height + 0.15, bench.x, (bench.y[0] + 0.1, bench.y[1] + 0.1)),
+        robot_stand=(x, y + 0.1, z + 0.15),
+    )
+    env = LabEnv("level1/pick", obs="state")
+    env.room = higher
+    env.reset(seed=0)
+    flask = next(iter(env.definition.start))
+    assert env.world.bench_height == bench.height + 0.15
+    assert env.world.robot_base.position_w[1] == pytest.approx(0.1)
+    assert env.world.pose(flask).position_w[2] == pytest.approx(bench.height + 0.15, abs=1e-3)
+    expert, over = env.expert(), False
+    expert.start()
+    while not over:
+        _, _, terminated, truncated, info = env.step(expert.act())
+        over = terminated or truncated
+    assert info["outcome"] == "success"
+    assert not expert.unexpected
 
 
 def test_an_action_of_another_length_is_refused_by_naming_the_elements():
