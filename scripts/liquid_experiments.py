@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import j1, jn_zeros
 
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ
 from labutopia_lerobot.setting import PARTICLES

@@ -9,8 +9,8 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask
-from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ
 from labutopia_lerobot.sim.scene import PHYSICS_HZ

@@ -7,9 +7,9 @@ from itertools import pairwise
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.mesh import SEGMENTS, Mesh, bead, join, revolve
-from labutopia_lerobot.labware.mounting import Loose
-from labutopia_lerobot.labware.profile import MassProperties, Point, Profile
+from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
+from labutopia_lerobot.labware.parts.mesh import SEGMENTS, Mesh, bead, join, revolve
+from labutopia_lerobot.labware.parts.mounting import Loose
 
 VISUAL_GROUP, COLLISION_GROUP, HULL_GROUP = 2, 3, 4
 """Geom groups: cameras draw 0 to 2; contacts come from 3; the motion planner measures to 4."""

@@ -7,10 +7,10 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.mounting import Fixed
-from labutopia_lerobot.labware.shell import OWN_CONTYPE, Elastic
-from labutopia_lerobot.labware.solid import CYLINDER, Quaternion, add_look, add_part
-from labutopia_lerobot.labware.vessel import SOLIMP, VISUAL_GROUP
+from labutopia_lerobot.labware.glass.vessel import SOLIMP, VISUAL_GROUP
+from labutopia_lerobot.labware.parts.mounting import Fixed
+from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look, add_part
+from labutopia_lerobot.labware.soft.shell import OWN_CONTYPE, Elastic
 from labutopia_lerobot.world import FloatArray
 
 SILICONE = Elastic(young=3.0e6, poisson=0.49, density=1150.0, damping=0.02)

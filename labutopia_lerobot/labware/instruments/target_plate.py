@@ -5,10 +5,7 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.mesh import revolve
-from labutopia_lerobot.labware.mounting import Loose
-from labutopia_lerobot.labware.solid import BOX
-from labutopia_lerobot.labware.vessel import (
+from labutopia_lerobot.labware.glass.vessel import (
     COLLISION_GROUP,
     FRICTION,
     HULL_GROUP,
@@ -16,6 +13,9 @@ from labutopia_lerobot.labware.vessel import (
     SOLREF,
     VISUAL_GROUP,
 )
+from labutopia_lerobot.labware.parts.mesh import revolve
+from labutopia_lerobot.labware.parts.mounting import Loose
+from labutopia_lerobot.labware.parts.solid import BOX
 
 type Color = tuple[float, float, float, float]
 

@@ -7,8 +7,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.profile import Point
-from labutopia_lerobot.labware.vessel import FRICTION, SOLIMP, VISUAL_GROUP
+from labutopia_lerobot.labware.glass.profile import Point
+from labutopia_lerobot.labware.glass.vessel import FRICTION, SOLIMP, VISUAL_GROUP
 from labutopia_lerobot.world import FloatArray
 
 _SOLREF = (1.0 / 300.0, 1.0)

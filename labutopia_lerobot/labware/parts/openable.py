@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import mujoco
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.solid import CYLINDER, Vector, add_part
-from labutopia_lerobot.labware.vessel import COLLISION_GROUP
+from labutopia_lerobot.labware.glass.vessel import COLLISION_GROUP
+from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_part
 from labutopia_lerobot.world import Pose, World
 
 _LYING = (math.cos(math.pi / 4), math.sin(math.pi / 4), 0.0, 0.0)  # z axis along -y
