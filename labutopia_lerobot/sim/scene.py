@@ -17,16 +17,7 @@ from labutopia_lerobot.sim.displacement import SqueezeBottle
 from labutopia_lerobot.sim.memory import Memory
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
-
-HULL_GROUP = 4
-"""Geom group of the simplified hulls that only the motion planner looks at."""
-
-PHYSICS_HZ = 300
-"""Physics rate: ten steps per control period.
-
-Measured on an arm lifting a 0.2 kg flask by friction: at 1/150 s the grasp creeps and the flask
-buzzes on the bench, at 1/300 s neither does, at 1/600 s nothing improves but the price doubles.
-"""
+from labutopia_lerobot.world.model import PHYSICS_HZ
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,10 @@ from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
-from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
+from labutopia_lerobot.sim.scene import Scene
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
+from labutopia_lerobot.world.model import PHYSICS_HZ
 
 _SUBSTEPS = PHYSICS_HZ // CONTROL_HZ
 _SETTLE_STEPS = CONTROL_HZ // 3

@@ -13,7 +13,8 @@ from labutopia_lerobot.labware.glass.glassware import (
     volumetric_flask,
 )
 from labutopia_lerobot.labware.glass.profile import BOROSILICATE_DENSITY, Profile
-from labutopia_lerobot.labware.glass.vessel import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP, Vessel
+from labutopia_lerobot.labware.glass.vessel import Vessel
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
 FLASK_SIZES = ("300 ml", "500 ml", "1000 ml")
 BEAKER_SIZES = ("150 ml", "250 ml", "800 ml")

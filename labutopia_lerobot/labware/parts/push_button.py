@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.glass.vessel import COLLISION_GROUP, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.contact import SOLIMP, SOLREF
 from labutopia_lerobot.labware.parts.solid import (
     CYLINDER,
     UNTURNED,
@@ -13,6 +13,7 @@ from labutopia_lerobot.labware.parts.solid import (
     add_look,
     add_part,
 )
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 type Color = tuple[float, float, float, float]
 
