@@ -5,13 +5,13 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from labutopia_lerobot.labware.glassware import (
+from labutopia_lerobot.labware.glass.glassware import (
     beaker,
     erlenmeyer_flask,
     graduated_cylinder,
     volumetric_flask,
 )
-from labutopia_lerobot.labware.test_tube_rack import TestTubeRack
+from labutopia_lerobot.labware.instruments.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import CLEARANCE, ImpossibleStartError, Piece, Placement, Workspace
 from labutopia_lerobot.world import FloatArray
 

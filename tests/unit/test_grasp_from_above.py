@@ -8,8 +8,9 @@ from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills import Pick
 
 TASK = """
-from labutopia_lerobot.labware import Profile, Vessel
-from labutopia_lerobot.labware.target_plate import TargetPlate
+from labutopia_lerobot.labware.glass.profile import Profile
+from labutopia_lerobot.labware.glass.vessel import Vessel
+from labutopia_lerobot.labware.instruments.target_plate import TargetPlate
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import gripped, lifted, released, standing_on, withdrawn

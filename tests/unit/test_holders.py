@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware import test_tube_rack as racks
-from labutopia_lerobot.labware.glass_rod import DIAMETER, GlassRod
+from labutopia_lerobot.labware.glass.glass_rod import DIAMETER, GlassRod
+from labutopia_lerobot.labware.instruments import test_tube_rack as racks
 from labutopia_lerobot.layout import ImpossibleStartError, Inside, OnBench, sample_layout
 from labutopia_lerobot.setting import Setting
 

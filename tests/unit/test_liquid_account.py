@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.wash_bottle import WashBottle
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
 from labutopia_lerobot.predicates import dispensed, poured, spilled

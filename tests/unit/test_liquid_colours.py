@@ -6,7 +6,7 @@ import pytest
 from labutopia_lerobot.views import VESSEL_VIEW
 from scipy.ndimage import binary_dilation
 
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.liquids.drawing.colors import colors_at
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.liquids.drawing.surface import VesselPose

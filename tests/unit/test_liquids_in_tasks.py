@@ -8,9 +8,9 @@ import pytest
 from adversary import begun
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
-from labutopia_lerobot.labware.glass_rod import GlassRod
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.profile import Profile
+from labutopia_lerobot.labware.glass.glass_rod import GlassRod
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.substances.filling import (
     Filling,

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from adversary import begun
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.predicates import gripped, lifted, steady, upright
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.sim.view import UnknownThingError
