@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+import tomllib
 from dataclasses import fields
 from importlib import import_module
 from io import StringIO
@@ -11,7 +12,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from labutopia_lerobot.cli import bench, record, recording_bars, speed
+from labutopia_lerobot.cli import bench, record, recording_bars, replay, speed
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
@@ -86,6 +87,22 @@ def test_help_of_the_other_programs_explains_every_option(monkeypatch, capsys, p
     told = capsys.readouterr().out
     for option in options:
         assert re.search(rf"^  {option}\b.* \S+", told, re.MULTILINE), option
+
+
+def test_every_installed_program_is_there():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    names = {entry.partition(":")[0].rpartition(".")[2] for entry in project["scripts"].values()}
+    assert names == {"bench", "check", "record", "replay", "verify", "view"}
+    for entry in project["scripts"].values():
+        module, _, function = entry.partition(":")
+        assert callable(getattr(import_module(module), function))
+
+
+def test_replaying_no_episode_is_a_mistake(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["labutopia-replay", "nowhere", "--episodes", "0"])
+    with pytest.raises(SystemExit, match="2"):
+        replay.main()
+    assert "--episodes 0 is too small: at least 1" in capsys.readouterr().err
 
 
 def test_the_benchmark_tells_of_every_measurement_before_it_begins(monkeypatch, capsys):
