@@ -52,7 +52,10 @@ class Sulk:
             yield Phase("sulk", lambda w: w.gripper, 0.08, never, timeout_s=0.1)
 
 def moody():
-    return dataclasses.replace(pick(), expert=(Sulk(), *pick().expert))
+    (step,) = pick().steps
+    return dataclasses.replace(
+        pick(), steps=(dataclasses.replace(step, skills=(Sulk(), *step.skills)),)
+    )
 """
 
 
