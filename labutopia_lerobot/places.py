@@ -37,7 +37,11 @@ class Support(Thing, Protocol):
 
 @dataclass(frozen=True)
 class OnTop:
-    """The middle of the top of a thing."""
+    """The middle of the top of a thing.
+
+    Attributes:
+        of: The thing.
+    """
 
     of: Support
 

@@ -93,6 +93,18 @@ class Progress:
         """The first step that is not done, or None behind the last."""
         return self._course[self._latched][0] if self._latched < len(self._course) else None
 
+    @property
+    def awaited(self) -> tuple[Predicate, ...]:
+        """What must hold next: for the first milestone that has not latched, or else the goal."""
+        if self._latched == len(self._course):
+            return self._task.goal
+        milestone = self._course[self._latched][1]
+        if self._passed == len(milestone.via):
+            following = milestone.when
+        else:
+            following = (milestone.via[self._passed], *(() if self._passed else milestone.begins))
+        return (*following, *(milestone.keeping if self._passed else ()))
+
     def end(self, outcome: str) -> None:
         """End the episode for a reason that no predicate sees."""
         self.outcome = outcome

@@ -3,11 +3,13 @@
 import argparse
 import json
 import sys
+from functools import partial
 
 from rich.console import Console
 from rich.table import Table
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.speed import all_tasks, measure
 from labutopia_lerobot.registry import require_task
 
@@ -29,12 +31,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="labutopia-bench", description=__doc__)
     parser.add_argument("tasks", nargs="*", help="tasks for demonstrations per hour; default all")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
-    parser.add_argument("--seconds", type=float, default=10.0, help="length of a measurement [s]")
-    parser.add_argument("--episodes", type=int, default=20, help="demonstrations per measurement")
+    parser.add_argument(
+        "--seconds", type=float, default=10.0, help="length of a measurement [s] (default: 10)"
+    )
+    parser.add_argument(
+        "--episodes", type=int, default=20, help="demonstrations per measurement (default: 20)"
+    )
     arguments = parser.parse_args()
     for task in arguments.tasks:
         require_task(task)
-    figures = measure(arguments.tasks or all_tasks(), arguments.seconds, arguments.episodes)
+    tasks = arguments.tasks or all_tasks()
+    watcher = partial(doing, Console(stderr=True))
+    figures = measure(tasks, arguments.seconds, arguments.episodes, watcher)
     if arguments.json:
         sys.stdout.write(json.dumps(figures) + "\n")
         return

@@ -13,13 +13,14 @@ from omegaconf.errors import OmegaConfBaseException
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.option_list import option_list
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import task_files
-from labutopia_lerobot.setting import as_lists, option_help
+from labutopia_lerobot.setting import as_lists
 
 
 class OverrideError(UserError):
@@ -71,8 +72,13 @@ def parse(overrides: Sequence[str]) -> RecordingConfig:
 
 
 def _help() -> str:
-    options = "\n".join(f"  {name}: {text}" for name, text in option_help(RecordingConfig).items())
-    return f"Usage: labutopia-record task=level1/pick [name=value ...]\n\n{options}"
+    return (
+        "Usage: labutopia-record task=level1/pick [name=value ...]\n\n"
+        "Record demonstrations of a task's expert as a LeRobotDataset. A recording that was\n"
+        "interrupted goes on when the same command is given again.\n\n"
+        f"Options, with their defaults:\n{option_list(RecordingConfig)}\n\n"
+        f"Tasks: {', '.join(task_files())}"
+    )
 
 
 def _summary(config: RecordingConfig, candidates: Sequence[Candidate]) -> str:

@@ -9,8 +9,9 @@ import os
 import signal
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import AbstractContextManager
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -50,32 +51,44 @@ class _Silent:
         """Ignore it."""
 
 
-def measure(tasks: Sequence[str], seconds: float, episodes: int) -> dict[str, Any]:
+type Watcher = Callable[[str], AbstractContextManager[None]]
+"""Says what is being measured, while it is."""
+
+
+def measure(
+    tasks: Sequence[str], seconds: float, episodes: int, watcher: Watcher
+) -> dict[str, Any]:
     """Measure everything.
 
     Args:
         tasks: Tasks whose demonstrations per hour are asked for.
         seconds: How long each rate is measured [s].
         episodes: Demonstrations recorded per rate of recording.
+        watcher: Is told of every measurement.
     """
     cores = len(os.sched_getaffinity(0))
-    start = time.perf_counter()
-    frames = _record(_RIGID, "pixels", episodes)
-    recording_fps = frames / (time.perf_counter() - start)
+    rates: dict[str, Callable[[], float]] = {
+        "no_camera_fps": lambda: _fps(_RIGID, (), 1, seconds),
+        "no_camera_fps_all_cores": lambda: _fps(_RIGID, (), cores, seconds),
+        "rigid_2cam_fps": lambda: _fps(_RIGID, POLICY_CAMERAS, 1, seconds),
+        "rigid_2cam_fps_all_cores": lambda: _fps(_RIGID, POLICY_CAMERAS, cores, seconds),
+        "liquid_2cam_fps": lambda: _fps(_LIQUID, POLICY_CAMERAS, 1, seconds),
+        "liquid_2cam_fps_all_cores": lambda: _fps(_LIQUID, POLICY_CAMERAS, cores, seconds),
+        "liquid_solver_real_time": lambda: round(_solver_speed(seconds), 2),
+        "record_3cam_fps": lambda: _recording_fps(episodes),
+    }
+    hourly = {f"demonstrations per hour of {task}": task for task in tasks}
+    count = len(rates) + len(hourly)
+    figures: dict[str, Any] = {}
     demonstrations = {}
-    for task in tasks:
-        start = time.perf_counter()
-        _record(task, "state", episodes)
-        demonstrations[task] = round(3600 * episodes / (time.perf_counter() - start))
+    for number, (name, rate) in enumerate(rates.items(), start=1):
+        with watcher(f"Measuring {number}/{count}: {name}"):
+            figures[name] = rate()
+    for number, (name, task) in enumerate(hourly.items(), start=len(rates) + 1):
+        with watcher(f"Measuring {number}/{count}: {name}"):
+            demonstrations[task] = _demonstrations_per_hour(task, episodes)
     return {
-        "no_camera_fps": _fps(_RIGID, (), 1, seconds),
-        "no_camera_fps_all_cores": _fps(_RIGID, (), cores, seconds),
-        "rigid_2cam_fps": _fps(_RIGID, POLICY_CAMERAS, 1, seconds),
-        "rigid_2cam_fps_all_cores": _fps(_RIGID, POLICY_CAMERAS, cores, seconds),
-        "liquid_2cam_fps": _fps(_LIQUID, POLICY_CAMERAS, 1, seconds),
-        "liquid_2cam_fps_all_cores": _fps(_LIQUID, POLICY_CAMERAS, cores, seconds),
-        "liquid_solver_real_time": round(_solver_speed(seconds), 2),
-        "record_3cam_fps": round(recording_fps, 1),
+        **figures,
         "demos_per_hour": demonstrations,
         "renderer": opengl_renderer_name(),
         "cores": cores,
@@ -143,6 +156,20 @@ def _expert_actions(task: str) -> list[NDArray[np.float32]]:
         actions.append(info["applied_action"])
         over = terminated or truncated
     return actions
+
+
+def _recording_fps(episodes: int) -> float:
+    """Return the frames per second of a recording with pictures, start-up included."""
+    start = time.perf_counter()
+    frames = _record(_RIGID, "pixels", episodes)
+    return round(frames / (time.perf_counter() - start), 1)
+
+
+def _demonstrations_per_hour(task: str, episodes: int) -> int:
+    """Return how many demonstrations without pictures are recorded, start-up included."""
+    start = time.perf_counter()
+    _record(task, "state", episodes)
+    return round(3600 * episodes / (time.perf_counter() - start))
 
 
 def _record(task: str, obs: str, episodes: int) -> int:

@@ -6,6 +6,7 @@ from pathlib import Path
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.datasets.layout import INFO, read_json
 from labutopia_lerobot.datasets.verify import require_intact
 
@@ -16,7 +17,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="labutopia-verify", description=__doc__)
     parser.add_argument("dataset", type=Path, help="folder of a LeRobotDataset v3")
     root: Path = parser.parse_args().dataset
-    require_intact(root)
+    with doing(Console(stderr=True), f"Verifying {root}"):
+        require_intact(root)
     info = read_json(root, INFO)
     videos = sum(feature["dtype"] == "video" for feature in info["features"].values())
     Console(highlight=False, soft_wrap=True).print(

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.sim.opengl import BACKENDS, refused_backend
 from labutopia_lerobot.world.model import SKIN_GROUP
 
 _CURE = (
@@ -129,6 +130,9 @@ def opengl_renderer_name() -> str:
 
 
 def _open(model: mujoco.MjModel, width: int, height: int) -> mujoco.Renderer:
+    refused = refused_backend()
+    if refused is not None:
+        raise NoOpenGLError(f"MUJOCO_GL={refused} is unknown. Choose from: {', '.join(BACKENDS)}")
     try:
         return mujoco.Renderer(model, height=height, width=width)
     except Exception as error:  # every backend raises a type of its own

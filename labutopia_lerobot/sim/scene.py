@@ -49,6 +49,11 @@ class Scene:
     particles: int
     liquid: LiquidDrawing | None
 
+    @property
+    def welds(self) -> int:
+        """How many bodies are glued together; grasps are friction."""
+        return int((self.model.eq_type == mujoco.mjtEq.mjEQ_WELD).sum())
+
 
 def compile_scene(
     pieces: Iterable[Piece],

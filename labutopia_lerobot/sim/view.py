@@ -1,14 +1,27 @@
 """The read-only world that predicates, skills and observations look at."""
 
+import difflib
+from collections.abc import Iterable
+
 import mujoco
 import numpy as np
 
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.sim.displacement import SqueezeBottle
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.world import FloatArray, LiquidAccount, Manipulator, Pose, Thing
 
 
+class UnknownThingError(UserError, LookupError):
+    """A predicate or skill asks for what is not in the scene; the message lists what is."""
+
+
 class SimulatedWorld:
-    """A `World` onto a simulation; hands out copies only."""
+    """A `World` onto a simulation; hands out copies only.
+
+    Raises:
+        UnknownThingError: By whatever takes a thing or a name, if that is not in the scene.
+    """
 
     def __init__(self, simulation: Simulation) -> None:
         self._simulation = simulation
@@ -17,7 +30,10 @@ class SimulatedWorld:
         self._model = scene.model
         self._gripper = scene.model.site(scene.robot.gripper.site).id
         self._group = {name: index for index, name in enumerate(scene.groups)}
-        self._bodies = {piece.name: scene.model.body(piece.name).id for piece in scene.pieces}
+        self._pieces = scene.pieces
+        self._bodies: dict[str, int] = {
+            piece.name: int(scene.model.body(piece.name).id) for piece in scene.pieces
+        }
 
     @property
     def time(self) -> float:
@@ -56,34 +72,51 @@ class SimulatedWorld:
 
     def pose(self, thing: Thing) -> Pose:
         """Return the frame of a thing: origin at the centre of its base."""
-        body = self._bodies[thing.name]
+        body = self._body(thing)
         return Pose(self._data.xpos[body].copy(), self._data.xmat[body].reshape(3, 3).copy())
 
     def frame(self, name: str) -> Pose:
         """Return a named frame."""
-        return self._site(self._model.site(name).id)
+        try:
+            return self._site(self._model.site(name).id)
+        except KeyError:
+            raise self._unknown("frame", name, self._names(self._model.nsite, "site")) from None
 
     def velocity(self, thing: Thing) -> FloatArray:
         """Return the velocity of a thing's centre of mass, shape (3,), m/s, world frame."""
         twist = np.empty(6)  # angular, then linear
-        body = mujoco.mjtObj.mjOBJ_BODY
-        mujoco.mj_objectVelocity(self._model, self._data, body, self._bodies[thing.name], twist, 0)
+        kind, body = mujoco.mjtObj.mjOBJ_BODY, self._body(thing)
+        mujoco.mj_objectVelocity(self._model, self._data, kind, body, twist, 0)
         return twist[3:]
 
     def joint(self, name: str) -> float:
         """Return the position of a named hinge [rad] or slide [m]."""
-        return float(self._data.joint(name).qpos[0])
+        try:
+            return float(self._data.joint(name).qpos[0])
+        except KeyError:
+            raise self._unknown("joint", name, self._names(self._model.njnt, "joint")) from None
 
     def sensor(self, name: str) -> float:
         """Return the reading of a named scalar sensor."""
-        return float(self._data.sensor(name).data[0])
+        try:
+            return float(self._data.sensor(name).data[0])
+        except KeyError:
+            raise self._unknown(
+                "sensor", name, self._names(self._model.nsensor, "sensor")
+            ) from None
 
     def switched_on(self, name: str) -> bool:
         """Tell whether a named switch is on."""
+        switches = [switch.name for piece in self._pieces for switch in piece.switches]
+        if name not in switches:
+            raise self._unknown("switch", name, switches)
         return self._simulation.switched_on(name)
 
     def displaced(self, thing: Thing) -> float:
         """Return the volume of liquid that has been squeezed out of a bottle [m^3]."""
+        bottles = [piece.name for piece in self._pieces if isinstance(piece, SqueezeBottle)]
+        if thing.name not in bottles:
+            raise self._unknown("bottle", thing.name, bottles)
         return self._simulation.displaced(thing.name)
 
     @property
@@ -93,12 +126,37 @@ class SimulatedWorld:
 
     def touching(self, first: str, second: str) -> bool:
         """Tell whether the two touched since the last control step."""
-        return bool(self._simulation.touched[self._group[first], self._group[second]])
+        return bool(self._simulation.touched[self._touching(first), self._touching(second)])
 
     def touched_by(self, name: str) -> frozenset[str]:
         """Return everything that touched it since the last control step."""
-        row = self._simulation.touched[self._group[name]]
+        row = self._simulation.touched[self._touching(name)]
         return frozenset(self._simulation.scene.groups[index] for index in np.flatnonzero(row))
+
+    def _body(self, thing: Thing) -> int:
+        if thing.name not in self._bodies:
+            raise self._unknown("thing", thing.name, self._bodies)
+        return self._bodies[thing.name]
+
+    def _touching(self, name: str) -> int:
+        """Return the index of what contacts call by a name."""
+        if name not in self._group:
+            raise self._unknown("thing", name, self._group)
+        return self._group[name]
+
+    def _names(self, count: int, kind: str) -> list[str]:
+        return [getattr(self._model, kind)(index).name for index in range(count)]
+
+    def _unknown(self, kind: str, name: str, known: Iterable[str]) -> UnknownThingError:
+        """Return the error about a name that a predicate or a skill has asked for in vain."""
+        known = list(known)
+        near = difflib.get_close_matches(name, known, n=1)
+        hint = f" Did you mean '{near[0]}'?" if near else ""
+        things = ", ".join(piece.name for piece in self._pieces) or "nothing"
+        return UnknownThingError(
+            f"A predicate or a skill asks for the {kind} '{name}', which is not there.{hint} Put "
+            f"what it belongs to into the `start` of the task. Things in the start: {things}"
+        )
 
     def _site(self, site: int) -> Pose:
         return Pose(

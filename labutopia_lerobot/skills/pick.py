@@ -1,31 +1,39 @@
-"""Grasp a vessel from the side and lift it."""
+"""Grasp a thing, from the side or from above, and lift it."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
+from typing import Literal
 
 from labutopia_lerobot.predicates import gripped
-from labutopia_lerobot.skills.posture import hand_at
+from labutopia_lerobot.skills.posture import FROM_ABOVE, hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
 from labutopia_lerobot.world import BENCH, Graspable, Pose, World
+
+_FINGER_GAP = 0.006
+"""Least height of the finger tips above a thing's base in a grasp from above [m]: the planner keeps
+the hand 4 mm off what the thing stands on."""
 
 
 @dataclass(frozen=True)
 class Pick:
     """The seven phases of the paper ("Pick"), with the sideways grasp of the original.
 
-    A grasp that misses is tried once more, from the start.
+    What is flat, as a dish or a lid, is grasped from above. A grasp that misses is tried once more,
+    from the start.
 
     Attributes:
         thing: What to pick up.
         lift: How far to raise it [m].
         support: What it stands on or in, and touches while it is lifted.
         standoff: Distance from which the last approach starts [m] (original: 0.1, before).
+        hover: How far above that the hand comes first [m].
         squeeze: How much narrower than the thing the closed gripper is commanded [m]; at most half
             of its width, so that a thin rod is held gently.
         depth: How far beyond the middle of the pads its axis lies [m]; keeps the widest beaker,
-            of 70 mm, off the palm.
+            of 70 mm, off the palm; from above nothing is in its way.
         tries: How often it is grasped for.
+        approach: `side`, or `above`: the hand points down, the fingers close around the rim.
     """
 
     thing: Graspable
@@ -36,6 +44,7 @@ class Pick:
     squeeze: float = 0.012
     depth: float = 0.004
     tries: int = 2
+    approach: Literal["side", "above"] = "side"
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield hover, lower, reach, settle and close, again after a miss, then lift and hold."""
@@ -74,6 +83,9 @@ class Pick:
     def _grasp(self, world: World) -> Pose:
         """Gripper pose at the grasp."""
         thing = world.pose(self.thing)
+        if self.approach == "above":
+            height = max(self.thing.grip_height, world.robot.finger_reach + _FINGER_GAP)
+            return hand_at(world, thing.position_w + height * thing.z_axis, FROM_ABOVE)
         centre = thing.position_w + self.thing.grip_height * thing.z_axis
         return hand_at(world, centre).advanced(-self.depth)
 

@@ -5,9 +5,12 @@ import math
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.world import FloatArray, Pose, Thing, World
+from labutopia_lerobot.world import Approach, FloatArray, Pose, Thing, World
 
 UP = np.array([0.0, 0.0, 1.0])
+
+FROM_ABOVE = Approach(yaw=0.0, pitch=math.pi / 2)
+"""The hand points down, the fingers close across the bearing: the pose in which arms are shown."""
 
 
 def horizontal(direction: FloatArray) -> FloatArray:
@@ -16,10 +19,17 @@ def horizontal(direction: FloatArray) -> FloatArray:
     return level / np.linalg.norm(level)
 
 
-def hand_at(world: World, point_w: FloatArray) -> Pose:
-    """Return the comfortable gripper pose at a point, shape (3,), metres, world frame."""
+def hand_at(world: World, point_w: FloatArray, approach: Approach | None = None) -> Pose:
+    """Return the comfortable gripper pose at a point, shape (3,), metres, world frame.
+
+    Args:
+        world: Where the robot stands.
+        point_w: Where the point between the pads should be.
+        approach: Relative to the bearing from the robot's base; the robot's own for vessels when
+            None.
+    """
     dx, dy, _ = point_w - world.robot_base.position_w
-    approach = world.robot.vessel_approach
+    approach = approach or world.robot.vessel_approach
     yaw, level = math.atan2(dy, dx) + approach.yaw, math.cos(approach.pitch)
     forward = np.array([level * math.cos(yaw), level * math.sin(yaw), -math.sin(approach.pitch)])
     side = np.array([math.sin(yaw), -math.cos(yaw), 0.0])
@@ -36,8 +46,11 @@ def upright_in_hand(world: World, thing: Thing, point_w: FloatArray) -> Pose:
     """
     now = world.pose(thing)
     righted, _ = Rotation.align_vectors(UP, now.z_axis)
-    forward = righted.apply(world.gripper.z_axis)
-    wanted = hand_at(world, point_w).z_axis
-    yaw = math.atan2(wanted[1], wanted[0]) - math.atan2(forward[1], forward[0])
+    # Which way a hand is turned is told by its forward axis, or by its back if it points down.
+    down = righted.apply(world.gripper.z_axis)[2] < -math.cos(math.pi / 4)
+    axis, approach = (0, FROM_ABOVE) if down else (2, None)
+    heading = righted.apply(world.gripper.rotation_w[:, axis])
+    wanted = hand_at(world, point_w, approach).rotation_w[:, axis]
+    yaw = math.atan2(wanted[1], wanted[0]) - math.atan2(heading[1], heading[0])
     turned = Rotation.from_rotvec(yaw * UP) * righted
     return Pose(point_w, turned.as_matrix() @ now.rotation_w)

@@ -6,6 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.errors import UserError
+
+
+class UnknownVesselError(UserError, LookupError):
+    """A predicate or skill asks for a vessel that is not in the scene; the message lists those."""
+
 
 @dataclass(frozen=True, eq=False)
 class LiquidAccount:
@@ -94,7 +100,10 @@ class LiquidAccount:
 
     def _index(self, vessel: str) -> int:
         if vessel not in self.vessels:
-            raise KeyError(f"{vessel} holds no liquid; {', '.join(self.vessels)} can")
+            raise UnknownVesselError(
+                f"A predicate or a skill asks for the liquid of '{vessel}', which holds none. Put "
+                f"it into the `start` of the task. Vessels there: {', '.join(self.vessels)}"
+            )
         return self.vessels.index(vessel)
 
     def _volume(self, counts: NDArray[np.int64]) -> float:

@@ -22,6 +22,7 @@ LAYERS = (
     "liquids",
     "sim",
     "features env vector gymnasium_ids",
+    "checks",
     "runtime",
     "evaluation datasets lerobot_plugin",
     "cli",

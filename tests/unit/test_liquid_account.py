@@ -16,6 +16,7 @@ from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import LiquidAccount
+from labutopia_lerobot.world.liquid_account import UnknownVesselError
 from liquid_experiments import world
 
 UPPER, LOWER = beaker("upper"), beaker("lower", "800 ml")
@@ -128,7 +129,7 @@ def test_spilled_is_a_share_of_what_the_vessel_held() -> None:
 
 def test_what_the_account_does_not_know_is_refused_with_what_it_knows() -> None:
     _, _, liquid = filled(150)
-    with pytest.raises(KeyError, match="mug holds no liquid; upper, lower can"):
+    with pytest.raises(UnknownVesselError, match=r"'mug', which holds none.*: upper, lower"):
         liquid.take_account().from_in("mug", "lower")
 
 

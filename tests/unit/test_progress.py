@@ -1,5 +1,7 @@
 """The judge: latching, holding, breaching; told through a world that says what the test wants."""
 
+from dataclasses import replace
+
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.task import Milestone, Step, Task
@@ -94,3 +96,20 @@ def test_the_time_limit_counts_control_steps():
     assert progress.outcome == "running"
     tell(progress, world)
     assert progress.outcome == "timeout"
+
+
+def test_what_is_awaited_is_the_next_of_a_course_with_what_is_kept_and_at_last_the_goal():
+    kept, start, left, end = fact("kept"), fact("start"), fact("left"), fact("end")
+    swung = Milestone("swung", (end,), via=(left, fact("right")), begins=(start,), keeping=(kept,))
+    progress, world = Progress(replace(TASK, steps=(Step("swing", (), (swung,)),))), Story()
+
+    def awaited() -> list[str]:
+        return [fact.name for fact in progress.awaited]
+
+    assert awaited() == ["left", "start"]
+    tell(progress, world, "left", "start", "kept")
+    assert awaited() == ["right", "kept"]
+    tell(progress, world, "right", "kept")
+    assert awaited() == ["end", "kept"]
+    tell(progress, world, "end", "kept")
+    assert awaited() == ["goal"]

@@ -1,0 +1,77 @@
+"""Checks of the scripted expert."""
+
+from dataclasses import replace
+
+from labutopia_lerobot.checks.playing import expert, play
+from labutopia_lerobot.checks.require import require
+from labutopia_lerobot.checks.why import why_failed
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import PARTICLES
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.task import HOLD_S, SUCCESS
+from labutopia_lerobot.world import CONTROL_HZ
+
+
+def expert_commands_are_never_clipped_and_sub_steps_latch_in_order(env: LabEnv) -> None:
+    """What the expert commands is what acts."""
+    info = play(env, expert, seed=100)[-1][1]
+    clipped, bad = info["clipped_actions"], info["nonfinite_actions"]
+    require(clipped == 0, f"{clipped} commands of the expert were clipped")
+    require(bad == 0, f"{bad} commands of the expert were not finite")
+    latched = list(info["substeps"].values())
+    require(latched == sorted(latched), f"milestones out of order: {info['substeps']}")
+
+
+def the_expert_touches_only_what_its_phases_list(env: LabEnv) -> None:
+    """Every pair that may touch is declared."""
+    for seed in range(110, 113):
+        script = _play(env, seed)
+        pairs = ", ".join(f"{mover} and {other}" for mover, other in script.unexpected)
+        require(not pairs, f"seed {seed}: touched what no phase lists: {pairs}")
+
+
+def success_needs_two_seconds_of_the_goal(env: LabEnv) -> None:
+    """The goal has held without a break before the episode ends."""
+    trace = play(env, expert, seed=100)
+    held = 0
+    for _, info in reversed(trace):
+        if not all(info["facts"][fact.name] for fact in env.workcell.task.goal):
+            break
+        held += 1
+    require(trace[-1][1]["is_success"], f"seed 100 ends with {trace[-1][1]['outcome']}")
+    least = HOLD_S * CONTROL_HZ + 1  # both ends of sixty control periods
+    require(held >= least, f"the goal held for {held} control steps only, not {least:g}")
+
+
+def the_expert_wins_at_least_nine_of_ten(env: LabEnv) -> None:
+    """Of the first ten seeds from 100, with as much liquid as everywhere else."""
+    usual = LabEnv(replace(env.setting, particles=PARTICLES))
+    failures = []
+    for seed in range(100, 110):
+        script = _play(usual, seed)
+        cell = usual.workcell
+        if cell.progress.outcome != SUCCESS:
+            why = "; ".join(why_failed(cell.task, cell.progress, script))
+            failures.append(f"seed {seed}: {cell.progress.outcome}. {why}")
+    usual.close()
+    require(len(failures) <= 1, f"{len(failures)} of 10 failed. {' | '.join(failures)}")
+
+
+def _play(env: LabEnv, seed: int) -> Expert:
+    """Play the expert's episode to its end; return the expert."""
+    env.reset(seed=seed)
+    script = env.expert()
+    script.start()
+    over = False
+    while not over:
+        _, _, terminated, truncated, _ = env.step(script.act())
+        over = terminated or truncated
+    return script
+
+
+CHECKS = (
+    expert_commands_are_never_clipped_and_sub_steps_latch_in_order,
+    the_expert_touches_only_what_its_phases_list,
+    success_needs_two_seconds_of_the_goal,
+    the_expert_wins_at_least_nine_of_ten,
+)

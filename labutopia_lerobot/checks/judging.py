@@ -1,0 +1,75 @@
+"""Checks of who judges a task: what is no success, and what has not failed yet."""
+
+import numpy as np
+
+from labutopia_lerobot.checks.playing import Player, play, random_walk, still
+from labutopia_lerobot.checks.require import require
+from labutopia_lerobot.env import LabEnv
+
+
+def the_goal_is_false_at_the_start(env: LabEnv) -> None:
+    """Nobody succeeds by being there.
+
+    Where things end as they began, it is the sub-steps that are missing.
+    """
+    _, info = env.reset(seed=0)
+    require(not info["is_success"], "the episode begins with a success")
+    goal = all(info["facts"][fact.name] for fact in env.workcell.task.goal)
+    latched = [name for name, time in info["substeps"].items() if np.isfinite(time)]
+    require(
+        not (goal and latched),
+        f"the whole goal holds at the start, and these have latched: {', '.join(latched)}",
+    )
+
+
+def nothing_forbidden_has_happened_at_the_start(env: LabEnv) -> None:
+    """No episode is over before it begins."""
+    for seed in range(10):
+        _, info = env.reset(seed=seed)
+        require(info["outcome"] == "running", f"seed {seed} begins with {info['outcome']}")
+
+
+def reading_facts_changes_nothing(env: LabEnv) -> None:
+    """Predicates look, and do not touch."""
+    env.reset(seed=0)
+    before = env.workcell.simulation.state().tobytes()
+    for fact in env.workcell.task.facts.values():
+        fact.holds(env.workcell.world)
+        after = env.workcell.simulation.state().tobytes()
+        require(after == before, f"asking '{fact.name}' changes the simulation")
+
+
+def doing_nothing_does_not_succeed(env: LabEnv) -> None:
+    """Neither at the end nor at any instant."""
+    _require_no_success(env, still)
+
+
+def random_actions_do_not_succeed(env: LabEnv) -> None:
+    """Neither at the end nor at any instant."""
+    _require_no_success(env, random_walk)
+
+
+def doing_nothing_ends_by_timeout_at_the_time_limit(env: LabEnv) -> None:
+    """Nothing falls over by itself, and the clock is right."""
+    trace = play(env, still, seed=0)
+    outcome, steps = trace[-1][1]["outcome"], len(trace) - 1
+    require(outcome == "timeout", f"doing nothing ends with {outcome} after {steps} steps")
+    limit = env.workcell.task.max_steps
+    require(steps == limit, f"doing nothing ends after {steps} steps, not {limit}")
+
+
+def _require_no_success(env: LabEnv, player: Player) -> None:
+    for seed in range(3):
+        trace = play(env, player, seed)
+        won = any(info["is_success"] or info["ever_success"] for _, info in trace)
+        require(not won, f"seed {seed} succeeds")
+
+
+CHECKS = (
+    the_goal_is_false_at_the_start,
+    nothing_forbidden_has_happened_at_the_start,
+    reading_facts_changes_nothing,
+    doing_nothing_does_not_succeed,
+    random_actions_do_not_succeed,
+    doing_nothing_ends_by_timeout_at_the_time_limit,
+)

@@ -1,0 +1,57 @@
+"""Why an expert did not succeed, in the words of the task."""
+
+from labutopia_lerobot.progress import Progress
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.task import HOLD_S, INTERRUPTED, SUCCESS, TIMEOUT, Task
+
+
+def why_failed(task: Task, progress: Progress, expert: Expert) -> list[str]:
+    """Return what kept an episode that is over from success, line by line; nothing if it succeeded.
+
+    Args:
+        task: What was played.
+        progress: Who judged it.
+        expert: Who played it.
+    """
+    if progress.outcome == SUCCESS:
+        return []
+    missing = [name for name, time in progress.milestones.items() if time is None]
+    step = "the goal" if progress.step is None else f"step '{progress.step.name}'"
+    lines = [
+        f"Ended in {step}: {_ending(task, progress)}",
+        f"Expert: {_expert(expert)}",
+        f"Milestones not reached: {', '.join(missing) or 'none'}",
+    ]
+    false = [fact.name for fact in progress.awaited if not progress.facts[fact.name]]
+    awaited = f"for '{missing[0]}'" if missing else "for the goal"
+    if false:
+        lines.append(f"Did not hold at the end, {awaited}: {'; '.join(false)}")
+    elif progress.outcome == TIMEOUT:
+        lines.append(f"All held at the end, {awaited}, but not for long enough")
+    lines += [
+        f"Touched what no phase lists: {mover} and {other}, {count} control steps"
+        for (mover, other), count in expert.unexpected.most_common()
+    ]
+    return lines
+
+
+def _ending(task: Task, progress: Progress) -> str:
+    """Return what ended the episode."""
+    if progress.outcome == TIMEOUT:
+        return (
+            f"the time limit of {task.time_limit_s:g} s ran out "
+            f"(the goal has to hold for {HOLD_S:g} s)"
+        )
+    if progress.outcome == INTERRUPTED:
+        return "what a milestone must keep ceased to hold"
+    step = {} if progress.step is None else progress.step.never
+    breach = {**step, **task.never}.get(progress.outcome)
+    return progress.outcome if breach is None else f"{progress.outcome} ({breach.name})"
+
+
+def _expert(expert: Expert) -> str:
+    if expert.failure is not None:
+        return f"gave up: {expert.failure}"
+    if expert.finished:
+        return "had played all its phases"
+    return f"was in phase {expert.label}"

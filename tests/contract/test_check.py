@@ -1,0 +1,99 @@
+"""`labutopia-check`: the suite's checks over a folder of the user's own."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from labutopia_lerobot.checks import CHECKS
+from labutopia_lerobot.cli import check
+
+LAZY = """
+from dataclasses import replace
+from labutopia_lerobot.predicates import upright
+from labutopia_lerobot.task import Milestone, Step
+from labutopia_lerobot.tasks.level1.pick import pick
+
+
+def lazy():
+    task = pick()
+    (flask,) = task.start
+    stands = upright(flask, within_deg=5)
+    steps = (Step("stand", (), (Milestone("stood", (stands,)),)),)
+    return replace(task, instruction="Stand.", steps=steps, goal=(stands,), time_limit_s=4.0)
+"""
+
+BROKEN = """
+def broken():
+    return 1 / 0
+"""
+
+FINE = """
+from dataclasses import replace
+from labutopia_lerobot.tasks.level1.pick import pick
+
+
+def fine():
+    return replace(pick(), instruction="Fetch the flask.")
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder with three tasks: one that all succeed at, one that cannot be made, a good one."""
+    for name, text in {"lazy": LAZY, "broken": BROKEN, "fine": FINE}.items():
+        file = tmp_path / "mine" / "level1" / f"{name}.py"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    return tmp_path / "mine"
+
+
+def checked(monkeypatch, capsys, *arguments: str) -> tuple[int, list[str]]:
+    monkeypatch.setattr(sys, "argv", ["labutopia-check", *arguments])
+    with pytest.raises(SystemExit) as ended:
+        check.main()
+    out, err = capsys.readouterr()
+    return ended.value.code, (out + err).splitlines()
+
+
+def test_what_is_wrong_with_a_task_is_told_check_by_check(monkeypatch, capsys, folder):
+    status, lines = checked(monkeypatch, capsys, str(folder), "--task", "level1/lazy")
+    assert status == 1
+    assert len(lines) == len(CHECKS) + 2  # that it can be made, and the sum
+    told = "\n".join(lines)
+    assert "pass  level1/lazy  every element of the model has a name" in told
+    assert "FAIL  level1/lazy  the goal is false at the start" in told
+    assert "these have latched: stood" in told
+    assert "FAIL  level1/lazy  doing nothing does not succeed (" in told
+    assert lines[-1].startswith("1 task checked; ")
+
+
+def test_a_task_that_cannot_be_made_is_told_and_does_not_keep_others_from_being_checked(
+    monkeypatch, capsys, folder
+):
+    monkeypatch.setattr(check, "CHECKS", CHECKS[:1])
+    status, lines = checked(monkeypatch, capsys, str(folder))
+    assert status == 1
+    assert lines[0].startswith("FAIL  level1/broken  the task can be made: ZeroDivisionError")
+    assert lines[1].startswith("pass  level1/fine  the task can be made")
+    assert lines[-1] == "3 tasks checked; 1 check failed"
+
+
+@pytest.mark.slow
+def test_a_good_task_passes_everything(monkeypatch, capsys, folder):
+    status, lines = checked(monkeypatch, capsys, str(folder), "--task", "level1/fine")
+    assert status == 0, [line for line in lines if not line.startswith("pass")]
+    assert len(lines) == len(CHECKS) + 2
+    assert lines[-1] == "1 task checked; no checks failed"
+
+
+def test_a_folder_without_tasks_and_a_task_of_another_folder_are_told(monkeypatch, capsys, folder):
+    status, lines = checked(monkeypatch, capsys, str(folder.parent))
+    assert status == 2
+    assert "holds no task: put one at" in lines[0]
+    status, lines = checked(monkeypatch, capsys, str(folder), "--task", "level1/pick")
+    assert status == 2
+    assert lines == [
+        f"Error: {folder} does not hold level1/pick. Tasks in it: level1/broken, level1/fine, "
+        "level1/lazy"
+    ]

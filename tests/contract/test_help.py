@@ -1,0 +1,134 @@
+"""`--help` of every program lists every option; what takes long says what it is doing."""
+
+import re
+import subprocess
+import sys
+import tomllib
+from dataclasses import fields
+from importlib import import_module
+from io import StringIO
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+from labutopia_lerobot.cli import bench, record, recording_bars, replay, speed
+from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.cli.recording_bars import RecordingBars
+from labutopia_lerobot.datasets.candidate import Candidate
+from labutopia_lerobot.datasets.recording_config import RecordingConfig
+from labutopia_lerobot.evaluation.config import EvaluationConfig
+from labutopia_lerobot.setting import option_help
+
+ROOT = Path(__file__).parents[2]
+
+
+def evaluate(*arguments: str) -> "subprocess.CompletedProcess[str]":
+    program = [sys.executable, str(ROOT / "eval" / "run.py"), *arguments]
+    return subprocess.run(program, capture_output=True, text=True, check=False)
+
+
+def entries(text: str) -> dict[str, str]:
+    """Return the options that a help lists, each with its explanation."""
+    found = re.findall(r"^  ([\w.]+)=\S*\s+(\S.*)$", text, re.MULTILINE)
+    return dict(found)
+
+
+def test_help_of_the_evaluator_explains_every_option_and_lists_the_policies():
+    done = evaluate("--help")
+    assert done.returncode == 0, done.stderr
+    listed = entries(done.stdout)
+    names = {option.name for option in fields(EvaluationConfig)} - {"policy"}
+    assert set(listed) == names | {"policy.name", "policy.path", "policy.device"}
+    assert all(
+        listed[name] == text
+        for name, text in option_help(EvaluationConfig).items()
+        if name in names
+    )
+    assert "Policies: act, diffusion, expert, pi0, random, smolvla, still" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [(["policy=actt"], "policy=actt is unknown. Did you mean 'act'?"), ([], "Name a policy")],
+)
+def test_a_policy_that_is_none_is_told_with_the_choices(arguments, told):
+    done = evaluate("task=level1/pick", *arguments)
+    assert done.returncode == 2
+    assert told in done.stderr
+    assert "Policies: act, diffusion, expert" in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["labutopia-record", "--help"])
+    record.main()
+    listed = entries(capsys.readouterr().err)
+    assert listed == {
+        option.name: option_help(RecordingConfig)[option.name] for option in fields(RecordingConfig)
+    }
+
+
+@pytest.mark.parametrize(
+    ("program", "options"),
+    [
+        ("verify", ["dataset"]),
+        ("replay", ["dataset", "--episodes"]),
+        ("bench", ["tasks", "--json", "--seconds", "--episodes"]),
+        ("check", ["folder", "--task"]),
+        ("view", ["task", "--seed", "--out", "--headless", "--split", "--robot", "--tasks-dir"]),
+    ],
+)
+def test_help_of_the_other_programs_explains_every_option(monkeypatch, capsys, program, options):
+    monkeypatch.setattr(sys, "argv", [f"labutopia-{program}", "--help"])
+    monkeypatch.setenv("COLUMNS", "200")
+    with pytest.raises(SystemExit, match="0"):
+        import_module(f"labutopia_lerobot.cli.{program}").main()
+    told = capsys.readouterr().out
+    for option in options:
+        assert re.search(rf"^  {option}\b.* \S+", told, re.MULTILINE), option
+
+
+def test_every_installed_program_is_there():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    names = {entry.partition(":")[0].rpartition(".")[2] for entry in project["scripts"].values()}
+    assert names == {"bench", "check", "record", "replay", "verify", "view"}
+    for entry in project["scripts"].values():
+        module, _, function = entry.partition(":")
+        assert callable(getattr(import_module(module), function))
+
+
+def test_replaying_no_episode_is_a_mistake(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["labutopia-replay", "nowhere", "--episodes", "0"])
+    with pytest.raises(SystemExit, match="2"):
+        replay.main()
+    assert "--episodes 0 is too small: at least 1" in capsys.readouterr().err
+
+
+def test_the_benchmark_tells_of_every_measurement_before_it_begins(monkeypatch, capsys):
+    for measurement in ("_fps", "_solver_speed", "_record", "opengl_renderer_name"):
+        monkeypatch.setattr(speed, measurement, lambda *arguments: 1)
+    monkeypatch.setattr(sys, "argv", ["labutopia-bench", "level1/pick", "--json"])
+    bench.main()
+    lines = capsys.readouterr().err.splitlines()
+    assert [line.split(":")[0] for line in lines] == [f"Measuring {n}/9" for n in range(1, 10)]
+    assert lines[-1] == "Measuring 9/9: demonstrations per hour of level1/pick ..."
+
+
+def test_in_a_terminal_what_is_going_on_vanishes_when_it_is_over():
+    terminal = Console(force_terminal=True, file=StringIO())
+    with doing(terminal, "Playing"):
+        pass
+    drawn = terminal.file.getvalue()  # type: ignore[attr-defined]
+    assert "Playing" in drawn
+    assert drawn.endswith("\x1b[2K")  # the line is erased
+
+
+def test_a_recording_writes_lines_into_a_log_file(monkeypatch):
+    monkeypatch.setattr(recording_bars, "_LOG_S", 0.0)
+    log = Console(file=StringIO())
+    bars = RecordingBars(3, log)
+    bars.resumed([])
+    bars.played(Candidate(0, 0, "success", None, 90, (), None, {}, "Pick it up."))
+    assert log.file.getvalue().startswith("Playing 1/3, ")  # type: ignore[attr-defined]
+    assert "0 failed" in log.file.getvalue()  # type: ignore[attr-defined]

@@ -1,0 +1,67 @@
+"""Why an episode was no success, told from who judged it and who played it."""
+
+from dataclasses import replace
+
+import pytest
+
+from adversary import begun
+from labutopia_lerobot.checks.why import why_failed
+from labutopia_lerobot.predicates import Predicate
+from labutopia_lerobot.progress import Progress
+from labutopia_lerobot.task import Milestone, Step
+
+YES = Predicate("yes", lambda world: True)
+NO = Predicate("no", lambda world: False)
+
+
+@pytest.fixture(scope="module")
+def env():
+    return begun("level1/pick")
+
+
+def told(env, **changes) -> str:
+    """Judge a changed task once in the present world; return why its expert has failed."""
+    task = replace(env.workcell.task, never={}, **changes)
+    progress = Progress(task)
+    for _ in range(3):
+        progress.update(env.workcell.world)
+    assert progress.over
+    expert = env.workcell.expert()
+    expert.start()
+    return "\n".join(why_failed(task, progress, expert))
+
+
+def test_a_breach_is_told_with_its_fact(env):
+    step = Step("do", (), (Milestone("done", (NO,)),), never={"bad": YES})
+    why = told(env, steps=(step,), goal=(NO,))
+    assert "Ended in step 'do': bad (yes)" in why
+    assert "Milestones not reached: done" in why
+    assert "Did not hold at the end, for 'done': no" in why
+
+
+def test_what_was_not_kept_is_told(env):
+    milestone = Milestone("done", (YES,), via=(YES,), keeping=(NO,))
+    why = told(env, steps=(Step("do", (), (milestone,)),), goal=(YES,))
+    assert "what a milestone must keep ceased to hold" in why
+    assert "for 'done': no" in why
+
+
+def test_a_goal_that_did_not_hold_long_enough_is_told(env):
+    step = Step("do", (), (Milestone("done", (YES,)),))
+    why = told(env, steps=(step,), goal=(YES,), time_limit_s=0.05)
+    assert "Ended in the goal: the time limit of 0.05 s ran out" in why
+    assert "Milestones not reached: none" in why
+    assert "All held at the end, for the goal, but not for long enough" in why
+
+
+def test_a_phase_that_was_given_up_and_touches_that_no_phase_lists_are_told(env):
+    task = env.workcell.task
+    progress, expert = Progress(task), env.workcell.expert()
+    progress.end("diverged")
+    expert.start()
+    expert.failure = "pick/lower not done after 6 s"
+    expert.unexpected["hand", "bench"] = 7
+    why = why_failed(task, progress, expert)
+    assert "Ended in step 'pick': diverged" in why
+    assert "Expert: gave up: pick/lower not done after 6 s" in why
+    assert "Touched what no phase lists: hand and bench, 7 control steps" in why
