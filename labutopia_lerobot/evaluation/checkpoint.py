@@ -3,34 +3,32 @@
 Reads only the JSON beside the weights, so that a mistake is told before torch is imported.
 """
 
-import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.json_object import read_json_object
 from labutopia_lerobot.evaluation.policies import Policy
-from labutopia_lerobot.features import (
-    ACTION,
-    environment_state_names,
+from labutopia_lerobot.evaluation.processors import (
+    POSTPROCESSOR,
+    PREPROCESSOR,
+    CheckpointError,
+    read_steps,
+    require_harmless,
 )
+from labutopia_lerobot.features import ACTION, environment_state_names
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import CAMERAS, IMAGE_SIZE, Setting
 
 _CONFIG = "config.json"
-_PREPROCESSOR = "policy_preprocessor.json"
-_FILES = (_CONFIG, "model.safetensors", _PREPROCESSOR, "policy_postprocessor.json")
+_FILES = (_CONFIG, "model.safetensors", PREPROCESSOR, POSTPROCESSOR)
 _PICKLES = {".bin", ".ckpt", ".pkl", ".pt", ".pth"}
 _STATE = "observation.state"
 _PRIVILEGED = "observation.environment_state"
 _IMAGES = "observation.images."
 _EMPTY_SLOT = "empty_camera"
 """LeRobot's name for cameras that a vision-language-action model can do without."""
-
-
-class CheckpointError(UserError):
-    """A checkpoint that is missing, or that cannot play the task; the message says the cure."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +71,8 @@ def open_checkpoint(
     """
     folder = _find(path, policy, setting.task, obs)
     _require_files(folder)
-    config = _read(folder / _CONFIG)
+    require_harmless(folder)
+    config = read_json_object(folder / _CONFIG, CheckpointError)
     _require_type(folder, config, policy)
     inputs = _shapes(folder, config, "input_features")
     outputs = _shapes(folder, config, "output_features")
@@ -148,16 +147,6 @@ def _require_obs(folder: Path, trained_on: str, obs: str | None) -> None:
         )
 
 
-def _read(file: Path) -> dict[str, Any]:
-    try:
-        content = json.loads(file.read_text())
-    except (OSError, ValueError) as error:
-        raise CheckpointError(f"{file} cannot be read: {error}") from None
-    if not isinstance(content, dict):
-        raise CheckpointError(f"{file} is no JSON object")
-    return content
-
-
 def _shapes(folder: Path, config: dict[str, Any], kind: str) -> dict[str, tuple[int, ...]]:
     try:
         return {key: tuple(feature["shape"]) for key, feature in config[kind].items()}
@@ -177,8 +166,8 @@ def _require_size(folder: Path, key: str, shape: tuple[int, ...] | None, size: i
 def _cameras(folder: Path, pictures: dict[str, tuple[int, ...]]) -> tuple[str, ...]:
     renamed = {
         after: before
-        for step in _read(folder / _PREPROCESSOR).get("steps", [])
-        if step.get("registry_name") == "rename_observations_processor"
+        for step in read_steps(folder / PREPROCESSOR)
+        if step["registry_name"] == "rename_observations_processor"
         for before, after in step["config"].get("rename_map", {}).items()
     }
     seen = [renamed.get(key, key) for key in pictures if _EMPTY_SLOT not in key]

@@ -21,7 +21,7 @@ def test_a_checkpoint_plays_the_same_episode_twice(save_checkpoint: Saver) -> No
         for maker in (checkpoint, open_checkpoint(checkpoint.folder, "act", SETTING, device="cpu"))
     )
     assert first.row == second.row
-    assert first.workcell.renderer is None
+    assert first.renderer is None
 
 
 def test_a_policy_of_pictures_gets_its_own_cameras_in_its_own_size(save_checkpoint: Saver) -> None:
@@ -91,3 +91,52 @@ def test_weights_of_another_size_are_refused(save_checkpoint: Saver) -> None:
 def test_an_absent_device_is_refused(save_checkpoint: Saver) -> None:
     with pytest.raises(UnusableWeightsError, match="abacus"):
         LearnedPolicy(save_checkpoint(), "abacus")
+
+
+@pytest.mark.parametrize("obs", ["state", "pixels"])
+@pytest.mark.parametrize("file", ["policy_preprocessor.json", "policy_postprocessor.json"])
+def test_a_processor_that_runs_a_program_is_refused_before_it_does(
+    save_checkpoint: Saver, tmp_path: Path, file: str, obs: str
+) -> None:
+    folder = save_checkpoint(cameras=("front",) if obs == "pixels" else ())
+    mark = tmp_path / "mark"
+    attack = {"class": "subprocess.run", "config": {"args": ["touch", str(mark)]}}
+    (folder / file).write_text(json.dumps({"name": "x", "steps": [attack]}))
+    with pytest.raises(CheckpointError, match=r"subprocess\.run.*can run any code"):
+        open_checkpoint(folder, "act", SETTING)()
+    with pytest.raises(CheckpointError, match=r"subprocess\.run.*can run any code"):
+        LearnedPolicy(folder, "cpu")
+    assert not mark.exists()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"class": "os.system"}, "can run any code"),
+        ({"registry_name": None}, "no registry_name"),
+        ({"state_file": "/stolen.safetensors"}, "not inside the checkpoint"),
+        ({"state_file": "../../stolen.safetensors"}, "not inside the checkpoint"),
+        ({"state_file": "statistics.pt"}, "no .safetensors"),
+        ({"state_file": "absent.safetensors"}, "is missing"),
+        ({"config": {"tokenizer_name": "~/anything"}}, "not inside the checkpoint"),
+        ({"config": {"nested": [{"path": "..\\up"}]}}, "not inside the checkpoint"),
+        ({"config": {"trust_remote_code": True}}, "code from elsewhere"),
+    ],
+)
+def test_a_step_that_reaches_beyond_the_checkpoint_is_refused(
+    save_checkpoint: Saver, change: dict[str, object], message: str
+) -> None:
+    folder = save_checkpoint()
+    file = folder / "policy_postprocessor.json"
+    content = json.loads(file.read_text())
+    content["steps"][0] |= change
+    file.write_text(json.dumps(content))
+    with pytest.raises(CheckpointError, match=message):
+        open_checkpoint(folder, "act", SETTING)
+
+
+def test_a_processor_file_without_steps_is_refused(save_checkpoint: Saver) -> None:
+    folder = save_checkpoint()
+    (folder / "policy_preprocessor.json").write_text('{"steps": {"a": 1}}')
+    with pytest.raises(CheckpointError, match="lists no `steps`"):
+        open_checkpoint(folder, "act", SETTING)
