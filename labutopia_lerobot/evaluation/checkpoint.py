@@ -22,7 +22,7 @@ from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import CAMERAS, IMAGE_SIZE, Setting
 
 _CONFIG = "config.json"
-_FILES = (_CONFIG, "model.safetensors", PREPROCESSOR, POSTPROCESSOR)
+FILES = (_CONFIG, "model.safetensors", PREPROCESSOR, POSTPROCESSOR)
 _PICKLES = {".bin", ".ckpt", ".pkl", ".pt", ".pth"}
 _STATE = "observation.state"
 _PRIVILEGED = "observation.environment_state"
@@ -36,7 +36,8 @@ class Checkpoint:
     """A trained policy that fits a task; calling it loads the weights.
 
     Attributes:
-        folder: LeRobot's `pretrained_model` folder.
+        folder: LeRobot's `pretrained_model` folder, with links such as `last` followed: what is
+            told of it stays true, and every worker loads the same, whatever training does.
         device: Device of torch, or None for CUDA where there is one.
         setting: What it plays and observes.
     """
@@ -69,7 +70,7 @@ def open_checkpoint(
     Raises:
         CheckpointError: If there is none, or it cannot play the task.
     """
-    folder = _find(path, policy, setting.task, obs)
+    folder = _find(path, policy, setting.task, obs).resolve()
     _require_files(folder)
     require_harmless(folder)
     config = read_json_object(folder / _CONFIG, CheckpointError)
@@ -117,7 +118,7 @@ def _find(path: Path, policy: str, task_id: str, obs: str | None) -> Path:
 
 
 def _require_files(folder: Path) -> None:
-    missing = [name for name in _FILES if not (folder / name).is_file()]
+    missing = [name for name in FILES if not (folder / name).is_file()]
     if not missing:
         return
     pickles = sorted(file.name for file in folder.iterdir() if file.suffix in _PICKLES)

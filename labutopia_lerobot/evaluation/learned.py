@@ -29,6 +29,9 @@ class LearnedPolicy:
         folder: A `pretrained_model` folder of LeRobot.
         device: `cpu`, `cuda` or another device of torch; None for CUDA where there is one.
 
+    Attributes:
+        device: The device that it runs on.
+
     Raises:
         CheckpointError: If the processors could run code.
         UnusableWeightsError: If the weights do not fit the configuration, or there is no such
@@ -39,7 +42,7 @@ class LearnedPolicy:
         require_harmless(folder)  # here too: whoever loads a policy comes through here
         torch.set_num_threads(1)
         config = PreTrainedConfig.from_pretrained(folder)
-        config.device = _require_device(device)
+        self.device = config.device = _require_device(device)
         config.pretrained_path = folder
         if hasattr(config, "pretrained_backbone_weights"):
             # They would be downloaded, only to be overwritten by those of the checkpoint.

@@ -21,7 +21,7 @@ def test_a_checkpoint_plays_the_same_episode_twice(save_checkpoint: Saver) -> No
         for maker in (checkpoint, open_checkpoint(checkpoint.folder, "act", SETTING, device="cpu"))
     )
     assert first.row == second.row
-    assert first.renderer is None
+    assert (first.row.renderer, first.row.device) == (None, "cpu")
 
 
 def test_a_policy_of_pictures_gets_its_own_cameras_in_its_own_size(save_checkpoint: Saver) -> None:
