@@ -4,6 +4,7 @@ Reads only the JSON beside the weights, so that a mistake is told before torch i
 """
 
 from dataclasses import dataclass, replace
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from labutopia_lerobot.evaluation.processors import (
     read_steps,
     require_harmless,
 )
+from labutopia_lerobot.evaluation.trained_on import element_names
 from labutopia_lerobot.features import ACTION, environment_state_names
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task
@@ -59,6 +61,10 @@ def open_checkpoint(
 ) -> Checkpoint:
     """Find the checkpoint for a task and make sure that it can play it.
 
+    The elements of `environment_state` are compared by name while the dataset of the training is on
+    this machine, since LeRobot keeps the shapes only; otherwise by number. Then a checkpoint of
+    another task with as many elements is not noticed.
+
     Args:
         path: A `pretrained_model` folder, an `output_dir` of `lerobot-train`, or a folder that
             holds either of them per task, such as `level1/pick`.
@@ -88,6 +94,7 @@ def open_checkpoint(
     if not pictures:
         names = environment_state_names(canonical_task(setting))
         _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
+        _require_names(folder, setting.task, names)
         return Checkpoint(folder, device, replace(setting, obs="state"))
     if _PRIVILEGED in inputs:
         raise CheckpointError(
@@ -162,6 +169,19 @@ def _require_size(folder: Path, key: str, shape: tuple[int, ...] | None, size: i
             f"{folder} does not fit: `{key}` has {size} elements in this task, and it was trained "
             f"with {found}. Train it on a dataset that labutopia-record made of this task"
         )
+
+
+def _require_names(folder: Path, task: str, names: tuple[str, ...]) -> None:
+    known = element_names(folder, _PRIVILEGED)
+    if known is None or known[1] == names:
+        return
+    root, trained = known
+    there, here = next((a, b) for a, b in zip_longest(trained, names) if a != b)
+    raise CheckpointError(
+        f"{folder} does not fit {task}: it was trained on {root}, where `{_PRIVILEGED}` has "
+        f"{there!r} for what is {here!r} here. Train it on a dataset of this task; if another "
+        "dataset has come to lie there since, take `dataset` out of its train_config.json"
+    )
 
 
 def _cameras(folder: Path, pictures: dict[str, tuple[int, ...]]) -> tuple[str, ...]:

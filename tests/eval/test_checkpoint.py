@@ -6,6 +6,8 @@ import pytest
 from labutopia_lerobot.evaluation.checkpoint import CheckpointError, open_checkpoint
 from labutopia_lerobot.evaluation.learned import LearnedPolicy, UnusableWeightsError
 from labutopia_lerobot.evaluation.rollout import Pairing, play
+from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 
 from .conftest import Saver
@@ -140,3 +142,23 @@ def test_a_processor_file_without_steps_is_refused(save_checkpoint: Saver) -> No
     (folder / "policy_preprocessor.json").write_text('{"steps": {"a": 1}}')
     with pytest.raises(CheckpointError, match="lists no `steps`"):
         open_checkpoint(folder, "act", SETTING)
+
+
+@pytest.mark.parametrize("thing", ["flask", "beaker"])
+def test_elements_of_a_state_are_compared_by_name_while_the_dataset_is_there(
+    save_checkpoint: Saver, tmp_path: Path, thing: str
+) -> None:
+    folder, root = save_checkpoint(), tmp_path / "dataset"
+    names = [
+        name.replace("flask", thing) for name in environment_state_names(canonical_task(SETTING))
+    ]
+    features = {"observation.environment_state": {"names": names}}
+    (root / "meta").mkdir(parents=True)
+    (root / "meta" / "info.json").write_text(json.dumps({"features": features}))
+    dataset = {"repo_id": "local/pick", "root": str(root)}
+    (folder / "train_config.json").write_text(json.dumps({"dataset": dataset}))
+    if thing == "beaker":
+        with pytest.raises(CheckpointError, match=r"has 'beaker\.x' for what is 'flask\.x'"):
+            open_checkpoint(folder, "act", SETTING)
+        (root / "meta" / "info.json").unlink()
+    assert open_checkpoint(folder, "act", SETTING).folder == folder

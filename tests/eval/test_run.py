@@ -17,7 +17,7 @@ from .conftest import Program, Saver
         (["policy=expert", "task=level1/pik"], ["Did you mean 'level1/pick'"]),
         (["=3"], ["'=3' is no option", "policy.path"]),
         (["policy=expert", "level=9"], ["Levels with tasks: 1"]),
-        (["policy=expert", "task=level1/pick", "split=ood"], ["train, id"]),
+        (["policy=expert", "task=level1/pick", "split=odd"], ["train, id, ood"]),
         (["policy=expert", "task=level1/pick", "episodes=0"], ["at least 1"]),
         (["policy=still", "task=level1/pick", "policy.path=x"], ["policy=still", "policy.path"]),
         (
