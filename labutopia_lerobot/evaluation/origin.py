@@ -1,6 +1,6 @@
 """What the rows of an evaluation come from: options, code, versions, weights."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -81,5 +81,5 @@ def _training_step(folder: Path) -> int | None:
     return int(folder.parent.name) if folder.parent.name.isdigit() else None
 
 
-def _several(values: Any) -> str | None:
+def _several(values: Iterable[str | None]) -> str | None:
     return ", ".join(sorted({value for value in values if value is not None})) or None

@@ -52,9 +52,9 @@ def _play(
     seeds = range(config.seed, config.seed + config.episodes)
     of = {(pairing.setting.task, pairing.setting.split): pairing for pairing in pairings}
     episodes = [Episode(of[row.task, row.split], row, None) for row in folder.rows]
-    total, done = len(pairings) * len(seeds), len(episodes)
+    missing = len(pairings) * len(seeds) - len(episodes)
     played = evaluate(pairings, seeds, config.workers, tuple(episodes))
-    for episode in _watched(played, "Playing", total, done):
+    for episode in _watched(played, "Playing", missing):
         folder.add(episode.row)
         episodes.append(episode)
     return in_order(episodes, pairings)
@@ -70,6 +70,5 @@ def _film(
             console.print(problem, soft_wrap=True, markup=False, highlight=False)
 
 
-def _watched[Item](items: Iterable[Item], verb: str, total: int, done: int = 0) -> Iterable[Item]:
-    console = Console(stderr=True)
-    return track(items, verb, total=total, completed=done, console=console, disable=total == 0)
+def _watched[Item](items: Iterable[Item], verb: str, total: int) -> Iterable[Item]:
+    return track(items, verb, total=total, console=Console(stderr=True), disable=total == 0)
