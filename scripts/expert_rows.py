@@ -82,7 +82,7 @@ def read(folder: Path) -> dict[str, list[Row]]:
     if missing:
         raise OtherRowsError(
             f"{folder} lacks the expert's rows of {', '.join(missing)}. Measure them, and keep "
-            f"them: python {Path(__file__).name} OUT (its docstring says how)"
+            f"them: python scripts/expert_rows.py OUT (its help says how)"
         )
     found = {}
     for task, file in files.items():
