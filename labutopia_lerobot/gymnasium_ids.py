@@ -1,25 +1,32 @@
-"""Gymnasium ids: `labutopia/level1-pick-v0` makes the task `level1/pick`."""
+"""Gymnasium ids: `labutopia/level1-pick-v0` makes the task `level1/pick`.
+
+With another robot than the paper's, its name stands before: `labutopia/<robot>-level1-pick-v0`.
+"""
 
 from typing import TYPE_CHECKING, Any
 
 import gymnasium
 
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.robots import DEFAULT_ROBOT, ROBOTS
 from labutopia_lerobot.setting import setting_from
 
 if TYPE_CHECKING:
     from labutopia_lerobot.env import LabEnv
 
 
-def gymnasium_id(task_id: str) -> str:
-    """Return the Gymnasium id of a task; Gymnasium's ids take one slash only."""
-    return f"labutopia/{task_id.replace('/', '-')}-v0"
+def gymnasium_id(task_id: str, robot: str = DEFAULT_ROBOT) -> str:
+    """Return the Gymnasium id of a task and a robot; Gymnasium's ids take one slash only."""
+    before = "" if robot == DEFAULT_ROBOT else f"{robot}-"
+    return f"labutopia/{before}{task_id.replace('/', '-')}-v0"
 
 
 def register_tasks() -> None:
-    """Register every task; what an environment needs is imported when the first is made."""
+    """Register every task and robot; what they need is imported when the first is made."""
     for task_id in task_files():
-        gymnasium.register(gymnasium_id(task_id), make_env, kwargs={"task": task_id})
+        for robot in ROBOTS:
+            options = {"task": task_id, "robot": robot}
+            gymnasium.register(gymnasium_id(task_id, robot), make_env, kwargs=options)
 
 
 def make_env(render_mode: str = "rgb_array", **options: Any) -> "LabEnv":

@@ -62,8 +62,8 @@ class Setting:
         tasks_dir: A further folder of tasks.
         liquid: `on`; with `off` vessels are empty, pouring and spilling are judged by tilts.
         particles: In how many particles the liquid of a task is divided.
-        robot: What plays: panda or iiwa.
-        room: Where.
+        robot: What plays, an arm of `robots.ROBOTS`.
+        room: Where, one of `scenes.ROOMS`.
 
     Raises:
         UnknownOptionError: If a value is impossible; the message says which are possible.

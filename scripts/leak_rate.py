@@ -16,12 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, graduated_cylinder
-from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask, graduated_cylinder
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.setting import PARTICLES
-from labutopia_lerobot.sim.scene import PHYSICS_HZ
 from labutopia_lerobot.substances.filling import Filling
+from labutopia_lerobot.world.model import PHYSICS_HZ
 
 SECONDS = 10.0
 SPEED, ACCELERATION = 1.7, 13.0

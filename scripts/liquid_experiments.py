@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import j1, jn_zeros
 
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ
 from labutopia_lerobot.setting import PARTICLES
-from labutopia_lerobot.sim.scene import PHYSICS_HZ
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.substances.substance import SUBSTANCES
+from labutopia_lerobot.world.model import PHYSICS_HZ
 
 COLUMN = 2.25 * 0.0254
 """Width a of the column of water in the experiment of Martin and Moyce [m]; it is 2 a high."""

@@ -13,8 +13,8 @@ from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 from PIL import Image
 
-from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, graduated_cylinder
-from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask, graduated_cylinder
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
 from labutopia_lerobot.substances.filling import Filling

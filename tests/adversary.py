@@ -4,12 +4,14 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
+from labutopia_lerobot.task import Task
 
 type Spoil = Callable[[Expert, NDArray[np.float32]], None]
 """Changes an action in place, knowing where the expert is."""
@@ -20,6 +22,20 @@ def begun(task: str, **options: Any) -> LabEnv:
     env = LabEnv(Setting(task, obs="state", **options))
     env.reset(seed=0)
     return env
+
+
+def begun_with(task_id: str, task: Task, monkeypatch: pytest.MonkeyPatch, **options: Any) -> LabEnv:
+    """Return an environment, without pictures, of a task that no file holds; an episode has begun.
+
+    Args:
+        task_id: The task whose place it takes.
+        task: What is played.
+        monkeypatch: Of the test.
+        **options: Fields of `Setting`.
+    """
+    found = "labutopia_lerobot.scenario.scenario.task_function"
+    monkeypatch.setattr(found, lambda task_id, tasks_dir: lambda draw: task)
+    return begun(task_id, **options)
 
 
 def play(env: LabEnv, *skills: Skill, spoil: Spoil | None = None, seed: int = 5) -> dict[str, Any]:

@@ -37,13 +37,13 @@ def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
     varying = {"Policy": len(policies) > 1, "Split": len(splits) > 1}
     state = any(_STATE_MARK in policy for policy in policies)
     empty = any(_EMPTY_MARK in policy for policy in policies)
-    common = policies * (len(policies) == 1) + [f"split {splits[0]}"] * (len(splits) == 1)
+    common = [] if varying["Policy"] else policies
+    if not varying["Split"]:
+        common = [*common, f"split {splits[0]}"]
+    notes = {_STATE_CAPTION: state, _EMPTY_CAPTION: empty, _MEAN_CAPTION: level_means}
     table = Table(
         title=", ".join(common) or None,
-        caption=_CAPTION
-        + _STATE_CAPTION * state
-        + _EMPTY_CAPTION * empty
-        + _MEAN_CAPTION * level_means,
+        caption=_CAPTION + "".join(note for note, applies in notes.items() if applies),
         caption_justify="left",
         box=box.SIMPLE_HEAD,
         padding=(0, 1, 0, 0),

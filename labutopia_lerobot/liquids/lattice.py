@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.profile import Profile
+from labutopia_lerobot.labware.glass.profile import Profile
 
 _DISORDER = 0.05
 """Particles stand off a perfect lattice by up to this part of the spacing: it would stay one."""

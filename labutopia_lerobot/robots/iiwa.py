@@ -49,11 +49,11 @@ IIWA = Robot(
     # data sheet's "maximum reach" of 0.82 m ends at the wrist.
     reach=0.90,
     base_body="base_link",
-    # Found by inverse kinematics over the start regions of pick, place and pour, from the bench to
-    # 0.25 m above it and from 0.10 m before: every joint keeps a tenth of its range from its ends.
-    # Straight ahead the elbow would have to bend further than it can (joint 4). The pitch keeps the
-    # wrist, as thick as the beaker is half high, off the bench.
+    # Straight ahead the elbow would have to bend further than it can (joint 4). Like this no joint
+    # comes nearer to its ends than 8 % of its range, measured over twenty runs of pick and
+    # of place. The pitch keeps the wrist, of 72 mm radius, off the bench.
     vessel_approach=Approach(yaw=math.radians(-70.0), pitch=math.radians(9.0)),
-    # For the same reason steeply from above; found likewise for drawers and doors.
+    # For the same reason, and steeply from above: joint 4 comes as near to its end as 3.7 % of its
+    # range when a drawer is opened, 1.3 % when it is closed, measured over twenty runs each.
     handle_approach=Approach(yaw=math.radians(-25.0), pitch=math.radians(35.0)),
 )

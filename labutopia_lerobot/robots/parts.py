@@ -6,11 +6,7 @@ import mujoco
 
 from labutopia_lerobot.robots.meshes import load_mesh
 from labutopia_lerobot.robots.robot import Element
-
-COLLISION_GROUP = 3
-"""Geom group of what touches; MuJoCo's viewer and renderer hide it by default."""
-VISUAL_GROUP = 2
-"""Geom group of what is drawn."""
+from labutopia_lerobot.world.model import COLLISION_GROUP, VISUAL_GROUP
 
 type Vector = tuple[float, float, float]
 type Inertia = tuple[float, float, float, float, float, float]

@@ -5,13 +5,13 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from labutopia_lerobot.labware.glassware import (
+from labutopia_lerobot.labware.glass.glassware import (
     beaker,
     erlenmeyer_flask,
     graduated_cylinder,
     volumetric_flask,
 )
-from labutopia_lerobot.labware.test_tube_rack import TestTubeRack
+from labutopia_lerobot.labware.instruments.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import CLEARANCE, ImpossibleStartError, Piece, Placement, Workspace
 from labutopia_lerobot.world import FloatArray
 
@@ -19,6 +19,9 @@ BYSTANDER_GAP = 0.13
 """Least gap between a bystander and what the task needs [m]: the open hand passes, 0.2 m wide."""
 INSTRUMENT_GAP = 0.45
 """Least gap between a bystander and an instrument [m]: the drying oven's door sweeps so far."""
+
+HAND_REACH = 0.35
+"""How far behind a vessel the hand and the wrist that come to it reach [m]."""
 
 _TRIES = 1000
 
@@ -47,6 +50,7 @@ def place_bystanders(
     bystanders: Sequence[Piece],
     layout: Mapping[Piece, Placement],
     workspace: Workspace,
+    approach: float,
     rng: np.random.Generator,
 ) -> dict[Piece, Placement]:
     """Draw where things stand that the task does not need: in view, but out of the way.
@@ -57,6 +61,7 @@ def place_bystanders(
         bystanders: The things.
         layout: Where what the task needs stands.
         workspace: The bench and the robot.
+        approach: Yaw of the hand that comes to a vessel, to the left of the bearing [rad].
         rng: Where the placements come from.
 
     Raises:
@@ -68,7 +73,7 @@ def place_bystanders(
         for spread in np.linspace(0.25, 1.5, _TRIES):
             x, y = middle + spread * rng.uniform(-1.0, 1.0, size=2)
             placement = Placement(x, y, rng.uniform(-math.pi, math.pi))
-            if _out_of_the_way(piece, placement, {**layout, **placed}, workspace):
+            if _out_of_the_way(piece, placement, {**layout, **placed}, workspace, approach):
                 placed[piece] = placement
                 break
         else:
@@ -77,23 +82,31 @@ def place_bystanders(
 
 
 def _out_of_the_way(
-    piece: Piece, at: Placement, layout: Mapping[Piece, Placement], workspace: Workspace
+    piece: Piece,
+    at: Placement,
+    layout: Mapping[Piece, Placement],
+    workspace: Workspace,
+    approach: float,
 ) -> bool:
+    """Tell whether a thing is on the bench, and in the way of neither the arm nor the hand."""
     inner = piece.footprint_radius + CLEARANCE
     (x_min, x_max), (y_min, y_max) = workspace.x, workspace.y
     if not (x_min + inner < at.x < x_max - inner and y_min + inner < at.y < y_max - inner):
         return False
+    point, robot = np.array([at.x, at.y]), np.array(workspace.robot)
     for other, placement in layout.items():
         gap = BYSTANDER_GAP if other.movable else INSTRUMENT_GAP
         least = piece.footprint_radius + other.footprint_radius + gap
-        robot, thing = np.array(workspace.robot), np.array([placement.x, placement.y])
-        way = np.clip(
-            (np.array([at.x, at.y]) - robot) @ (thing - robot) / _square(thing - robot), 0, 1
-        )
-        if math.dist((at.x, at.y), robot + way * (thing - robot)) < least:
+        thing = np.array([placement.x, placement.y])
+        yaw = math.atan2(*(thing - robot)[::-1]) + approach
+        hand = thing - HAND_REACH * np.array([math.cos(yaw), math.sin(yaw)])
+        if min(_distance(point, thing, end) for end in (robot, hand)) < least:
             return False
     return True
 
 
-def _square(vector: FloatArray) -> float:
-    return float(vector @ vector)
+def _distance(point: FloatArray, start: FloatArray, end: FloatArray) -> float:
+    """Return how far a point is from the line from `start` to `end` [m]."""
+    way = end - start
+    share = np.clip((point - start) @ way / (way @ way), 0.0, 1.0)
+    return float(np.linalg.norm(point - start - share * way))

@@ -9,15 +9,15 @@ if TYPE_CHECKING:
     import mujoco
 
 
-def _build(view: View) -> "mujoco.MjSpec":
+def _build(room: Room, view: View) -> "mujoco.MjSpec":
     from labutopia_lerobot.scenes.laboratory_model import laboratory  # here: it imports mujoco
 
-    return laboratory(LABORATORY, view)
+    return laboratory(room, view)
 
 
 LABORATORY = Room(
     name="laboratory",
-    build=_build,
+    builder=_build,
     # Height: original, lab_001: 0.773 to 0.78.
     bench=Surface(height=0.775, x=(-0.2, 1.2), y=(-0.9, 0.9)),
     robot_stand=(-0.4, 0.0, 0.71),  # original, every level 1 to 4 task

@@ -38,13 +38,19 @@ class Room:
 
     Attributes:
         name: Short name.
-        build: Returns the room as a spec (angles in radians) with the cameras `front` and `top` of
-            a view, the bench as the body `world.BENCH` and all that is fixed as `world.ROOM`.
+        builder: Returns a room as a spec (see `build`).
         bench: Top of the bench.
         robot_stand: Where the base of a robot is mounted, facing +x [m], world frame.
     """
 
     name: str
-    build: "Callable[[View], mujoco.MjSpec]"
+    builder: "Callable[[Room, View], mujoco.MjSpec]"
     bench: Surface
     robot_stand: Vector
+
+    def build(self, view: View) -> "mujoco.MjSpec":
+        """Return the room as a spec (angles in radians) with the cameras `front` and `top`.
+
+        The bench is the body `world.BENCH`; floor and walls are the body `world.ROOM`.
+        """
+        return self.builder(self, view)

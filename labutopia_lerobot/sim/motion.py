@@ -16,10 +16,11 @@ from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
-from labutopia_lerobot.sim.scene import HULL_GROUP, Scene, add_robot, ancestors
+from labutopia_lerobot.sim.scene import Scene, add_robot, ancestors
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.world import ARM, BENCH, CONTROL_HZ, HAND, FloatArray, Pose, Thing
+from labutopia_lerobot.world.model import HULL_GROUP
 
 _MARGIN = 0.004
 """Distance that is kept between any two bodies [m]."""

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.liquids.drawing.liquid_drawing import SKIN_GROUP, LiquidDrawing
+from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.world.model import SKIN_GROUP
 
 _CURE = (
     "No picture without OpenGL. On a headless Linux machine type\n"

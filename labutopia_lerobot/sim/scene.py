@@ -14,18 +14,10 @@ from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.sim.displacement import SqueezeBottle
+from labutopia_lerobot.sim.memory import Memory
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
-
-HULL_GROUP = 4
-"""Geom group of the simplified hulls that only the motion planner looks at."""
-
-PHYSICS_HZ = 300
-"""Physics rate: ten steps per control period.
-
-Measured on an arm lifting a 0.2 kg flask by friction: at 1/150 s the grasp creeps and the flask
-buzzes on the bench, at 1/300 s neither does, at 1/600 s nothing improves but the price doubles.
-"""
+from labutopia_lerobot.world.model import PHYSICS_HZ
 
 
 @dataclass(frozen=True)
@@ -37,6 +29,7 @@ class Scene:
         robot: The robot in it.
         room: The room around it.
         pieces: The labware in it.
+        memory: What the simulation remembers of them.
         groups: Names that contacts are reported under.
         group_of_geom: Index into `groups` of every geom, and after them of every flex, which is
             named after the thing that it belongs to; shape (ngeom + nflex,).
@@ -49,6 +42,7 @@ class Scene:
     robot: Robot
     room: Room
     pieces: tuple[Piece, ...]
+    memory: Memory
     groups: tuple[str, ...]
     group_of_geom: NDArray[np.intp]
     contents: Mapping[Piece, Filling]
@@ -96,20 +90,27 @@ def compile_scene(
         # millisecond for elastic bodies, implicitfast refuses them, of which this is a sibling
         # (MuJoCo documentation, "Integrators", "Deformables").
         spec.option.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
-    # Two numbers per switch: whether it is on, and whether its button is in. After them, two per
-    # bottle that can be squeezed (see `Displacement`).
-    bottles = sum(isinstance(piece, SqueezeBottle) for piece in pieces)
-    spec.nuserdata = 2 * (sum(len(piece.switches) for piece in pieces) + bottles)
+    memory = _memory(pieces)
+    spec.nuserdata = memory.size
     contents = contents or {}
     liquid = _drawing(spec, contents, particles) if contents else None
     model = spec.compile()
     groups, group_of_geom = _contact_groups(model, robot)
-    return Scene(model, robot, room, pieces, groups, group_of_geom, contents, particles, liquid)
+    return Scene(
+        model, robot, room, pieces, memory, groups, group_of_geom, contents, particles, liquid
+    )
 
 
 def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
     """Mount the robot on its stand."""
     robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=room.robot_stand))
+
+
+def _memory(pieces: tuple[Piece, ...]) -> Memory:
+    """Keep of every switch whether it is on and its button in, of bottles see `Displacement`."""
+    switches = [switch.name for piece in pieces for switch in piece.switches]
+    bottles = [piece.name for piece in pieces if isinstance(piece, SqueezeBottle)]
+    return Memory(dict.fromkeys([*switches, *bottles], 2))
 
 
 def _drawing(

@@ -12,9 +12,10 @@ from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
-from labutopia_lerobot.sim.scene import PHYSICS_HZ, Scene
+from labutopia_lerobot.sim.scene import Scene
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
+from labutopia_lerobot.world.model import PHYSICS_HZ
 
 _SUBSTEPS = PHYSICS_HZ // CONTROL_HZ
 _SETTLE_STEPS = CONTROL_HZ // 3
@@ -50,11 +51,11 @@ class Simulation:
         self.command = self._start.copy()
         self._switches = [switch for piece in scene.pieces for switch in piece.switches]
         self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
-        self._displacements = {
-            piece.name: Displacement(scene.model, piece)
+        self._displacements = [
+            Displacement(scene.model, piece)
             for piece in scene.pieces
             if isinstance(piece, SqueezeBottle)
-        }
+        ]
         self.liquid = _liquid(scene, self.data) if scene.contents else None
         self.account = None if self.liquid is None else self.liquid.take_account()
         self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
@@ -112,8 +113,8 @@ class Simulation:
         self.data.time = 0.0
 
     def _start_displacements(self) -> None:
-        for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
-            displacement.start(state, self.data)
+        for displacement in self._displacements:
+            displacement.start(self._remembered(displacement.bottle.name), self.data)
         if self.liquid is not None:
             self.liquid.start_dispensing()
 
@@ -151,7 +152,8 @@ class Simulation:
 
     def _squeeze_bottles(self) -> None:
         """Let out of every bottle what its wall has displaced since the last control step."""
-        for displacement, state in zip(self._displacements.values(), self._displaced, strict=True):
+        for displacement in self._displacements:
+            state = self._remembered(displacement.bottle.name)
             displacement.update(state, self.data)
             if self.liquid is not None:
                 site = self.data.site(displacement.bottle.spout)
@@ -160,8 +162,8 @@ class Simulation:
 
     def _work_switches(self) -> None:
         """Toggle what has been pressed since the last control step, and light the lamps."""
-        states = self.data.userdata.reshape(-1, 2)[: len(self._switches)]
-        for switch, dark, state in zip(self._switches, self._dark, states, strict=True):
+        for switch, dark in zip(self._switches, self._dark, strict=True):
+            state = self._remembered(switch.name)
             pressed = self.data.joint(switch.button).qpos[0] > switch.travel
             on = bool(state[0]) != (pressed and not state[1])
             state[:] = on, pressed
@@ -169,18 +171,15 @@ class Simulation:
 
     def switched_on(self, name: str) -> bool:
         """Tell whether a switch is on."""
-        index = [switch.name for switch in self._switches].index(name)
-        return bool(self.data.userdata[2 * index])
-
-    @property
-    def _displaced(self) -> FloatArray:
-        """State of the displacements, in the order of the bottles, shape (bottles, 2), a view."""
-        states: FloatArray = self.data.userdata.reshape(-1, 2)[len(self._switches) :]
-        return states
+        return bool(self._remembered(name)[0])
 
     def displaced(self, name: str) -> float:
         """Return the volume of liquid that has been squeezed out of a bottle [m^3]."""
-        return float(self._displaced[list(self._displacements).index(name), 1])
+        return float(self._remembered(name)[1])
+
+    def _remembered(self, name: str) -> FloatArray:
+        """Return what is remembered of a switch or bottle, shape (2,), a view."""
+        return self.scene.memory.of(self.data, name)
 
     @property
     def diverged(self) -> bool:

@@ -104,7 +104,13 @@ class Workcell:
         variation = scenario.variation
         self._appearance.show(variation)
         layout = sample_layout(task.start, rng)
-        layout |= place_bystanders(variation.bystanders, layout, self._workspace, rng)
+        layout |= place_bystanders(
+            variation.bystanders,
+            layout,
+            self._workspace,
+            self.world.robot.vessel_approach.yaw,
+            rng,
+        )
         self.simulation.reset(layout, variation.robot_start)
         self.simulation.fill(rng)
         self.filter.start(self.simulation.command)

@@ -23,7 +23,11 @@ from labutopia_lerobot.world import (
 
 _STEP_S = 1.0 / CONTROL_HZ
 _ACCELERATION = 1.0
-"""Greatest change of the gripper's speed [m/s^2]; keeps a full beaker from slopping."""
+"""Greatest change of the gripper's speed along its way [m/s^2]; keeps a full beaker from slopping
+where it is carried. Turns are bounded by `Phase.turn_speed` alone."""
+
+_EASING = 1.0
+"""Share of the full speed per radian left, with which turns come to rest [1/rad]."""
 
 
 class Motion(Protocol):
@@ -114,8 +118,10 @@ class Expert:
         turn = Rotation.from_matrix(target.rotation_w @ self._reference.rotation_w.T)
         angle = turn.magnitude()
         duration = max(distance / self._phase.speed, angle / self._phase.turn_speed, 1e-9)
-        # Fraction of the way per second: full speed, ramped up at the start, easing in at the end.
-        wanted = min(1.0, np.sqrt(2.0 * _ACCELERATION * distance) / self._phase.speed + angle)
+        # Share of the full speed, ramped up at the start; at the end that from which it comes to
+        # rest at the acceleration over the distance left, or turns through the angle left.
+        stopping = np.sqrt(2.0 * _ACCELERATION * distance) / self._phase.speed
+        wanted = min(1.0, stopping + _EASING * angle)
         self._speed = min(wanted, self._speed + _ACCELERATION * _STEP_S / self._phase.speed)
         part = min(1.0, self._speed * _STEP_S / duration)
         return Pose(

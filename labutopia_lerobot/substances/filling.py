@@ -10,7 +10,7 @@ from labutopia_lerobot.substances.substance import Substance, substance
 from labutopia_lerobot.world import Thing
 
 if TYPE_CHECKING:
-    from labutopia_lerobot.labware.profile import Profile
+    from labutopia_lerobot.labware.glass.profile import Profile
 
 
 class ImpossibleFillingError(UserError, ValueError):

@@ -53,8 +53,9 @@ class Sulk:
 
 def moody():
     (step,) = pick().steps
-    sulky = dataclasses.replace(step, skills=(Sulk(), *step.skills))
-    return dataclasses.replace(pick(), steps=(sulky,))
+    return dataclasses.replace(
+        pick(), steps=(dataclasses.replace(step, skills=(Sulk(), *step.skills)),)
+    )
 """
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.profile import Profile
-from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.labware.glass.profile import Profile
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.solver.bodies import clearances
 from labutopia_lerobot.liquids.solver.contacts import Contacts, find_contacts, gap
 from labutopia_lerobot.liquids.solver.smoothing import BEHIND_WALL, look_up

@@ -7,13 +7,13 @@ import pytest
 from numpy.typing import NDArray
 
 import leak_rate
-from labutopia_lerobot.labware.glassware import (
+from labutopia_lerobot.labware.glass.glassware import (
     beaker,
     erlenmeyer_flask,
     graduated_cylinder,
     volumetric_flask,
 )
-from labutopia_lerobot.labware.profile import Profile
+from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.liquids.solver.walls import (
     SKIN,
     Edges,

@@ -3,17 +3,16 @@
 import numpy as np
 import pytest
 
-from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware import test_tube_rack as racks
-from labutopia_lerobot.labware.glass_rod import DIAMETER, GlassRod
+from adversary import begun
+from labutopia_lerobot.labware.glass.glass_rod import DIAMETER, GlassRod
+from labutopia_lerobot.labware.instruments import test_tube_rack as racks
 from labutopia_lerobot.layout import ImpossibleStartError, Inside, OnBench, sample_layout
-from labutopia_lerobot.setting import Setting
 
 SOMEWHERE = OnBench(x=(0.2, 0.3), y=(0.2, 0.3))
 
 
 def test_a_rod_stands_in_the_opening_of_its_rack_wherever_that_is():
-    env = LabEnv(Setting("level2/stir_glassrod", obs="state"))
+    env = begun("level2/stir_glassrod")
     _, rack, rod = env.workcell.task.start
     for seed in range(10):
         env.reset(seed=seed)

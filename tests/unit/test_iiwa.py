@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import IIWA
 from labutopia_lerobot.scenes import LABORATORY

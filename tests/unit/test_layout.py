@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.layout import (
     CLEARANCE,
     ImpossibleStartError,

@@ -6,12 +6,13 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.wash_bottle import WashBottle
+from adversary import begun_with
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
 from labutopia_lerobot.predicates import dispensed, poured, spilled
+from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import LiquidAccount
@@ -131,12 +132,13 @@ def test_what_the_account_does_not_know_is_refused_with_what_it_knows() -> None:
         liquid.take_account().from_in("mug", "lower")
 
 
-def test_only_what_comes_out_of_the_bottle_is_dispensed() -> None:
-    env = LabEnv(Setting("level1/squeeze", obs="state", particles=200))
-    bottle, target = env.workcell.task.start
+def test_only_what_comes_out_of_the_bottle_is_dispensed(monkeypatch: pytest.MonkeyPatch) -> None:
+    task = canonical_task(Setting("level1/squeeze"))
+    bottle, target = task.start
     assert isinstance(bottle, WashBottle)
     contents = {bottle: Filling(100, "ethanol"), target: Filling(50)}
-    env.workcell.task = replace(env.workcell.task, contents=contents)
+    task = replace(task, contents=contents)
+    env = begun_with("level1/squeeze", task, monkeypatch, particles=200)
     env.reset(seed=1)
     fact = dispensed(bottle, target, at_least_ml=5)
     assert env.workcell.world.liquid.inside["beaker"] == pytest.approx(50e-6, abs=1e-6)

@@ -3,14 +3,14 @@
 import mujoco
 import numpy as np
 import pytest
-from labutopia_lerobot.views import VESSEL_VIEW
 from scipy.ndimage import binary_dilation
 
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.liquids.drawing.colors import colors_at
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
-from labutopia_lerobot.scenes.laboratory import BENCH_HEIGHT, laboratory
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.sim.renderer import Renderer
 
 SPACING = 1e-7 ** (1 / 3)
@@ -22,13 +22,13 @@ class Scene:
     """Two beakers with a layer of liquid each, of blue and red, seen from above."""
 
     def __init__(self, *colors: tuple[float, float, float, float]) -> None:
-        spec = laboratory(VESSEL_VIEW)
+        spec = LABORATORY.build(VESSEL_VIEW)
         spec.stat.extent = 1.0
         spec.visual.map.znear, spec.visual.map.zfar = 0.01, 20.0
         self.poses = []
         for vessel, place in PLACES.items():
             body = vessel.add_to(spec, spec.worldbody)
-            body.pos = (*place, BENCH_HEIGHT)
+            body.pos = (*place, LABORATORY.bench.height)
             self.poses.append(VesselPose(vessel.profile, np.array(body.pos), np.eye(3)))
         self.liquid = LiquidDrawing.add_to(spec, "both", colors, SPACING, 2000)
         self.model = spec.compile()
@@ -42,7 +42,7 @@ class Scene:
         positions = np.concatenate([pose.position_w + disc + (0, 0, 0.003) for pose in self.poses])
         red = np.repeat([left, right], len(disc))
         amounts = np.column_stack([1 - red, red])
-        self.liquid.extract(positions, self.poses, BENCH_HEIGHT, amounts)
+        self.liquid.extract(positions, self.poses, LABORATORY.bench.height, amounts)
         color = self.renderer.color(self.data, "top").astype(int)
         body = self.model.body("both").id
         seen = self.renderer.segmentation(self.data, "top") == body
@@ -95,7 +95,10 @@ def test_one_of_several_substances_looks_as_if_it_were_the_only_one(scene: Scene
     pictures = []
     for each in (scene, alone):
         each.liquid.extract(
-            disc, each.poses, BENCH_HEIGHT, np.eye(len(each.liquid.colors))[[0] * len(disc)]
+            disc,
+            each.poses,
+            LABORATORY.bench.height,
+            np.eye(len(each.liquid.colors))[[0] * len(disc)],
         )
         pictures.append(each.renderer.color(each.data, "top").astype(int))
     segments = alone.renderer.segmentation(alone.data, "top")

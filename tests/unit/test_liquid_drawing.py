@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import binary_dilation
 
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.scenes import LABORATORY

@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ, Mixing
 from labutopia_lerobot.substances.filling import Filling

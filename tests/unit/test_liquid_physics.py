@@ -9,13 +9,13 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask
-from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ
-from labutopia_lerobot.sim.scene import PHYSICS_HZ
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.substances.substance import SUBSTANCES, WATER
+from labutopia_lerobot.world.model import PHYSICS_HZ
 from liquid_experiments import FRONTS, collapse, filled, move_to, surface, swirl, world
 
 

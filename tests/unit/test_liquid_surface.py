@@ -7,7 +7,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask, volumetric_flask
+from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask, volumetric_flask
 from labutopia_lerobot.liquids.drawing.open_space import PlacedSpace, inside_vessel, look_up
 from labutopia_lerobot.liquids.drawing.surface import Surface, VesselPose, liquid_surface
 

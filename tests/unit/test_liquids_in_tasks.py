@@ -5,12 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from adversary import begun
+from adversary import begun, begun_with
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
-from labutopia_lerobot.labware.glass_rod import GlassRod
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.profile import Profile
+from labutopia_lerobot.labware.glass.glass_rod import GlassRod
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.profile import Profile
+from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.substances.filling import (
     Filling,
@@ -175,12 +176,12 @@ def test_a_restored_state_goes_on_bit_for_bit(env):
     assert final[0] == final[1]
 
 
-def test_another_substance_weighs_and_flows_otherwise(tmp_path):
+def test_another_substance_weighs_and_flows_otherwise(monkeypatch):
     weights = {}
     for name in SUBSTANCES:
-        env = LabEnv(Setting("level1/pour", obs="state", particles=100))
-        vessel = next(iter(env.workcell.task.start))
-        env.workcell.task = replace(env.workcell.task, contents={vessel: Filling(100, name)})
+        task = canonical_task(Setting("level1/pour"))
+        task = replace(task, contents={next(iter(task.start)): Filling(100, name)})
+        env = begun_with("level1/pour", task, monkeypatch, particles=100)
         env.reset(seed=2)
         body = env.workcell.simulation.data.body("beaker").id
         weights[name] = -env.workcell.simulation.data.xfrc_applied[body, 2]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glassware import erlenmeyer_flask
+from labutopia_lerobot.labware.glass.glassware import erlenmeyer_flask
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY

@@ -6,10 +6,10 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.cabinet import Cabinet
-from labutopia_lerobot.labware.drying_oven import DryingOven
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.muffle_furnace import MuffleFurnace
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.instruments.cabinet import Cabinet
+from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
+from labutopia_lerobot.labware.instruments.muffle_furnace import MuffleFurnace
 from labutopia_lerobot.layout import Inside, OnBench, Placement, sample_layout
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY

@@ -9,7 +9,6 @@ from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.robots import PANDA
-from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 
@@ -113,7 +112,7 @@ def test_a_hand_on_the_plate_has_collided(env):
 
 
 def test_a_beaker_carried_nineteen_centimetres_high_is_not_transported():
-    env = LabEnv(Setting("level2/transport_beaker", obs="state"))
+    env = begun("level2/transport_beaker")
     beaker, plate = things(env)
     info = play(env, Pick(beaker, lift=0.19), Place(beaker, OnTop(plate)))
     assert info["outcome"] == "timeout"

@@ -117,7 +117,7 @@ def test_a_target_that_is_run_into_has_been_struck(env):
 
 
 def test_a_beaker_lifted_nineteen_centimetres_is_not_picked(whole):
-    pick, *rest = whole.task.skills
+    pick, *rest = whole.workcell.task.skills
     info = play(whole, Pick(pick.thing, lift=0.19), *rest)
     assert info["outcome"] == "timeout"
     assert info["substeps"]["gripped"] > 0
@@ -125,13 +125,15 @@ def test_a_beaker_lifted_nineteen_centimetres_is_not_picked(whole):
 
 
 def test_a_beaker_that_stays_in_the_hand_has_not_been_set_down(whole):
-    pick, _, place = whole.task.skills
+    pick, _, place = whole.workcell.task.skills
 
     def keep_shut(expert, action):
         if expert.label.startswith("place"):
             action[-1] = pick.thing.grip_width - pick.squeeze
 
-    info = play(whole, *whole.task.skills[:2], replace(place, retreat=0.0), spoil=keep_shut)
+    info = play(
+        whole, *whole.workcell.task.skills[:2], replace(place, retreat=0.0), spoil=keep_shut
+    )
     assert info["outcome"] == "timeout"
     assert info["facts"]["beaker standing on bench"]
     assert info["substeps"]["released"] == np.inf

@@ -31,7 +31,9 @@ class Askew(Press):
         face = world.frame(self.button.name)
         turn = Rotation.from_rotvec(np.radians(self.tilt_deg) * face.y_axis).as_matrix()
         point = face.position_w + self.aside * face.x_axis
-        return Pose(point, turn @ face.rotation_w).advanced(-self.standoff - self.tip)
+        return Pose(point, turn @ face.rotation_w).advanced(
+            -self.standoff - world.robot.finger_reach
+        )
 
 
 @dataclass(frozen=True)

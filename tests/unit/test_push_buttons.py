@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.heater import Heater
+from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY

@@ -4,6 +4,7 @@ import math
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import mujoco
@@ -16,14 +17,14 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.policies import RandomPolicy, StillPolicy
 from labutopia_lerobot.features import action_feature, observation_features
 from labutopia_lerobot.layout import Workspace
-from labutopia_lerobot.registry import load_task
 from labutopia_lerobot.robots import IIWA, PANDA, ROBOTS, Element, Robot, load_robot
 from labutopia_lerobot.robots.action_filter import ActionFilter
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
 from labutopia_lerobot.robots.franka_hand_model import add_franka_hand
 from labutopia_lerobot.robots.parts import add_joint_servo
-from labutopia_lerobot.scenes import LABORATORY, ROOMS, load_room
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenes import LABORATORY, ROOMS, Surface, load_room
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.world import Approach
 
@@ -85,10 +86,10 @@ def env(monkeypatch) -> LabEnv:
     return LabEnv(Setting("level1/pick", obs="state", robot="six"))
 
 
-def test_features_have_as_many_numbers_as_the_robot():
+def test_features_have_as_many_numbers_as_the_robot(env):
     names = (*(f"axis{i}" for i in range(6)), "gripper")
-    assert action_feature(SIX).names == names
-    observed = observation_features(lambda: load_task("level1/pick"), SIX, "state")
+    assert action_feature(env.setting).names == names
+    observed = observation_features(env.setting, lambda: canonical_task(env.setting))
     assert observed["agent_pos"].names == names
     assert observed["agent_pos"].shape == (7,)
 
@@ -101,6 +102,32 @@ def test_the_filter_clips_every_element_to_its_own_limits():
         applied, np.minimum(np.array(SIX.start) + np.array(SIX.speed) / 30, SIX.upper), atol=1e-6
     )
     assert act.clipped == 1
+
+
+def test_heights_come_from_the_room(monkeypatch):
+    """The expert picks a flask from a bench that is 15 cm higher and 10 cm to the left."""
+    bench, (x, y, z) = LABORATORY.bench, LABORATORY.robot_stand
+    higher = replace(
+        LABORATORY,
+        name="higher",
+        bench=Surface(bench.height + 0.15, bench.x, (bench.y[0] + 0.1, bench.y[1] + 0.1)),
+        robot_stand=(x, y + 0.1, z + 0.15),
+    )
+    monkeypatch.setitem(ROOMS, "higher", higher)
+    env = LabEnv(Setting("level1/pick", obs="state", room="higher"))
+    env.reset(seed=0)
+    flask = next(iter(env.workcell.task.start))
+    assert env.workcell.world.bench_height == bench.height + 0.15
+    assert env.workcell.world.robot_base.position_w[1] == pytest.approx(0.1)
+    stands = env.workcell.world.pose(flask).position_w[2]
+    assert stands == pytest.approx(bench.height + 0.15, abs=1e-3)
+    expert, over = env.expert(), False
+    expert.start()
+    while not over:
+        _, _, terminated, truncated, info = env.step(expert.act())
+        over = terminated or truncated
+    assert info["outcome"] == "success"
+    assert not expert.unexpected
 
 
 def test_an_action_of_another_length_is_refused_by_naming_the_elements():

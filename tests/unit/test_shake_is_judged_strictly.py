@@ -9,7 +9,6 @@ import pytest
 from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.robots import PANDA
-from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.shake import Shake
 
@@ -98,7 +97,7 @@ def test_a_beaker_held_aslant_at_the_end_is_not_back_at_the_start(env):
 
 
 def test_a_beaker_lifted_nineteen_centimetres_is_not_picked():
-    env = LabEnv(Setting("level2/shake_beaker", obs="state"))
+    env = begun("level2/shake_beaker")
     honest = shake(env)
     low = replace(honest, at=replace(honest.at, height=0.19))
     info = play(env, Pick(honest.thing, lift=0.19), low)

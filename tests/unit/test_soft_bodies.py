@@ -10,9 +10,9 @@ import pytest
 
 from adversary import begun
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware.shell import enclosed_volume
-from labutopia_lerobot.labware.silicone_tube import SILICONE, SiliconeTube
-from labutopia_lerobot.labware.wash_bottle import WashBottle
+from labutopia_lerobot.labware.soft.shell import enclosed_volume
+from labutopia_lerobot.labware.soft.silicone_tube import SILICONE, SiliconeTube
+from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY

@@ -5,12 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from adversary import begun, play
+from adversary import begun, begun_with, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
 from labutopia_lerobot.skills.squeeze import Squeeze
+from labutopia_lerobot.substances.filling import Filling
 
 GLASS = 6.4e10
 """Young's modulus of borosilicate glass [Pa] (Schott Duran data sheet: 64 kN/mm^2)."""
@@ -76,11 +77,12 @@ def test_the_unspoilt_expert_succeeds(env):
     assert env.workcell.world.displaced(bottle) >= 20e-6
 
 
-def test_a_bottle_of_glass_gives_nothing(env):
+def test_a_bottle_of_glass_gives_nothing(env, monkeypatch):
     (bottle, region), (beaker, place) = env.workcell.task.start.items()
     rigid = replace(bottle, material=replace(bottle.material, young=GLASS))
     start = {rigid: region, beaker: replace(place, holder=rigid)}
-    env.workcell.task = replace(env.workcell.task, start=start)
+    task = replace(env.workcell.task, start=start, contents={rigid: Filling(ml=200)})
+    env = begun_with("level1/squeeze", task, monkeypatch)
     info = play(env, Squeeze(rigid, amount_ml=21.0))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["gripped"])
@@ -126,11 +128,11 @@ def test_a_hand_that_stays_round_the_bottle_has_not_finished(env):
     assert not info["ever_success"]
 
 
-def test_a_jet_beside_the_beaker_spills(env):
+def test_a_jet_beside_the_beaker_spills(env, monkeypatch):
     (bottle, region), (beaker, _) = env.workcell.task.start.items()
     start = {bottle: region, beaker: OnBench(x=(0.5, 0.55), y=(-0.4, -0.35))}
-    env.workcell.task = replace(env.workcell.task, start=start)
-    info = play(env, *env.workcell.task.skills)
+    env = begun_with("level1/squeeze", replace(env.workcell.task, start=start), monkeypatch)
+    info = play(env)
     assert info["outcome"] == "spilled"
     assert info["ml_spilled"] > 2
     assert info["ml_poured"] == 0
@@ -142,8 +144,11 @@ def test_a_hand_on_the_spout_has_collided(env):
     assert play(env, knock)["outcome"] == "collided"
 
 
-def test_a_beaker_that_is_touched_ends_the_episode(env):
+def test_a_beaker_that_is_touched_ends_the_episode(env, monkeypatch):
     _, beaker = things(env)
     aside = OnBench(x=(0.25, 0.26), y=(0.28, 0.30))  # where the bottle is not in the way
-    env.workcell.task = replace(env.workcell.task, start={**env.workcell.task.start, beaker: aside})
+    task = env.workcell.task
+    env = begun_with(
+        "level1/squeeze", replace(task, start={**task.start, beaker: aside}), monkeypatch
+    )
     assert play(env, Pick(beaker, lift=0.05))["outcome"] == "struck"

@@ -150,7 +150,7 @@ def test_the_unspoilt_skills_succeed_from_the_rack(from_the_rack):
 
 
 def test_a_rod_lifted_nineteen_centimetres_is_not_lifted(from_the_rack):
-    pick, honest = from_the_rack.task.skills
+    pick, honest = from_the_rack.workcell.task.skills
     info = play(from_the_rack, replace(pick, lift=0.19), replace(honest, rise=0.0))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["gripped"])

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.predicates import Predicate, gripped, lifted, poured, spilled
 from labutopia_lerobot.predicates.predicate import same
 from labutopia_lerobot.task import Milestone, Step, Task, TaskError

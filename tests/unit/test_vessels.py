@@ -6,16 +6,15 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware import (
-    Profile,
-    Vessel,
+from labutopia_lerobot.labware.glass.glassware import (
     beaker,
     erlenmeyer_flask,
     graduated_cylinder,
     volumetric_flask,
 )
-from labutopia_lerobot.labware.profile import BOROSILICATE_DENSITY
-from labutopia_lerobot.labware.vessel import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
+from labutopia_lerobot.labware.glass.profile import BOROSILICATE_DENSITY, Profile
+from labutopia_lerobot.labware.glass.vessel import Vessel
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
 FLASK_SIZES = ("300 ml", "500 ml", "1000 ml")
 BEAKER_SIZES = ("150 ml", "250 ml", "800 ml")

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.glassware import beaker, erlenmeyer_flask
-from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.bodies import Glass, clearances, stop_at_vessels
 from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ

@@ -19,9 +19,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.liquids.drawing.colors import REACH, colors_at
 from labutopia_lerobot.liquids.drawing.surface import Surface, VesselPose, liquid_surface
 from labutopia_lerobot.substances.substance import Color
-
-SKIN_GROUP = 5
-"""Group of the skins, to be switched off in `MjvOption.skingroup`: MuJoCo would bend them."""
+from labutopia_lerobot.world.model import SKIN_GROUP
 
 QUADS_PER_PARTICLE = 64
 """Room in the skin: a drop of one particle has 39 quads on average (of 300 measured) and 54 at

@@ -9,7 +9,7 @@ which both distances and the crossing of a straight path are exact.
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.profile import Profile
+from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.liquids.compilation import kernel
 
 EDGE_NUMBERS = 10

@@ -6,7 +6,7 @@ controllers/close_controller.py.
 
 import math
 
-from labutopia_lerobot.labware.cabinet import Cabinet
+from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, closed, collided
 from labutopia_lerobot.scenes.views import DOOR_VIEW

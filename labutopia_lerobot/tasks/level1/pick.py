@@ -3,7 +3,7 @@
 Ported from: config/level1_pick.yaml, tasks/pick_task.py, controllers/pick_controller.py.
 """
 
-from labutopia_lerobot.labware.glassware import erlenmeyer_flask
+from labutopia_lerobot.labware.glass.glassware import erlenmeyer_flask
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import gripped, lifted, steady, upright
 from labutopia_lerobot.task import Task

@@ -3,8 +3,8 @@
 Ported from: config/level1_place.yaml, tasks/place_task.py, controllers/place_controller.py.
 """
 
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.target_plate import TargetPlate
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.instruments.target_plate import TargetPlate
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import struck

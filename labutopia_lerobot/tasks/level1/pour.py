@@ -3,7 +3,7 @@
 Ported from: config/level1_pour.yaml, tasks/pickpour_task.py, controllers/pour_controller.py.
 """
 
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import gripped, lifted, lip_over, steady, struck, upright
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW

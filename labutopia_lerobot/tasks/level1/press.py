@@ -5,7 +5,7 @@ Ported from: config/level1_press.yaml, tasks/press_task.py, controllers/press_co
 
 import math
 
-from labutopia_lerobot.labware.button_panel import ButtonPanel
+from labutopia_lerobot.labware.instruments.button_panel import ButtonPanel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import aligned, collided, fingered, pressed, touched
 from labutopia_lerobot.scenes.views import PRESS_VIEW

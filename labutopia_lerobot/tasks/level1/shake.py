@@ -3,7 +3,7 @@
 Ported from: config/level1_shake.yaml, tasks/shake_task.py, controllers/shake_controller.py.
 """
 
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import gripped, steady

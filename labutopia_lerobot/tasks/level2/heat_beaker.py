@@ -6,8 +6,8 @@ controllers/placepress_controller.py.
 
 import math
 
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.heater import Heater
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import (

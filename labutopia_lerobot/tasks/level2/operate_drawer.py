@@ -7,7 +7,7 @@ controllers/openclose_controller.py.
 import math
 from dataclasses import replace
 
-from labutopia_lerobot.labware.cabinet import Cabinet
+from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, closed, collided, opened
 from labutopia_lerobot.scenes.views import DOOR_VIEW

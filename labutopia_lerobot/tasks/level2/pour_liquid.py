@@ -4,7 +4,7 @@ Ported from: config/level2_PourLiquid.yaml, tasks/pickpour_task.py,
 controllers/pickpour_controller.py.
 """
 
-from labutopia_lerobot.labware.glassware import beaker
+from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import lip_over, struck, upright

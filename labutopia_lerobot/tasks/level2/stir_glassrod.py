@@ -4,9 +4,9 @@ Ported from: config/level2_StirGlassrod.yaml, tasks/stir_task.py,
 controllers/stirglassrod_controller.py.
 """
 
-from labutopia_lerobot.labware.glass_rod import GlassRod
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.test_tube_rack import TestTubeRack
+from labutopia_lerobot.labware.glass.glass_rod import GlassRod
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.instruments.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.predicates import steady, upright
 from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW

@@ -5,8 +5,8 @@ The paper simulates soft bodies, but none of its tasks needs one; the original's
 
 import math
 
-from labutopia_lerobot.labware.glassware import beaker
-from labutopia_lerobot.labware.wash_bottle import WashBottle
+from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.predicates import (
     collided,

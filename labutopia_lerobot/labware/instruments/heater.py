@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.mounting import Fixed
-from labutopia_lerobot.labware.push_button import PushButton
-from labutopia_lerobot.labware.solid import CYLINDER, Quaternion, Vector, add_look, add_part
-from labutopia_lerobot.labware.switch import Switch
-from labutopia_lerobot.labware.vessel import VISUAL_GROUP
+from labutopia_lerobot.labware.parts.mounting import Fixed
+from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, Vector, add_look, add_part
+from labutopia_lerobot.labware.parts.switch import Switch
+from labutopia_lerobot.world.model import VISUAL_GROUP
 
 _SIDE = 0.16
 """Side of the square top [m]: a usual size of laboratory hot plates (original: not on record)."""

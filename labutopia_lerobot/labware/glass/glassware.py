@@ -7,8 +7,8 @@ ISO 4788 (graduated cylinders) that fills at most 90 % of the brimful capacity.
 
 from collections.abc import Mapping
 
-from labutopia_lerobot.labware.profile import Profile
-from labutopia_lerobot.labware.vessel import Vessel
+from labutopia_lerobot.labware.glass.profile import Profile
+from labutopia_lerobot.labware.glass.vessel import Vessel
 
 _FLASKS = {
     # nominal volume: base radius, neck radius, height [m]

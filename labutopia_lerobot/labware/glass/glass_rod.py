@@ -4,16 +4,10 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.mounting import Loose
-from labutopia_lerobot.labware.profile import BOROSILICATE_DENSITY
-from labutopia_lerobot.labware.vessel import (
-    COLLISION_GROUP,
-    FRICTION,
-    HULL_GROUP,
-    SOLIMP,
-    SOLREF,
-    VISUAL_GROUP,
-)
+from labutopia_lerobot.labware.glass.profile import BOROSILICATE_DENSITY
+from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.mounting import Loose
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
 LENGTH = 0.25
 """Length [m]. Original: 0.2, too short for fingers above a rack of 0.193 m; rods are usually 0.1 to

@@ -7,11 +7,12 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.profile import Point
-from labutopia_lerobot.labware.vessel import FRICTION, SOLIMP, VISUAL_GROUP
+from labutopia_lerobot.labware.glass.profile import Point
+from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP
 from labutopia_lerobot.world import FloatArray
+from labutopia_lerobot.world.model import PHYSICS_HZ, VISUAL_GROUP
 
-_SOLREF = (1.0 / 300.0, 1.0)
+_SOLREF = (1.0 / PHYSICS_HZ, 1.0)
 """Time constant [s] and damping ratio of contacts: one physics step. MuJoCo scales a contact's
 stiffness by the inertia behind it, which for a single vertex is grams, so that the 8 ms of rigid
 glass let a pad through the wall (measured: 3.8 mm deep, and out on the other side)."""

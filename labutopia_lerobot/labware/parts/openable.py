@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import mujoco
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.solid import CYLINDER, Vector, add_part
-from labutopia_lerobot.labware.vessel import COLLISION_GROUP
+from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_part
 from labutopia_lerobot.world import Pose, World
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _LYING = (math.cos(math.pi / 4), math.sin(math.pi / 4), 0.0, 0.0)  # z axis along -y
 _ACROSS = (math.cos(math.pi / 4), 0.0, math.sin(math.pi / 4), 0.0)  # z axis along x

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.mounting import Fixed
-from labutopia_lerobot.labware.push_button import PushButton
-from labutopia_lerobot.labware.solid import CYLINDER, Quaternion, add_look, add_part
+from labutopia_lerobot.labware.parts.mounting import Fixed
+from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look, add_part
 
 _SLANT = math.radians(35.0)
 _ROLL = math.radians(45.0)

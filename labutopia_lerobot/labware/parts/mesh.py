@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.profile import Point
+from labutopia_lerobot.labware.glass.profile import Point
 
 type Mesh = tuple[NDArray[np.float64], NDArray[np.int64]]
 """Vertices, shape (n, 3) [m], and triangles, shape (m, 3), of vertex numbers."""

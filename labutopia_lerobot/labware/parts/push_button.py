@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.solid import (
+from labutopia_lerobot.labware.parts.contact import SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.solid import (
     CYLINDER,
     UNTURNED,
     Quaternion,
@@ -12,7 +13,7 @@ from labutopia_lerobot.labware.solid import (
     add_look,
     add_part,
 )
-from labutopia_lerobot.labware.vessel import COLLISION_GROUP, SOLIMP, SOLREF
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 type Color = tuple[float, float, float, float]
 

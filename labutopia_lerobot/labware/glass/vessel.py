@@ -7,31 +7,17 @@ from itertools import pairwise
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.mesh import SEGMENTS, Mesh, bead, join, revolve
-from labutopia_lerobot.labware.mounting import Loose
-from labutopia_lerobot.labware.profile import MassProperties, Point, Profile
-
-VISUAL_GROUP, COLLISION_GROUP, HULL_GROUP = 2, 3, 4
-"""Geom groups: cameras draw 0 to 2; contacts come from 3; the motion planner measures to 4."""
+from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
+from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.mesh import SEGMENTS, Mesh, bead, join, revolve
+from labutopia_lerobot.labware.parts.mounting import Loose
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
 FACETS = 16
 """Flat pieces around a wall: a neck of 22 mm radius is round to within 0.4 mm."""
 
 FEET = 8
 """Small spheres on which a vessel stands."""
-
-FRICTION = (0.4, 0.005, 0.0001)
-"""Sliding, torsional [m], rolling [m]. The first is the kinetic friction of glass on glass (Serway,
-"Physics for Scientists and Engineers", table of friction coefficients). MuJoCo takes the larger
-value of two geoms, so that a rougher bench or a rubber pad decides for itself."""
-
-SOLREF = (0.008, 1.0)
-"""Time constant [s] and damping ratio of contacts: critically damped, and as stiff as two physics
-steps of 1/300 s allow (MuJoCo, "Solver parameters")."""
-
-SOLIMP = (0.95, 0.99, 0.0005, 0.5, 2.0)
-"""Contacts are hard within half a millimetre. Measured: an 8 mm ball is stopped by the walls up to
-1.2 m/s at 300 steps per second, and goes through some of them at 1.5 m/s."""
 
 _FOOT_RADIUS = 0.004
 _FOOT_DEPTH = 0.0002  # how far the feet stand out below the bottom [m]

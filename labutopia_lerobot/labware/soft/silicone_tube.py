@@ -7,11 +7,12 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.mounting import Fixed
-from labutopia_lerobot.labware.shell import OWN_CONTYPE, Elastic
-from labutopia_lerobot.labware.solid import CYLINDER, Quaternion, add_look, add_part
-from labutopia_lerobot.labware.vessel import SOLIMP, VISUAL_GROUP
+from labutopia_lerobot.labware.parts.contact import SOLIMP
+from labutopia_lerobot.labware.parts.mounting import Fixed
+from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look, add_part
+from labutopia_lerobot.labware.soft.shell import OWN_CONTYPE, Elastic
 from labutopia_lerobot.world import FloatArray
+from labutopia_lerobot.world.model import PHYSICS_HZ, VISUAL_GROUP
 
 SILICONE = Elastic(young=3.0e6, poisson=0.49, density=1150.0, damping=0.02)
 """Silicone rubber. Modulus: tubing of Shore A 50 to 78 has 2.1 to 4 MPa (table 2 of the article
@@ -23,7 +24,7 @@ _OUTER, _BORE = 0.004, 0.0025
 _FRICTION = (0.8, 0.005, 0.0001)
 """The first is the kinetic friction of rubber on concrete (Serway and Jewett, "Physics for
 Scientists and Engineers", table of friction coefficients)."""
-_SOLREF = (1.0 / 300.0, 1.0)
+_SOLREF = (1.0 / PHYSICS_HZ, 1.0)
 """Time constant [s] and damping ratio of contacts: see `shell.py`."""
 _SOLREF_LENGTH = (0.001, 1.0)
 """Time constant [s] and damping ratio of the edges' length. Pulled by 0.25 N, an edge gets 0.6 %

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.mounting import Fixed
-from labutopia_lerobot.labware.solid import BOX, Vector, add_look
-from labutopia_lerobot.labware.vessel import COLLISION_GROUP, FRICTION, HULL_GROUP, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.mounting import Fixed
+from labutopia_lerobot.labware.parts.solid import BOX, Vector, add_look
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP
 
 WIDTH, LENGTH, HEIGHT = 0.085, 0.286, 0.193
 """Outer dimensions along x, y and z [m] (original)."""

@@ -2,7 +2,7 @@
 
 import mujoco
 
-from labutopia_lerobot.labware.vessel import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
 type Vector = tuple[float, float, float]
 type Quaternion = tuple[float, float, float, float]

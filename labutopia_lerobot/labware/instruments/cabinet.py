@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.mounting import Fixed
-from labutopia_lerobot.labware.openable import Drawer, Handle
-from labutopia_lerobot.labware.solid import Vector, add_part
+from labutopia_lerobot.labware.parts.mounting import Fixed
+from labutopia_lerobot.labware.parts.openable import Drawer, Handle
+from labutopia_lerobot.labware.parts.solid import Vector, add_part
 
 _DEPTH, _WIDTH, _HEIGHT = 0.560, 0.420, 0.480
 """Outer size [m]; ours: the top handle is as high as the original's, 1.15 m above the floor, and

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.mounting import Fixed
-from labutopia_lerobot.labware.openable import Door, Handle
-from labutopia_lerobot.labware.solid import CYLINDER, Vector, add_feet, add_look, add_part
+from labutopia_lerobot.labware.parts.mounting import Fixed
+from labutopia_lerobot.labware.parts.openable import Door, Handle
+from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
 
 _DEPTH, _WIDTH, _HEIGHT = 0.555, 0.644, 0.842
 """Outer size [m] (original, MuffleFurnace)."""

@@ -5,17 +5,11 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.mesh import revolve
-from labutopia_lerobot.labware.mounting import Loose
-from labutopia_lerobot.labware.solid import BOX
-from labutopia_lerobot.labware.vessel import (
-    COLLISION_GROUP,
-    FRICTION,
-    HULL_GROUP,
-    SOLIMP,
-    SOLREF,
-    VISUAL_GROUP,
-)
+from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.mesh import revolve
+from labutopia_lerobot.labware.parts.mounting import Loose
+from labutopia_lerobot.labware.parts.solid import BOX
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
 type Color = tuple[float, float, float, float]
 

@@ -1,6 +1,6 @@
 """How things stand: free on the bench, or fixed to it; what most of them are is said once, here."""
 
-from labutopia_lerobot.labware.switch import Switch
+from labutopia_lerobot.labware.parts.switch import Switch
 
 
 class _Still:

@@ -1,0 +1,1 @@
+"""Glassware: vessels of revolution, rods."""

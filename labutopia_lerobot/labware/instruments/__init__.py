@@ -1,0 +1,1 @@
+"""Instruments, furniture and holders: what is fixed to the bench, or stands on it."""

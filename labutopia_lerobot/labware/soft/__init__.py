@@ -1,0 +1,1 @@
+"""Soft bodies: a wall or a tube that gives way."""
