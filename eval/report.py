@@ -1,32 +1,30 @@
-"""`python eval/report.py DIR`: one table of every result in a folder."""
+"""`python eval/report.py DIR`: one table of every result in a folder, unfinished ones too."""
 
 import argparse
-import json
 from pathlib import Path
 
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
-from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.result import RESULT
-from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.evaluation.found import find_results
 from labutopia_lerobot.evaluation.table import summary_table
 
 
 @clear_errors
 def main() -> None:
-    """Print the summaries of all result files below the folder."""
+    """Print the summaries of all results below the folder."""
     parser = argparse.ArgumentParser(prog="python eval/report.py", description=__doc__)
     parser.add_argument("folder", type=Path, metavar="DIR")
-    folder: Path = parser.parse_args().folder
-    files = sorted(folder.rglob(RESULT))
-    if not files:
-        raise UserError(f"{folder} holds no {RESULT}. Make one: python eval/run.py out={folder}")
-    summaries = [
-        Summary(**line) for file in files for line in json.loads(file.read_text())["summary"]
-    ]
+    results = find_results(parser.parse_args().folder)
+    summaries = [summary for result in results for summary in result.summaries]
     summaries.sort(key=lambda summary: (summary.task, summary.split))
-    Console().print(summary_table(summaries, level_means=False))
+    console = Console()
+    console.print(summary_table(summaries, level_means=False))
+    for result in results:
+        if not result.finished:
+            played = sum(summary.n for summary in result.summaries)
+            line = f"Unfinished: {result.folder}, {played} episodes so far"
+            console.print(line, soft_wrap=True, markup=False, highlight=False)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,10 @@
-"""`python eval/run.py task=level1/pick policy=act`: play a policy and count its successes."""
+"""`python eval/run.py task=level1/pick policy=act`: play a policy and count its successes.
+
+Interrupted or killed, the same command with the same `out=` goes on where it was.
+"""
 
 import difflib
+import shlex
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -18,6 +22,7 @@ from labutopia_lerobot.evaluation.config import (
     PolicyConfig,
     require_known_options,
 )
+from labutopia_lerobot.evaluation.result import RESULT
 from labutopia_lerobot.evaluation.run import run
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.setting import as_lists
@@ -45,7 +50,18 @@ def evaluate_composed(composed: DictConfig) -> None:
     """Evaluate what Hydra has composed."""
     config = OmegaConf.to_object(composed)
     assert isinstance(config, EvaluationConfig)
-    run(config, Console())
+    try:
+        run(config, Console())
+    except KeyboardInterrupt:
+        if (Path(config.out) / RESULT).exists():
+            raise  # only films are missing
+        raise KeyboardInterrupt(f"Go on: {_same_command(config.out)}") from None
+
+
+def _same_command(out: str) -> str:
+    """Return the command that goes on in a folder, which has a time stamp by default."""
+    options = [option for option in sys.argv[1:] if not option.startswith("out=")]
+    return shlex.join(["python", sys.argv[0], *options, f"out={out}"])
 
 
 def _policies() -> list[str]:

@@ -1,20 +1,22 @@
-"""`python scripts/make_docs.py RESULTS`: the gallery, and the table of tasks in the README.
+"""`python scripts/make_docs.py`: the gallery, and the tables of tasks, starts and failures.
 
-RESULTS is a folder with results of `eval/run.py level=N policy=expert`.
+The numbers are the expert's rows in `eval/results`, which `scripts/expert_rows.py` keeps there.
 """
 
 import argparse
-import json
 from collections import Counter
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+import expert_rows
+from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.evaluation.result import RESULT
+from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.statistics import summarise
 from labutopia_lerobot.layout import Inside
 from labutopia_lerobot.registry import is_beyond_paper, task_files
 from labutopia_lerobot.scenario import canonical_task
@@ -25,15 +27,16 @@ DOCS = ROOT / "docs"
 BEGIN, END = "<!-- tasks -->", "<!-- end of tasks -->"
 
 
+Rows = Mapping[str, Sequence[Row]]
+"""Task id -> the expert's rows."""
+
+
+@clear_errors
 def main() -> None:
     """Write everything."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("results", type=Path)
-    results = parser.parse_args().results
-    summaries = {}
-    for file in sorted(results.rglob(RESULT)):
-        content = json.loads(file.read_text())
-        summaries |= {line["task"]: line for line in content["summary"]}
+    parser.add_argument("results", type=Path, nargs="?", default=expert_rows.RESULTS)
+    rows = expert_rows.read(parser.parse_args().results)
     gallery = [
         "# Gallery",
         "",
@@ -52,10 +55,10 @@ def main() -> None:
     readme = (ROOT / "README.md").read_text()
     before, _, rest = readme.partition(BEGIN)
     _, _, after = rest.partition(END)
-    table = "\n".join(task_table(summaries))
+    table = "\n".join(task_table(rows))
     (ROOT / "README.md").write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
     (DOCS / "starts.md").write_text("\n".join(start_table()) + "\n")
-    (DOCS / "failures.md").write_text("\n".join(failure_table(summaries)) + "\n")
+    (DOCS / "failures.md").write_text("\n".join(failure_table(rows)) + "\n")
 
 
 def pouring() -> NDArray[np.uint8]:
@@ -86,27 +89,28 @@ def start_and_end(task_id: str) -> NDArray[np.uint8]:
     return np.vstack([first, np.hstack(list(observation["pixels"].values()))])
 
 
-def task_table(summaries: dict[str, dict[str, Any]]) -> list[str]:
+def task_table(rows: Rows) -> list[str]:
     """Return the table of tasks in Markdown."""
     lines = [
         "| task | instruction | expert | 95 % | mean time |",
         "| --- | --- | --- | --- | --- |",
     ]
     beyond = False
-    for task_id in task_files():
+    for task_id, played in rows.items():
         if is_beyond_paper(task_id) and not beyond:
             beyond = True
             lines.append("| *beyond the paper* | | | | |")
-        line, instruction = summaries.get(task_id), canonical_task(Setting(task_id)).instruction
-        cells = ["not measured", "", ""]
-        if line is not None:
-            low, high = line["wilson95"]
-            cells = [
-                f"{line['successes']}/{line['n']}",
-                f"{100 * low:.0f} to {100 * high:.0f} %",
-                f"{line['mean_seconds_to_success']:.1f} s",
-            ]
-        lines.append(f"| `{task_id}` | {instruction} | " + " | ".join(cells) + " |")
+        (line,) = summarise(played)
+        low, high = line.wilson95
+        seconds = line.mean_seconds_to_success
+        cells = [
+            f"`{task_id}`",
+            canonical_task(Setting(task_id)).instruction,
+            f"{line.successes}/{line.n}",
+            f"{100 * low:.0f} to {100 * high:.0f} %",
+            "-" if seconds is None else f"{seconds:.1f} s",
+        ]
+        lines.append(f"| {' | '.join(cells)} |")
     return lines
 
 
@@ -128,21 +132,43 @@ def start_table() -> list[str]:
             if isinstance(region, Inside):
                 lines.append(f"| `{task_id}` | {piece.name} | in {region.holder.name} | | any |")
                 continue
-            x, y = (f"{low:.2f} to {high:.2f}" for low, high in (region.x, region.y))
+            x, y = (f"{metres(low)} to {metres(high)}" for low, high in (region.x, region.y))
             low, high = np.degrees(region.yaw)
             cells = (f"`{task_id}`", piece.name, x, y, f"{low:.0f} to {high:.0f}")
             lines.append(f"| {' | '.join(cells)} |")
     return lines
 
 
-def failure_table(summaries: dict[str, dict[str, Any]]) -> list[str]:
+def metres(length: float) -> str:
+    """Return a length [m] in centimetres' precision, or in millimetres' where it needs that."""
+    text = f"{length:.3f}"
+    return text.removesuffix("0")
+
+
+def failure_table(rows: Rows) -> list[str]:
     """Return the experts' failures by cause, in Markdown."""
-    lines = ["# How experts fail", "", "Outcomes of the episodes behind the README's table.", ""]
-    lines += ["| task | episodes | outcomes |", "| --- | --- | --- |"]
-    for task_id, line in summaries.items():
-        outcomes = ", ".join(f"{name} {count}" for name, count in Counter(line["outcomes"]).items())
-        lines.append(f"| `{task_id}` | {line['n']} | {outcomes} |")
+    lines = [
+        "# How experts fail",
+        "",
+        "Outcomes of the episodes behind the README's table; why episodes failed, and which phase",
+        "the expert could not finish; how many starts were drawn anew because the expert could not",
+        "bring about from them what the task begins with, such as a beaker in the hand.",
+        "",
+        "| task | episodes | outcomes | causes | expert | starts drawn anew |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
+    for task_id, played in rows.items():
+        (line,) = summarise(played)
+        stuck = Counter(row.expert_failure for row in played if row.expert_failure is not None)
+        cells = [f"`{task_id}`", str(line.n)]
+        cells += [_counted(line.outcomes), _counted(line.causes), _counted(stuck)]
+        cells.append(str(sum(row.prelude_failures for row in played)))
+        lines.append(f"| {' | '.join(cells)} |")
     return lines
+
+
+def _counted(counts: Mapping[str, int]) -> str:
+    return ", ".join(f"{name} {count}" for name, count in counts.items())
 
 
 if __name__ == "__main__":

@@ -13,7 +13,8 @@ from labutopia_lerobot.errors import UserError
 def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
     """Wrap a program: user errors exit with 2, a full disk with 1, Ctrl-C with 130.
 
-    Anything else is a bug of ours and keeps its traceback.
+    What a `KeyboardInterrupt` says, such as how to go on, is told. Anything else is a bug of ours
+    and keeps its traceback.
     """
 
     @wraps(main)
@@ -26,8 +27,9 @@ def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
             if error.errno != errno.ENOSPC:
                 raise
             _tell("Error: the disk is full. What was finished before is intact.", status=1)
-        except KeyboardInterrupt:
-            _tell("Interrupted. What was finished before is intact.", status=130)
+        except KeyboardInterrupt as interrupt:
+            told = f"Interrupted. What was finished before is intact. {interrupt}"
+            _tell(told.rstrip(), status=130)
 
     return wrapped
 

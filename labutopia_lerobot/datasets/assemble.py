@@ -23,6 +23,7 @@ from labutopia_lerobot.datasets.candidate import COLUMNS, HISTOGRAM, Candidate, 
 from labutopia_lerobot.datasets.features import IMAGES, dataset_features
 from labutopia_lerobot.datasets.layout import DRAWN, OUTCOME, PHASES, RECORDING, SEED
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
+from labutopia_lerobot.datasets.recording_folder import began_with
 from labutopia_lerobot.runtime.video import (
     CODEC,
     KEYFRAME_INTERVAL,
@@ -113,7 +114,7 @@ class DatasetAssembler:
         """Close every file and write down how the recording was made, failures included."""
         self._writer.finalize()
         failures = [candidate for candidate in candidates if not candidate.success]
-        recording = self._config.provenance | {
+        recording = began_with(self._work) | {
             "renderers": sorted({c.renderer for c in candidates if c.renderer is not None}),
             "failures": [
                 {"index": failure.index, "seed": failure.seed, "cause": failure.cause}

@@ -2,7 +2,6 @@
 
 import os
 from dataclasses import asdict, field
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -10,11 +9,9 @@ from omegaconf import MISSING
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.video import require_filmable
 from labutopia_lerobot.setting import Setting, setting_of, with_setting
-
-_PACKAGES = ("lerobot_env_labutopia", "mujoco", "mink", "daqp", "numba", "numpy", "av", "lerobot")
-"""Another version of any of these may give another dataset."""
 
 
 class RecordingOptionError(UserError, ValueError):
@@ -87,10 +84,15 @@ class RecordingConfig:
 
     @property
     def provenance(self) -> dict[str, dict[str, Any]]:
-        """Everything that decides what the dataset holds: options and versions of packages."""
+        """Everything that decides what the dataset holds: options, code, versions of packages.
+
+        Raises:
+            UnknownTaskError: If there is no such task.
+        """
         options = asdict(self)
         del options["workers"], options["root"]
         return {
             "config": options,
-            "versions": {package: version(package) for package in _PACKAGES},
+            "code": provenance.code([self.task], self.setting.tasks_dir),
+            "versions": provenance.versions(),
         }

@@ -4,9 +4,7 @@ While a recording is unfinished, everything of it is in `<root>/.recording`. Eac
 the finished dataset is one rename, and can be done again.
 """
 
-import fcntl
 import json
-import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -15,6 +13,7 @@ from typing import Any
 
 from labutopia_lerobot.datasets.layout import RECORDING, read_json
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.runtime.claim import differences, locked, write_whole
 
 _WORK = ".recording"
 _DISCARDED = ".recording.discarded"
@@ -40,19 +39,14 @@ def claim(root: Path, provenance: dict[str, dict[str, Any]]) -> Iterator[Path]:
         RecordingFolderError: If the folder belongs to another recording, to a finished one, to a
             running one or to something else.
     """
-    try:
-        root.mkdir(parents=True, exist_ok=True)
-        descriptor = os.open(root, os.O_RDONLY)
-    except OSError as error:
-        raise RecordingFolderError(f"root={root} cannot be used: {error.strerror}") from None
-    try:
-        try:
-            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise RecordingFolderError(f"{root} is being recorded by another process") from None
+    with locked(root, "root", RecordingFolderError):
         yield _work_folder(root, provenance)
-    finally:
-        os.close(descriptor)
+
+
+def began_with(work: Path) -> dict[str, Any]:
+    """Return the provenance of an unfinished recording, as it was when the recording began."""
+    provenance: dict[str, Any] = json.loads((work / _MANIFEST).read_text())
+    return provenance
 
 
 def publish(root: Path, assembled: Path) -> None:
@@ -71,7 +65,7 @@ def _work_folder(root: Path, provenance: dict[str, dict[str, Any]]) -> Path:
     if (root / _DISCARDED).exists():
         shutil.rmtree(root / _DISCARDED)
     if manifest.exists():
-        _refuse_other(root, json.loads(manifest.read_text()), provenance)
+        _refuse_other(root, began_with(work), provenance)
         return work
     strangers = sorted(path.name for path in root.iterdir() if path != work)
     if (root / RECORDING).exists():
@@ -85,24 +79,17 @@ def _work_folder(root: Path, provenance: dict[str, dict[str, Any]]) -> Path:
             "Choose another root="
         )
     work.mkdir(exist_ok=True)
-    draft = work / f"{_MANIFEST}.tmp"
-    draft.write_text(json.dumps(provenance, indent=2))
-    draft.rename(manifest)
+    write_whole(manifest, provenance)
     return work
 
 
 def _refuse_other(
     root: Path, there: dict[str, dict[str, Any]], here: dict[str, dict[str, Any]]
 ) -> None:
-    differences = [
-        f"  {name}: {before.get(name)!r} there, {now.get(name)!r} here"
-        for part, now in here.items()
-        for before in [there.get(part, {})]
-        for name in sorted(before.keys() | now.keys())
-        if before.get(name) != now.get(name)
-    ]
-    if differences:
+    different = differences(there, here)
+    if different:
         raise RecordingFolderError(
-            f"{root} holds another recording:\n" + "\n".join(differences) + "\n"
-            "Choose another root=, or repeat the command that began it"
+            f"{root} holds another recording, or one that other code began:\n"
+            + "\n".join(different)
+            + "\nChoose another root=, or repeat the command that began it, with the same code"
         )

@@ -3,24 +3,28 @@
 Reads only the JSON beside the weights, so that a mistake is told before torch is imported.
 """
 
-import json
 from dataclasses import dataclass, replace
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
-from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.json_object import read_json_object
 from labutopia_lerobot.evaluation.policies import Policy
-from labutopia_lerobot.features import (
-    ACTION,
-    environment_state_names,
+from labutopia_lerobot.evaluation.processors import (
+    POSTPROCESSOR,
+    PREPROCESSOR,
+    CheckpointError,
+    read_steps,
+    require_harmless,
 )
+from labutopia_lerobot.evaluation.trained_on import element_names
+from labutopia_lerobot.features import ACTION, environment_state_names
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import CAMERAS, IMAGE_SIZE, Setting
 
 _CONFIG = "config.json"
-_PREPROCESSOR = "policy_preprocessor.json"
-_FILES = (_CONFIG, "model.safetensors", _PREPROCESSOR, "policy_postprocessor.json")
+FILES = (_CONFIG, "model.safetensors", PREPROCESSOR, POSTPROCESSOR)
 _PICKLES = {".bin", ".ckpt", ".pkl", ".pt", ".pth"}
 _STATE = "observation.state"
 _PRIVILEGED = "observation.environment_state"
@@ -29,16 +33,13 @@ _EMPTY_SLOT = "empty_camera"
 """LeRobot's name for cameras that a vision-language-action model can do without."""
 
 
-class CheckpointError(UserError):
-    """A checkpoint that is missing, or that cannot play the task; the message says the cure."""
-
-
 @dataclass(frozen=True)
 class Checkpoint:
     """A trained policy that fits a task; calling it loads the weights.
 
     Attributes:
-        folder: LeRobot's `pretrained_model` folder.
+        folder: LeRobot's `pretrained_model` folder, with links such as `last` followed: what is
+            told of it stays true, and every worker loads the same, whatever training does.
         device: Device of torch, or None for CUDA where there is one.
         setting: What it plays and observes.
     """
@@ -60,6 +61,10 @@ def open_checkpoint(
 ) -> Checkpoint:
     """Find the checkpoint for a task and make sure that it can play it.
 
+    The elements of `environment_state` are compared by name while the dataset of the training is on
+    this machine, since LeRobot keeps the shapes only; otherwise by number. Then a checkpoint of
+    another task with as many elements is not noticed.
+
     Args:
         path: A `pretrained_model` folder, an `output_dir` of `lerobot-train`, or a folder that
             holds either of them per task, such as `level1/pick`.
@@ -71,9 +76,10 @@ def open_checkpoint(
     Raises:
         CheckpointError: If there is none, or it cannot play the task.
     """
-    folder = _find(path, policy, setting.task, obs)
+    folder = _find(path, policy, setting.task, obs).resolve()
     _require_files(folder)
-    config = _read(folder / _CONFIG)
+    require_harmless(folder)
+    config = read_json_object(folder / _CONFIG, CheckpointError)
     _require_type(folder, config, policy)
     inputs = _shapes(folder, config, "input_features")
     outputs = _shapes(folder, config, "output_features")
@@ -88,6 +94,7 @@ def open_checkpoint(
     if not pictures:
         names = environment_state_names(canonical_task(setting))
         _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
+        _require_names(folder, setting.task, names)
         return Checkpoint(folder, device, replace(setting, obs="state"))
     if _PRIVILEGED in inputs:
         raise CheckpointError(
@@ -118,7 +125,7 @@ def _find(path: Path, policy: str, task_id: str, obs: str | None) -> Path:
 
 
 def _require_files(folder: Path) -> None:
-    missing = [name for name in _FILES if not (folder / name).is_file()]
+    missing = [name for name in FILES if not (folder / name).is_file()]
     if not missing:
         return
     pickles = sorted(file.name for file in folder.iterdir() if file.suffix in _PICKLES)
@@ -148,16 +155,6 @@ def _require_obs(folder: Path, trained_on: str, obs: str | None) -> None:
         )
 
 
-def _read(file: Path) -> dict[str, Any]:
-    try:
-        content = json.loads(file.read_text())
-    except (OSError, ValueError) as error:
-        raise CheckpointError(f"{file} cannot be read: {error}") from None
-    if not isinstance(content, dict):
-        raise CheckpointError(f"{file} is no JSON object")
-    return content
-
-
 def _shapes(folder: Path, config: dict[str, Any], kind: str) -> dict[str, tuple[int, ...]]:
     try:
         return {key: tuple(feature["shape"]) for key, feature in config[kind].items()}
@@ -174,11 +171,24 @@ def _require_size(folder: Path, key: str, shape: tuple[int, ...] | None, size: i
         )
 
 
+def _require_names(folder: Path, task: str, names: tuple[str, ...]) -> None:
+    known = element_names(folder, _PRIVILEGED)
+    if known is None or known[1] == names:
+        return
+    root, trained = known
+    there, here = next((a, b) for a, b in zip_longest(trained, names) if a != b)
+    raise CheckpointError(
+        f"{folder} does not fit {task}: it was trained on {root}, where `{_PRIVILEGED}` has "
+        f"{there!r} for what is {here!r} here. Train it on a dataset of this task; if another "
+        "dataset has come to lie there since, take `dataset` out of its train_config.json"
+    )
+
+
 def _cameras(folder: Path, pictures: dict[str, tuple[int, ...]]) -> tuple[str, ...]:
     renamed = {
         after: before
-        for step in _read(folder / _PREPROCESSOR).get("steps", [])
-        if step.get("registry_name") == "rename_observations_processor"
+        for step in read_steps(folder / PREPROCESSOR)
+        if step["registry_name"] == "rename_observations_processor"
         for before, after in step["config"].get("rename_map", {}).items()
     }
     seen = [renamed.get(key, key) for key in pictures if _EMPTY_SLOT not in key]

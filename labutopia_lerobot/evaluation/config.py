@@ -110,7 +110,12 @@ def require_known_options(arguments: Sequence[str]) -> None:
     options += [f"policy.{option.name}" for option in fields(PolicyConfig)]
     for argument in arguments:
         name, equals, _ = argument.partition("=")
-        if equals and name[:1].isalpha() and name not in options and not name.startswith("hydra"):
+        if (
+            equals
+            and (not name or name[:1].isalpha())
+            and name not in options
+            and not name.startswith("hydra")
+        ):
             near = difflib.get_close_matches(name, options, n=1)
             hint = f" Did you mean '{near[0]}='?" if near else ""
             raise EvaluationOptionError(

@@ -1,6 +1,6 @@
 """An evaluation, from pairings of policies and tasks to episodes."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 from labutopia_lerobot.evaluation.checkpoint import open_checkpoint
@@ -23,18 +23,27 @@ def make_pairings(config: EvaluationConfig) -> list[Pairing]:
     return [_pairing(config, task, split) for task in config.tasks for split in config.splits]
 
 
-def evaluate(pairings: Sequence[Pairing], seeds: Sequence[int], workers: int) -> Iterator[Episode]:
+def evaluate(
+    pairings: Sequence[Pairing],
+    seeds: Sequence[int],
+    workers: int,
+    known: Collection[Episode] = (),
+) -> Iterator[Episode]:
     """Yield every episode as it is finished; what is in them does not depend on the workers.
 
     Args:
         pairings: What to play.
         seeds: Which episodes of each.
         workers: Number of processes.
+        known: Episodes that an earlier run played; they are not yielded.
 
     Raises:
         Exception: Whatever was raised in a worker; a bug is not a failed episode.
     """
-    jobs = [(pairing, seed) for pairing in pairings for seed in seeds]
+    played = {(episode.pairing, episode.row.seed) for episode in known}
+    jobs = [
+        (pairing, seed) for pairing in pairings for seed in seeds if (pairing, seed) not in played
+    ]
     yield from in_processes(play, jobs, workers)
 
 

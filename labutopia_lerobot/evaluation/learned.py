@@ -12,6 +12,7 @@ from lerobot.policies.factory import get_policy_class
 from labutopia_lerobot.env import LabEnv, Observation
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.policies import Action
+from labutopia_lerobot.evaluation.processors import require_harmless
 
 
 class UnusableWeightsError(UserError):
@@ -28,15 +29,20 @@ class LearnedPolicy:
         folder: A `pretrained_model` folder of LeRobot.
         device: `cpu`, `cuda` or another device of torch; None for CUDA where there is one.
 
+    Attributes:
+        device: The device that it runs on.
+
     Raises:
+        CheckpointError: If the processors could run code.
         UnusableWeightsError: If the weights do not fit the configuration, or there is no such
             device.
     """
 
     def __init__(self, folder: Path, device: str | None) -> None:
+        require_harmless(folder)  # here too: whoever loads a policy comes through here
         torch.set_num_threads(1)
         config = PreTrainedConfig.from_pretrained(folder)
-        config.device = _require_device(device)
+        self.device = config.device = _require_device(device)
         config.pretrained_path = folder
         if hasattr(config, "pretrained_backbone_weights"):
             # They would be downloaded, only to be overwritten by those of the checkpoint.

@@ -17,7 +17,8 @@ Action = NDArray[np.float32]
 class Policy(Protocol):
     """Plays one episode after another.
 
-    What it does depends on the observations and the seed of the episode alone.
+    What it does depends on the observations and the seed of the episode alone. It may have a
+    `failure` (what it could not do, or None) and a `device` (of torch), which rows then tell.
     """
 
     def start(self, env: LabEnv, seed: int) -> None:
@@ -44,6 +45,11 @@ class ExpertPolicy:
     def act(self, observation: Observation) -> Action:
         """Return the expert's next action."""
         return self._expert.act()
+
+    @property
+    def failure(self) -> str | None:
+        """Which phase it could not finish in this episode, or None."""
+        return self._expert.failure
 
 
 class StillPolicy:

@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import Info, LabEnv
+from labutopia_lerobot.evaluation.causes import cause_of
 from labutopia_lerobot.evaluation.policies import Policy, PolicyMaker
+from labutopia_lerobot.evaluation.row import Row
 from labutopia_lerobot.progress import History
 from labutopia_lerobot.scenario import canonical_task
-from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 from labutopia_lerobot.world import CONTROL_HZ
@@ -36,79 +37,19 @@ class Pairing:
 
 
 @dataclass(frozen=True)
-class Row:
-    """What became of one episode: one row of a result file.
-
-    Attributes:
-        task: Task id.
-        split: `train`, `id` or `ood`.
-        axes: Axes that were to vary, or with `ood` to be shifted, beside the task's own.
-        drawn: Axis -> what the episode drew on it.
-        policy: What the policy is called.
-        play: How the sequence was played.
-        obs: `pixels` or `state`.
-        seed: What the environment was reset with.
-        success: Whether the goal held for as long as it must.
-        ever_success: Whether the goal held at any instant.
-        outcome: How it ended.
-        steps: Control steps played.
-        seconds: The same in simulated time [s].
-        substeps: Sub-step -> time at which it latched [s], or None.
-        facts: Every predicate of the task, as it was at the end.
-        history: Predicate -> when it first and last held [s], and how often it came to hold.
-        liquid: `on` or `off`; None for a task whose vessels are empty anyway.
-        ml_total: Liquid in the scene [ml], the sum of the next five; None without liquid.
-        ml_poured: Liquid at the end in other vessels than it was filled into [ml].
-        ml_retained: Liquid in the vessels that it was filled into [ml].
-        ml_spilled: Liquid on something that can never move, as the bench [ml].
-        ml_clinging: Liquid outside on a vessel, or on something that can move [ml].
-        ml_in_flight: Liquid outside all vessels that touches nothing [ml].
-        clipped_actions: Actions beyond a limit of position or velocity.
-        nonfinite_actions: Actions with an infinite or undefined element.
-    """
-
-    task: str
-    split: str
-    axes: list[str]
-    drawn: dict[str, Value]
-    policy: str
-    play: str
-    obs: str
-    seed: int
-    success: bool
-    ever_success: bool
-    outcome: str
-    steps: int
-    seconds: float
-    substeps: dict[str, float | None]
-    facts: dict[str, bool]
-    history: dict[str, dict[str, float | int | None]]
-    liquid: str | None
-    ml_total: float | None
-    ml_poured: float | None
-    ml_retained: float | None
-    ml_spilled: float | None
-    ml_clinging: float | None
-    ml_in_flight: float | None
-    clipped_actions: int
-    nonfinite_actions: int
-
-
-@dataclass(frozen=True)
 class Episode:
     """A played episode.
 
     Attributes:
         pairing: What was played.
         row: What became of it.
-        actions: Everything that the policy commanded, shape (steps, 8).
-        renderer: What drew the pictures that the policy saw, or None.
+        actions: Everything that the policy commanded, shape (steps, elements); None if it was
+            played in an earlier run, which kept the row only.
     """
 
     pairing: Pairing
     row: Row
-    actions: NDArray[np.float32]
-    renderer: str | None
+    actions: NDArray[np.float32] | None
 
 
 def play(pairing: Pairing, seed: int) -> Episode:
@@ -123,12 +64,15 @@ def play(pairing: Pairing, seed: int) -> Episode:
         actions.append(action)
         observation, _, terminated, truncated, info = env.step(action)
         over = terminated or truncated
-    return Episode(
-        pairing,
-        _row(pairing, seed, len(actions), info, env.workcell.progress.history),
-        np.array(actions, dtype=np.float32),
-        opengl_renderer_name() if pairing.setting.obs == "pixels" else None,
+    row = _row(pairing, seed, len(actions), info, env.workcell.progress.history)
+    row = replace(
+        row,
+        expert_failure=getattr(policy, "failure", None),
+        cause=cause_of(row),
+        device=getattr(policy, "device", None),
+        renderer=opengl_renderer_name() if pairing.setting.obs == "pixels" else None,
     )
+    return Episode(pairing, row, np.array(actions, dtype=np.float32))
 
 
 @lru_cache(maxsize=1)
@@ -173,6 +117,7 @@ def _row(
         ml_in_flight=_millilitres(info.get("ml_in_flight")),
         clipped_actions=info["clipped_actions"],
         nonfinite_actions=info["nonfinite_actions"],
+        prelude_failures=info["prelude_failures"],
     )
 
 

@@ -1,7 +1,6 @@
 """A run of the evaluator: from its options to its result, its table and its films."""
 
-from collections.abc import Iterable
-from dataclasses import asdict
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from rich.console import Console
@@ -10,8 +9,9 @@ from rich.progress import track
 from labutopia_lerobot.evaluation.config import EvaluationConfig
 from labutopia_lerobot.evaluation.evaluate import evaluate, in_order, make_pairings
 from labutopia_lerobot.evaluation.films import choose, film, require_camera
-from labutopia_lerobot.evaluation.result import ResultFolder, provenance
-from labutopia_lerobot.evaluation.rollout import Episode
+from labutopia_lerobot.evaluation.origin import full_provenance, origin
+from labutopia_lerobot.evaluation.result import ResultFolder, claim
+from labutopia_lerobot.evaluation.rollout import Episode, Pairing
 from labutopia_lerobot.evaluation.statistics import summarise
 from labutopia_lerobot.evaluation.table import summary_table
 from labutopia_lerobot.runtime.workers import in_processes
@@ -20,36 +20,54 @@ from labutopia_lerobot.runtime.workers import in_processes
 def run(config: EvaluationConfig, console: Console) -> Path:
     """Play every episode, write the result, print the table, film a few episodes.
 
+    What an earlier run of the same evaluation left in the folder is gone on with.
+
     Returns:
         The result file.
 
     Raises:
-        UserError: If the options are impossible.
+        UserError: If the options are impossible, or the folder is in other use.
         Exception: Whatever was raised in a worker; the rows of finished episodes are kept.
     """
     config.check()
     pairings = make_pairings(config)
     if config.videos:
         require_camera()
-    folder = ResultFolder(Path(config.out))
-    seeds = range(config.seed, config.seed + config.episodes)
-    episodes: list[Episode] = []
-    played = evaluate(pairings, seeds, config.workers)
-    for episode in _watched(played, "Playing", len(pairings) * len(seeds)):
-        folder.add(episode.row)
-        episodes.append(episode)
-    episodes = in_order(episodes, pairings)
-    rows = [episode.row for episode in episodes]
-    summaries = summarise(rows)
-    renderers = {episode.renderer for episode in episodes if episode.renderer}
-    origin = provenance(asdict(config), ", ".join(sorted(renderers)) or None)
-    file = folder.finish(rows, summaries, origin)
-    console.print(summary_table(summaries, level_means=config.level is not None))
-    films = choose(episodes, config.videos, folder.path / "videos")
-    for _ in _watched(in_processes(film, films, config.workers), "Filming", len(films)):
-        pass
+    began = origin(config, pairings)
+    with claim(Path(config.out), began) as folder:
+        episodes = _play(config, pairings, folder)
+        rows = [episode.row for episode in episodes]
+        summaries = summarise(rows)
+        file = folder.finish(rows, summaries, full_provenance(began, config, rows))
+        console.print(summary_table(summaries, level_means=config.level is not None))
+        _film(config, episodes, folder, console)
     console.print(f"Wrote {file}", soft_wrap=True, markup=False, highlight=False)
     return file
+
+
+def _play(
+    config: EvaluationConfig, pairings: Sequence[Pairing], folder: ResultFolder
+) -> list[Episode]:
+    """Return every episode in order; only those without a row are played."""
+    seeds = range(config.seed, config.seed + config.episodes)
+    of = {(pairing.setting.task, pairing.setting.split): pairing for pairing in pairings}
+    episodes = [Episode(of[row.task, row.split], row, None) for row in folder.rows]
+    missing = len(pairings) * len(seeds) - len(episodes)
+    played = evaluate(pairings, seeds, config.workers, tuple(episodes))
+    for episode in _watched(played, "Playing", missing):
+        folder.add(episode.row)
+        episodes.append(episode)
+    return in_order(episodes, pairings)
+
+
+def _film(
+    config: EvaluationConfig, episodes: Sequence[Episode], folder: ResultFolder, console: Console
+) -> None:
+    films = choose(episodes, config.videos, folder.path / "videos")
+    filmed = in_processes(film, films, config.workers)
+    for problem in _watched(filmed, "Filming", len(films)):
+        if problem is not None:
+            console.print(problem, soft_wrap=True, markup=False, highlight=False)
 
 
 def _watched[Item](items: Iterable[Item], verb: str, total: int) -> Iterable[Item]:

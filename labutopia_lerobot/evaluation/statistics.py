@@ -3,11 +3,11 @@
 import math
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import groupby
 from statistics import fmean
 
-from labutopia_lerobot.evaluation.rollout import Row
+from labutopia_lerobot.evaluation.row import Row
 
 _Z = 1.959963984540054
 """Normal quantile of 0.975."""
@@ -32,6 +32,7 @@ class Summary:
         substep_rates: Sub-step -> share of the episodes in which it and all before it latched.
         mean_seconds_to_success: Mean simulated duration of the successes [s], or None.
         outcomes: Outcome -> number of episodes, the most frequent first.
+        causes: Why episodes failed (see `causes`) -> number of them, the most frequent first.
     """
 
     task: str
@@ -48,6 +49,8 @@ class Summary:
     substep_rates: dict[str, float]
     mean_seconds_to_success: float | None
     outcomes: dict[str, int]
+    # Results of earlier versions lack what follows.
+    causes: dict[str, int] = field(default_factory=dict)
 
 
 def wilson95(successes: int, n: int) -> tuple[float, float]:
@@ -94,4 +97,5 @@ def _summary(rows: Sequence[Row]) -> Summary:
         },
         mean_seconds_to_success=fmean(row.seconds for row in successes) if successes else None,
         outcomes=dict(Counter(row.outcome for row in rows).most_common()),
+        causes=dict(Counter(row.cause for row in rows if row.cause is not None).most_common()),
     )

@@ -275,6 +275,35 @@ def test_another_recording_is_refused_with_the_difference(
     assert ("obs: 'pixels' there, 'state' here" in str(refusal.value)) == (fixture == "stopped")
 
 
+def test_other_code_does_not_go_on_with_a_recording(tmp_path: Path) -> None:
+    (tmp_path / "level1").mkdir()
+    task = tmp_path / "level1" / "moody.py"
+    task.write_text(MOODY_TASK.format(limit=9.0))
+    overrides = ["task=level1/moody", f"tasks_dir={tmp_path}", "obs=state", "episodes=2"]
+    root = tmp_path / "dataset"
+    with pytest.raises(StoppedError):
+        recording(root, *overrides, workers=1, watch=Watch(played=1))
+    task.write_text(MOODY_TASK.format(limit=8.0))
+    with pytest.raises(RecordingFolderError, match=r"code\.tasks\.level1/moody: '\w{64}' there"):
+        recording(root, *overrides)
+    task.write_text(MOODY_TASK.format(limit=9.0))
+    manifest = root / ".recording" / "recording.json"
+    began = json.loads(manifest.read_text())
+    for part, name in (
+        ("code", "commit"),
+        ("code", "sources"),
+        ("versions", "scipy"),
+        ("versions", "mujoco"),
+    ):
+        other = began | {part: began[part] | {name: "of yesterday"}}
+        manifest.write_text(json.dumps(other))
+        with pytest.raises(RecordingFolderError, match=rf"{part}\.{name}: 'of yesterday' there"):
+            recording(root, *overrides)
+    manifest.write_text(json.dumps(began))
+    told = read_json(recording(root, *overrides), RECORDING)
+    assert {part: told[part] for part in began} == began
+
+
 def test_a_foreign_folder_is_refused_and_left_alone(tmp_path: Path) -> None:
     (tmp_path / "thesis.txt").write_text("mine")
     with pytest.raises(RecordingFolderError, match=r"thesis\.txt"):
@@ -287,7 +316,7 @@ def test_a_folder_being_recorded_is_refused(tmp_path: Path) -> None:
         def resumed(self, candidates: Sequence[Candidate]) -> None:
             recording(tmp_path / "dataset", *PICK)
 
-    with pytest.raises(RecordingFolderError, match="by another process"):
+    with pytest.raises(RecordingFolderError, match="in use by another process"):
         recording(tmp_path / "dataset", *PICK, watch=Second())
 
 

@@ -6,6 +6,8 @@ import pytest
 from labutopia_lerobot.evaluation.checkpoint import CheckpointError, open_checkpoint
 from labutopia_lerobot.evaluation.learned import LearnedPolicy, UnusableWeightsError
 from labutopia_lerobot.evaluation.rollout import Pairing, play
+from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 
 from .conftest import Saver
@@ -21,7 +23,7 @@ def test_a_checkpoint_plays_the_same_episode_twice(save_checkpoint: Saver) -> No
         for maker in (checkpoint, open_checkpoint(checkpoint.folder, "act", SETTING, device="cpu"))
     )
     assert first.row == second.row
-    assert first.renderer is None
+    assert (first.row.renderer, first.row.device) == (None, "cpu")
 
 
 def test_a_policy_of_pictures_gets_its_own_cameras_in_its_own_size(save_checkpoint: Saver) -> None:
@@ -91,3 +93,72 @@ def test_weights_of_another_size_are_refused(save_checkpoint: Saver) -> None:
 def test_an_absent_device_is_refused(save_checkpoint: Saver) -> None:
     with pytest.raises(UnusableWeightsError, match="abacus"):
         LearnedPolicy(save_checkpoint(), "abacus")
+
+
+@pytest.mark.parametrize("obs", ["state", "pixels"])
+@pytest.mark.parametrize("file", ["policy_preprocessor.json", "policy_postprocessor.json"])
+def test_a_processor_that_runs_a_program_is_refused_before_it_does(
+    save_checkpoint: Saver, tmp_path: Path, file: str, obs: str
+) -> None:
+    folder = save_checkpoint(cameras=("front",) if obs == "pixels" else ())
+    mark = tmp_path / "mark"
+    attack = {"class": "subprocess.run", "config": {"args": ["touch", str(mark)]}}
+    (folder / file).write_text(json.dumps({"name": "x", "steps": [attack]}))
+    with pytest.raises(CheckpointError, match=r"subprocess\.run.*can run any code"):
+        open_checkpoint(folder, "act", SETTING)()
+    with pytest.raises(CheckpointError, match=r"subprocess\.run.*can run any code"):
+        LearnedPolicy(folder, "cpu")
+    assert not mark.exists()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"class": "os.system"}, "can run any code"),
+        ({"registry_name": None}, "no registry_name"),
+        ({"state_file": "/stolen.safetensors"}, "not inside the checkpoint"),
+        ({"state_file": "../../stolen.safetensors"}, "not inside the checkpoint"),
+        ({"state_file": "statistics.pt"}, "no .safetensors"),
+        ({"state_file": "absent.safetensors"}, "is missing"),
+        ({"config": {"tokenizer_name": "~/anything"}}, "not inside the checkpoint"),
+        ({"config": {"nested": [{"path": "..\\up"}]}}, "not inside the checkpoint"),
+        ({"config": {"trust_remote_code": True}}, "code from elsewhere"),
+    ],
+)
+def test_a_step_that_reaches_beyond_the_checkpoint_is_refused(
+    save_checkpoint: Saver, change: dict[str, object], message: str
+) -> None:
+    folder = save_checkpoint()
+    file = folder / "policy_postprocessor.json"
+    content = json.loads(file.read_text())
+    content["steps"][0] |= change
+    file.write_text(json.dumps(content))
+    with pytest.raises(CheckpointError, match=message):
+        open_checkpoint(folder, "act", SETTING)
+
+
+def test_a_processor_file_without_steps_is_refused(save_checkpoint: Saver) -> None:
+    folder = save_checkpoint()
+    (folder / "policy_preprocessor.json").write_text('{"steps": {"a": 1}}')
+    with pytest.raises(CheckpointError, match="lists no `steps`"):
+        open_checkpoint(folder, "act", SETTING)
+
+
+@pytest.mark.parametrize("thing", ["flask", "beaker"])
+def test_elements_of_a_state_are_compared_by_name_while_the_dataset_is_there(
+    save_checkpoint: Saver, tmp_path: Path, thing: str
+) -> None:
+    folder, root = save_checkpoint(), tmp_path / "dataset"
+    names = [
+        name.replace("flask", thing) for name in environment_state_names(canonical_task(SETTING))
+    ]
+    features = {"observation.environment_state": {"names": names}}
+    (root / "meta").mkdir(parents=True)
+    (root / "meta" / "info.json").write_text(json.dumps({"features": features}))
+    dataset = {"repo_id": "local/pick", "root": str(root)}
+    (folder / "train_config.json").write_text(json.dumps({"dataset": dataset}))
+    if thing == "beaker":
+        with pytest.raises(CheckpointError, match=r"has 'beaker\.x' for what is 'flask\.x'"):
+            open_checkpoint(folder, "act", SETTING)
+        (root / "meta" / "info.json").unlink()
+    assert open_checkpoint(folder, "act", SETTING).folder == folder

@@ -1,4 +1,5 @@
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,13 @@ from labutopia_lerobot.env import LabEnv, Observation
 from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
 from labutopia_lerobot.evaluation.evaluate import evaluate, in_order, make_pairings
 from labutopia_lerobot.evaluation.films import choose
-from labutopia_lerobot.evaluation.policies import Action, PolicyMaker, RandomPolicy
+from labutopia_lerobot.evaluation.policies import (
+    REFERENCE_POLICIES,
+    Action,
+    PolicyMaker,
+    RandomPolicy,
+    StillPolicy,
+)
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.setting import Setting
@@ -85,3 +92,57 @@ def test_random_actions_reach_the_whole_box_within_the_limits() -> None:
     assert (np.abs(np.diff(actions, axis=0)) <= speed / CONTROL_HZ + 1e-6).all()
     assert ((actions >= low - 1e-6) & (actions <= high + 1e-6)).all()
     assert (np.ptp(actions, axis=0) > 0.8 * (high - low)).all()
+
+
+MOODY_TASK = """
+from dataclasses import replace
+from labutopia_lerobot.skills.skill import Phase
+from labutopia_lerobot.tasks.level1.pick import pick
+
+class Sulk:
+    def phases(self, world):
+        if world.frame("flask_rim").position_w[1] > {limit}:
+            never = lambda world, target, elapsed: False
+            yield Phase("sulk", lambda w: w.gripper, 0.08, never, timeout_s=0.1)
+        yield Phase("nod", lambda w: w.gripper, 0.08, lambda world, target, elapsed: True)
+
+def moody():
+    (step,) = pick().steps
+    return replace(pick(), {where})
+"""
+
+
+@pytest.fixture
+def moody(tmp_path: Path) -> Callable[[str, float], Pairing]:
+    """Make a pairing of the expert and a task in which it sulks where the flask is to the left."""
+
+    def make(where: str, limit: float) -> Pairing:
+        (tmp_path / "level1").mkdir()
+        text = MOODY_TASK.format(where=where, limit=limit)
+        (tmp_path / "level1" / "moody.py").write_text(text)
+        setting = Setting("level1/moody", obs="state", tasks_dir=str(tmp_path))
+        return Pairing(setting, "expert", REFERENCE_POLICIES["expert"])
+
+    return make
+
+
+def test_a_row_tells_which_phase_the_expert_could_not_finish(
+    moody: Callable[[str, float], Pairing],
+) -> None:
+    pairing = moody("steps=(replace(step, skills=(Sulk(),)),), time_limit_s=1.0", -1.0)
+    row = play(pairing, 0).row
+    assert row.expert_failure == "sulk/sulk not done after 0.1 s"
+    assert (row.outcome, row.cause) == ("timeout", "never reached")
+    assert play(Pairing(pairing.setting, "still", StillPolicy), 0).row.expert_failure is None
+
+
+def test_a_row_counts_the_starts_that_were_drawn_anew(
+    moody: Callable[[str, float], Pairing],
+) -> None:
+    pairing = moody("prelude=(Sulk(),), time_limit_s=0.5", 0.05)
+    env = LabEnv(pairing.setting)
+    failures = {seed: env.reset(seed=seed)[1]["prelude_failures"] for seed in range(12)}
+    assert 0 in failures.values()
+    hard = max(failures, key=lambda seed: failures[seed])
+    assert failures[hard] > 0
+    assert play(pairing, hard).row.prelude_failures == failures[hard]

@@ -15,6 +15,7 @@ from .conftest import Program, Saver
         (["episods=3"], ["'episods=3'", "episodes=", "policy.path"]),
         (["policy=actt"], ["actt", "expert", "smolvla"]),
         (["policy=expert", "task=level1/pik"], ["Did you mean 'level1/pick'"]),
+        (["=3"], ["'=3' is no option", "policy.path"]),
         (["policy=expert", "level=9"], ["Levels with tasks: 1"]),
         (["policy=expert", "task=level1/pick", "split=odd"], ["train, id, ood"]),
         (["policy=expert", "task=level1/pick", "episodes=0"], ["at least 1"]),

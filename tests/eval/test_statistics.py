@@ -1,6 +1,6 @@
 import pytest
 
-from labutopia_lerobot.evaluation.rollout import Row
+from labutopia_lerobot.evaluation.row import Row
 from labutopia_lerobot.evaluation.statistics import summarise, wilson95
 
 

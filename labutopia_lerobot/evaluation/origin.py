@@ -1,0 +1,85 @@
+"""What the rows of an evaluation come from: options, code, versions, weights."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from labutopia_lerobot.evaluation.checkpoint import FILES, Checkpoint
+from labutopia_lerobot.evaluation.config import EvaluationConfig
+from labutopia_lerobot.evaluation.json_object import read_json_object
+from labutopia_lerobot.evaluation.processors import CheckpointError
+from labutopia_lerobot.evaluation.rollout import Pairing
+from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.runtime import provenance
+
+_FREE = ("out", "workers", "videos")
+"""Options on which no row depends."""
+
+
+def origin(config: EvaluationConfig, pairings: Sequence[Pairing]) -> dict[str, Any]:
+    """Return everything that decides what the rows are, known before the first is played.
+
+    Args:
+        config: Options of the run.
+        pairings: What it plays.
+
+    Raises:
+        CheckpointError: If a file of a checkpoint cannot be read.
+    """
+    tasks_dir = pairings[0].setting.tasks_dir
+    # Of each once, whatever its splits: weights may be large.
+    policies = {pairing.setting.task: pairing.make_policy for pairing in pairings}
+    return {
+        "config": {name: value for name, value in asdict(config).items() if name not in _FREE},
+        "code": provenance.code(policies, tasks_dir),
+        "versions": provenance.versions(),
+        "checkpoints": {
+            task: _weights(policy.folder)
+            for task, policy in policies.items()
+            if isinstance(policy, Checkpoint)
+        },
+    }
+
+
+def full_provenance(
+    began: dict[str, Any], config: EvaluationConfig, rows: Sequence[Row]
+) -> dict[str, Any]:
+    """Return the provenance of a finished result.
+
+    Args:
+        began: Its `origin`.
+        config: Options of the run that finished it.
+        rows: Its rows, which tell what they were played and drawn with.
+    """
+    return {
+        **began["code"],
+        "versions": began["versions"],
+        "checkpoints": began["checkpoints"],
+        "device": _several(row.device for row in rows),
+        "renderer": _several(row.renderer for row in rows),
+        "machine": provenance.machine(),
+        "config": asdict(config),
+    }
+
+
+def _weights(folder: Path) -> dict[str, Any]:
+    """Return which weights a checkpoint has: its real folder, its training step, its hashes."""
+    try:
+        hashes = {name: provenance.sha256(folder / name) for name in FILES}
+    except OSError as error:
+        raise CheckpointError(f"{folder} cannot be read: {error}") from None
+    return {"folder": str(folder), "step": _training_step(folder), "sha256": hashes}
+
+
+def _training_step(folder: Path) -> int | None:
+    """Return after how many steps of training it was saved, or None if nothing tells."""
+    told = folder.parent / "training_state" / "training_step.json"
+    if told.is_file():
+        step = read_json_object(told, CheckpointError).get("step")
+        return step if isinstance(step, int) else None
+    return int(folder.parent.name) if folder.parent.name.isdigit() else None
+
+
+def _several(values: Iterable[str | None]) -> str | None:
+    return ", ".join(sorted({value for value in values if value is not None})) or None

@@ -1,0 +1,136 @@
+"""`python scripts/expert_rows.py OUT`: keep the expert's rows of a result in `eval/results`.
+
+After a measuring run, such as
+
+    python eval/run.py level=[1,2] policy=expert obs=state videos=0 out=OUT
+    python eval/run.py task=level1/squeeze policy=expert obs=state videos=0 out=OUT2
+    python scripts/expert_rows.py OUT OUT2
+    python scripts/make_docs.py
+
+`eval/results` holds one file per task: where the rows come from, and the rows, one per line and
+without `facts` and `history`, which are most of their length. The documentation is made of these.
+"""
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+
+from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.json_object import read_json_object
+from labutopia_lerobot.evaluation.result import RESULT
+from labutopia_lerobot.evaluation.row import Row, from_columns
+from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.robots import DEFAULT_ROBOT
+from labutopia_lerobot.scenes import DEFAULT_ROOM
+
+RESULTS = Path(__file__).parents[1] / "eval" / "results"
+
+_HERE = ("out", "workers")
+"""Options that say something of the machine only."""
+
+_LEFT_OUT: dict[str, Any] = {"facts": {}, "history": {}}
+_WANTED = {"policy": "expert", "split": "id", "axes": []}
+_WANTED_OPTIONS = {"robot": DEFAULT_ROBOT, "room": DEFAULT_ROOM}
+
+
+class OtherRowsError(UserError):
+    """Rows that the documentation must not show as the expert's; the message says why."""
+
+
+@clear_errors
+def main() -> None:
+    """Keep the rows of results."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("results", type=Path, nargs="+", metavar="OUT")
+    for result in parser.parse_args().results:
+        for file in keep(result, RESULTS):
+            Console().print(f"Wrote {file}", soft_wrap=True, markup=False, highlight=False)
+
+
+def keep(result: Path, folder: Path) -> list[Path]:
+    """Write the rows of a finished result, a file per task, and return the files.
+
+    Raises:
+        OtherRowsError: If it is unfinished, or holds rows that are not the expert's as published.
+    """
+    content = read_json_object(result / RESULT, OtherRowsError)
+    by_task: dict[str, list[dict[str, Any]]] = {}
+    for row in content["rows"]:
+        by_task.setdefault(row["task"], []).append(row)
+    for task, rows in by_task.items():
+        _require_expert(result / RESULT, task, rows, content["provenance"])
+    folder.mkdir(parents=True, exist_ok=True)
+    return [_write(folder, task, rows, content["provenance"]) for task, rows in by_task.items()]
+
+
+def read(folder: Path) -> dict[str, list[Row]]:
+    """Return the expert's rows of every task, in the order in which tasks are listed.
+
+    Raises:
+        OtherRowsError: If the rows of a task are missing, or some are not as published: the
+            expert's, split `id`, no further axes, liquid on, the default robot and room.
+        UnreadableResultError: If a row lacks a column.
+    """
+    files = {task: folder / _name(task) for task in task_files()}
+    missing = [task for task, file in files.items() if not file.exists()]
+    if missing:
+        raise OtherRowsError(
+            f"{folder} lacks the expert's rows of {', '.join(missing)}. Measure them, and keep "
+            f"them: python scripts/expert_rows.py OUT (its help says how)"
+        )
+    found = {}
+    for task, file in files.items():
+        content = read_json_object(file, OtherRowsError)
+        _require_expert(file, task, content["rows"], content["provenance"])
+        found[task] = [from_columns(Row, row | _LEFT_OUT, file) for row in content["rows"]]
+    return found
+
+
+def _require_expert(
+    file: Path, task: str, rows: list[dict[str, Any]], provenance: dict[str, Any]
+) -> None:
+    config = provenance["config"]
+    for row in rows:
+        wanted = {"task": task} | _WANTED
+        other = {name: row[name] for name, value in wanted.items() if row[name] != value}
+        if row["liquid"] == "off":
+            other["liquid"] = "off"
+        if other:
+            told = ", ".join(f"{name}={value}" for name, value in other.items())
+            raise OtherRowsError(
+                f"{file} holds a row of {told} (seed {row['seed']}); {task} is published with "
+                "policy=expert split=id liquid=on and no axes"
+            )
+    for name, value in _WANTED_OPTIONS.items():
+        if config[name] != value:
+            raise OtherRowsError(f"{file} was played with {name}={config[name]}, not {value}")
+    played = range(config["seed"], config["seed"] + config["episodes"])
+    if [row["seed"] for row in rows] != list(played):
+        raise OtherRowsError(
+            f"{file} does not hold every row of {task} once, seeds {played.start} to "
+            f"{played.stop - 1} in order: {len(rows)} rows"
+        )
+
+
+def _write(folder: Path, task: str, rows: list[dict[str, Any]], provenance: dict[str, Any]) -> Path:
+    slim = ({name: row[name] for name in row if name not in _LEFT_OUT} for row in rows)
+    lines = ",\n".join(json.dumps(row) for row in slim)
+    file = folder / _name(task)
+    options = {name: v for name, v in provenance["config"].items() if name not in _HERE}
+    origin = json.dumps(provenance | {"config": options}, indent=1)
+    file.write_text(f'{{"provenance": {origin},\n"rows": [\n{lines}\n]}}\n')
+    return file
+
+
+def _name(task: str) -> str:
+    return f"{task.replace('/', '-')}.json"
+
+
+if __name__ == "__main__":
+    main()

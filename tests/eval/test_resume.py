@@ -1,0 +1,240 @@
+"""An evaluation that was killed goes on where it was; nothing else goes on with it."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from io import StringIO
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
+from labutopia_lerobot.evaluation.evaluate import make_pairings
+from labutopia_lerobot.evaluation.films import film
+from labutopia_lerobot.evaluation.origin import origin
+from labutopia_lerobot.evaluation.result import OccupiedFolderError, claim
+from labutopia_lerobot.evaluation.rollout import Episode
+from labutopia_lerobot.evaluation.row import UnreadableResultError
+from labutopia_lerobot.evaluation.run import run
+
+from .conftest import RUN, Program, Saver
+
+COMMAND = ["task=level1/pick", "policy=expert", "obs=state", "episodes=6", "workers=2", "videos=0"]
+
+
+def config(out: Path, **options: object) -> EvaluationConfig:
+    chosen: dict = {"episodes": 2, "workers": 1, "videos": 0, "obs": "state"} | options
+    policy = chosen.pop("policy", PolicyConfig("still"))
+    return EvaluationConfig(policy=policy, task="level1/pick", out=str(out), **chosen)
+
+
+def evaluate_into(out: Path, **options: object) -> dict:
+    file = run(config(out, **options), Console(file=StringIO()))
+    return json.loads(file.read_text())
+
+
+def start(folder: Path, *overrides: str) -> "subprocess.Popen[str]":
+    line = [sys.executable, str(RUN), *overrides]
+    return subprocess.Popen(
+        line, cwd=folder, start_new_session=True, stderr=subprocess.PIPE, text=True
+    )
+
+
+def wait_until(condition: Callable[[], bool], seconds: float = 120.0) -> None:
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
+def rows_in(out: Path) -> int:
+    file = out / "rows.jsonl"
+    return file.read_text().count("\n") if file.exists() else -1
+
+
+@pytest.fixture(scope="module")
+def begun(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An evaluation that has one of its two rows."""
+    out = tmp_path_factory.mktemp("begun") / "out"
+    evaluate_into(out)
+    (out / "result.json").unlink()
+    first, _ = (out / "rows.jsonl").read_text().splitlines(keepends=True)
+    (out / "rows.jsonl").write_text(first)
+    return out
+
+
+@pytest.fixture
+def unfinished(begun: Path, tmp_path: Path) -> Path:
+    """A copy of it, to be gone on with."""
+    return Path(shutil.copytree(begun, tmp_path / "copy"))
+
+
+@pytest.mark.slow
+def test_killed_at_several_moments_it_ends_with_the_rows_of_an_uninterrupted_run(
+    evaluate_program: Program, tmp_path: Path
+) -> None:
+    out = tmp_path / "killed"
+    for moment in (0, 1, 3, 4):
+        process = start(tmp_path, *COMMAND, "out=killed")
+        wait_until(lambda moment=moment: rows_in(out) >= moment)
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
+        assert not (out / "result.json").exists()
+    kept = (out / "rows.jsonl").read_text()
+    done = evaluate_program(*COMMAND, "out=killed")
+    assert done.returncode == 0, done.stderr
+    assert (out / "rows.jsonl").read_text().startswith(kept)
+    assert rows_in(out) == 6
+    whole = evaluate_program(*COMMAND, "out=whole")
+    assert whole.returncode == 0, whole.stderr
+    resumed, uninterrupted = (
+        json.loads((tmp_path / name / "result.json").read_text()) for name in ("killed", "whole")
+    )
+    assert resumed["rows"] == uninterrupted["rows"]
+    assert [row["seed"] for row in resumed["rows"]] == list(range(100_000, 100_006))
+    assert resumed["summary"] == uninterrupted["summary"]
+    assert resumed["provenance"]["config"].pop("out") == "killed"
+    assert uninterrupted["provenance"]["config"].pop("out") == "whole"
+    assert resumed["provenance"] == uninterrupted["provenance"]
+
+
+@pytest.mark.slow
+def test_interrupted_it_says_the_command_that_goes_on(tmp_path: Path) -> None:
+    command = ["task=level1/pick", "policy=still", "episodes=40", "workers=1", "videos=0"]
+    process = start(tmp_path, *command)
+    wait_until(lambda: any(rows_in(file.parent) >= 1 for file in tmp_path.rglob("rows.jsonl")))
+    os.killpg(process.pid, signal.SIGINT)
+    told = process.communicate()[1]
+    assert process.returncode == 130, told
+    assert "Traceback" not in told
+    going_on = told.partition("Go on: python ")[2].split("\n")[0].split()
+    assert going_on[1:-1] == command
+    (out,) = {file.parent for file in tmp_path.rglob("rows.jsonl")}
+    assert tmp_path / going_on[-1].removeprefix("out=") == out
+
+
+def test_only_missing_episodes_are_played(unfinished: Path) -> None:
+    mark = json.loads((unfinished / "rows.jsonl").read_text()) | {"seconds": 99.0}
+    (unfinished / "rows.jsonl").write_text(json.dumps(mark) + "\n")
+    rows = evaluate_into(unfinished)["rows"]
+    assert [row["seed"] for row in rows] == [100_000, 100_001]
+    assert rows[0]["seconds"] == 99.0
+    assert rows[1]["seconds"] < 99.0
+
+
+def test_half_a_row_is_dropped_and_played_again(unfinished: Path) -> None:
+    file = unfinished / "rows.jsonl"
+    whole = file.read_text()
+    file.write_text(whole + whole[: len(whole) // 2])
+    rows = evaluate_into(unfinished)["rows"]
+    assert [json.loads(line) for line in file.read_text().splitlines()] == rows
+    assert len(rows) == 2
+
+
+def test_a_damaged_row_is_told_by_its_line(unfinished: Path) -> None:
+    file = unfinished / "rows.jsonl"
+    file.write_text("{half\n" + file.read_text())
+    with pytest.raises(UnreadableResultError, match="Line 1 of"):
+        evaluate_into(unfinished)
+
+
+@pytest.mark.parametrize(
+    ("options", "difference"),
+    [
+        ({"episodes": 3}, "config.episodes: 2 there, 3 here"),
+        ({"seed": 5}, "config.seed: 100000 there, 5 here"),
+        ({"policy": PolicyConfig("random")}, "config.policy.name: 'still' there, 'random' here"),
+        ({"robot": "iiwa"}, "config.robot: 'panda' there, 'iiwa' here"),
+    ],
+)
+def test_another_evaluation_does_not_go_on_with_it(
+    begun: Path, options: dict[str, object], difference: str
+) -> None:
+    before = {path: path.stat().st_mtime_ns for path in begun.rglob("*")}
+    with pytest.raises(OccupiedFolderError) as refusal:
+        evaluate_into(begun, **options)
+    assert difference in str(refusal.value)
+    assert {path: path.stat().st_mtime_ns for path in begun.rglob("*")} == before
+
+
+@pytest.mark.parametrize(("part", "name"), [("code", "commit"), ("versions", "scipy")])
+def test_other_code_does_not_go_on_with_it(unfinished: Path, part: str, name: str) -> None:
+    began = json.loads((unfinished / "evaluation.json").read_text())
+    began[part][name] = "of yesterday"
+    (unfinished / "evaluation.json").write_text(json.dumps(began))
+    with pytest.raises(OccupiedFolderError, match=rf"{part}\.{name}: 'of yesterday' there"):
+        evaluate_into(unfinished)
+
+
+def test_a_result_is_traced_to_its_weights_and_others_do_not_go_on_with_it(
+    save_checkpoint: Saver, tmp_path: Path
+) -> None:
+    folder = save_checkpoint()
+    saved = folder.parents[1] / "000700"
+    folder.parent.rename(saved)
+    folder.parent.symlink_to("000700")
+    policy = PolicyConfig("act", str(folder.parents[2]), "cpu")
+    result = evaluate_into(tmp_path / "out", policy=policy)
+    told = result["provenance"]["checkpoints"]["level1/pick"]
+    assert (told["folder"], told["step"]) == (str(saved / "pretrained_model"), 700)
+    assert {"model.safetensors", "config.json"} <= told["sha256"].keys()
+    assert result["provenance"]["device"] == "cpu"
+
+    (tmp_path / "out" / "result.json").unlink()
+    shutil.copytree(saved, saved.with_name("000800"))
+    folder.parent.unlink()
+    folder.parent.symlink_to("000800")
+    with pytest.raises(OccupiedFolderError, match=r"level1/pick\.step: 700 there, 800 here"):
+        evaluate_into(tmp_path / "out", policy=policy)
+
+
+def test_weights_that_training_overwrote_do_not_go_on(
+    save_checkpoint: Saver, tmp_path: Path
+) -> None:
+    folder = save_checkpoint()
+    options = config(tmp_path, policy=PolicyConfig("act", str(folder), "cpu"))
+    began = origin(options, make_pairings(options))
+    with claim(tmp_path / "out", began):
+        pass
+    with (folder / "model.safetensors").open("ab") as weights:
+        weights.write(b" ")
+    refused = pytest.raises(OccupiedFolderError, match=r"sha256\.model\.safetensors")
+    with refused, claim(tmp_path / "out", origin(options, make_pairings(options))):
+        pass
+
+
+def test_a_folder_in_use_is_refused(unfinished: Path) -> None:
+    options = config(unfinished)
+    refused = pytest.raises(OccupiedFolderError, match="in use by another process")
+    with claim(unfinished, origin(options, make_pairings(options))), refused:
+        evaluate_into(unfinished)
+
+
+def test_rows_of_nobody_knows_what_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "rows.jsonl").write_text("{}\n")
+    with pytest.raises(OccupiedFolderError, match="already holds a result"):
+        evaluate_into(tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["rows.jsonl"]
+
+
+def test_an_episode_of_an_earlier_run_is_filmed_by_playing_it_again(
+    unfinished: Path, tmp_path: Path
+) -> None:
+    options = config(unfinished)
+    (pairing,) = make_pairings(options)
+    with claim(unfinished, origin(options, [pairing])) as folder:
+        (row,) = folder.rows
+    assert film(Episode(pairing, row, None), tmp_path / "film.mp4") is None
+    assert (tmp_path / "film.mp4").stat().st_size > 1000
+    otherwise = replace(row, steps=row.steps - 1)
+    told = film(Episode(pairing, otherwise, None), tmp_path / "other.mp4")
+    assert told is not None
+    assert "other.mp4" in told
+    assert not (tmp_path / "other.mp4").exists()

@@ -1,0 +1,122 @@
+"""The documentation shows the expert's rows, and no others."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+import expert_rows
+from expert_rows import OtherRowsError
+from labutopia_lerobot.registry import task_files
+from make_docs import failure_table, metres, start_table, task_table
+
+CONFIG = {"episodes": 3, "seed": 100_000, "robot": "panda", "room": "laboratory"}
+
+
+def row(task: str, seed: int, **columns: object) -> dict:
+    names = list(expert_rows.Row.__dataclass_fields__)
+    empty = dict.fromkeys(names)
+    told = {
+        "task": task,
+        "split": "id",
+        "axes": [],
+        "policy": "expert",
+        "seed": seed,
+        "success": True,
+        "ever_success": True,
+        "outcome": "success",
+        "seconds": 5.0,
+        "substeps": {"gripped": 1.0},
+        "facts": {"x": True},
+        "history": {"x": {"first": 0.0, "last": 5.0, "times": 1}},
+        "prelude_failures": 1,
+    }
+    return empty | told | columns
+
+
+def result(folder: Path, rows: list[dict], **options: object) -> Path:
+    folder.mkdir(parents=True)
+    content = {"rows": rows, "summary": [], "provenance": {"config": CONFIG | options}}
+    (folder / "result.json").write_text(json.dumps(content))
+    return folder
+
+
+def rows_of(task: str) -> list[dict]:
+    return [row(task, 100_000 + index) for index in range(3)]
+
+
+@pytest.fixture
+def kept(tmp_path) -> Path:
+    """The rows of every task."""
+    rows = [line for task in task_files() for line in rows_of(task)]
+    expert_rows.keep(result(tmp_path / "out", rows, out="/home/me"), tmp_path / "kept")
+    return tmp_path / "kept"
+
+
+def test_rows_are_kept_with_their_origin_and_read_again(kept):
+    found = expert_rows.read(kept)
+    assert list(found) == list(task_files())
+    assert [line.seed for line in found["level1/pick"]] == [100_000, 100_001, 100_002]
+    content = json.loads((kept / "level1-pick.json").read_text())
+    assert content["provenance"]["config"] == CONFIG
+    assert "history" not in content["rows"][0]
+    assert any(line.startswith("| `level1/pick` | Pick up") for line in task_table(found))
+    assert "| `level1/pick` | 3 | success 3 |  |  | 3 |" in failure_table(found)
+
+
+@pytest.mark.parametrize(
+    ("columns", "told"),
+    [
+        ({"policy": "random"}, "policy=random"),
+        ({"split": "train"}, "split=train"),
+        ({"liquid": "off"}, "liquid=off"),
+        ({"axes": ["light"]}, "axes="),
+    ],
+)
+def test_rows_that_are_not_the_expert_as_published_are_refused(kept, tmp_path, columns, told):
+    rows = rows_of("level1/pick")
+    other = result(tmp_path / "other", [*rows[:2], rows[2] | columns])
+    with pytest.raises(OtherRowsError, match=told):
+        expert_rows.keep(other, kept)
+    file = kept / "level1-pick.json"
+    content = json.loads(file.read_text())
+    content["rows"][1] |= columns
+    file.write_text(json.dumps(content))
+    with pytest.raises(OtherRowsError, match=told):
+        expert_rows.read(kept)
+
+
+def test_another_robot_is_refused(tmp_path):
+    other = result(tmp_path / "other", rows_of("level1/pick"), robot="iiwa")
+    with pytest.raises(OtherRowsError, match="robot=iiwa"):
+        expert_rows.keep(other, tmp_path / "kept")
+
+
+@pytest.mark.parametrize("rows", [rows_of("level1/pick")[:2], rows_of("level1/pick")[:1] * 3])
+def test_a_missing_or_repeated_row_is_refused(tmp_path, rows):
+    with pytest.raises(OtherRowsError, match="does not hold every row of level1/pick once"):
+        expert_rows.keep(result(tmp_path / "other", rows), tmp_path / "kept")
+
+
+def test_a_missing_task_is_refused_by_name(kept):
+    (kept / "level1-shake.json").unlink()
+    with pytest.raises(OtherRowsError, match=r"lacks the expert's rows of level1/shake\."):
+        expert_rows.read(kept)
+
+
+def test_an_unfinished_result_is_refused(tmp_path):
+    with pytest.raises(OtherRowsError, match=r"result\.json cannot be read"):
+        expert_rows.keep(tmp_path, tmp_path / "kept")
+
+
+@pytest.mark.parametrize(
+    ("length", "text"), [(0.075, "0.075"), (-0.075, "-0.075"), (0.21, "0.21"), (0.3, "0.30")]
+)
+def test_lengths_have_the_digits_that_they_need(length, text):
+    assert metres(length) == text
+
+
+def test_the_table_of_starts_shows_the_whole_range():
+    assert (
+        "| `level1/pick` | flask | 0.21 to 0.36 | -0.075 to 0.075 | -180 to 180 |" in start_table()
+    )
