@@ -3,11 +3,12 @@
 With another robot than the paper's, its name stands before: `labutopia/<robot>-level1-pick-v0`.
 """
 
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import gymnasium
 
-from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.registry import UnknownTaskError, task_files
 from labutopia_lerobot.robots import DEFAULT_ROBOT, ROBOTS
 from labutopia_lerobot.setting import setting_from
 
@@ -22,8 +23,16 @@ def gymnasium_id(task_id: str, robot: str = DEFAULT_ROBOT) -> str:
 
 
 def register_tasks() -> None:
-    """Register every task and robot; what they need is imported when the first is made."""
-    for task_id in task_files():
+    """Register every task and robot; what they need is imported when the first is made.
+
+    Tasks that clash, of installed packages, are told when one is asked for, not by the import.
+    """
+    try:
+        tasks = task_files()
+    except UnknownTaskError as error:
+        warnings.warn(f"No Gymnasium id is registered. {error}", stacklevel=2)
+        return
+    for task_id in tasks:
         for robot in ROBOTS:
             options = {"task": task_id, "robot": robot}
             gymnasium.register(gymnasium_id(task_id, robot), make_env, kwargs=options)

@@ -14,6 +14,7 @@ import importlib.metadata
 import importlib.util
 import inspect
 import sys
+import warnings
 from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
@@ -180,13 +181,26 @@ def _import(task_id: str, path: Path) -> ModuleType:
 
 
 def _folders(tasks_dir: str | Path | None) -> list[Path]:
-    installed = [
-        Path(location)
-        for entry in importlib.metadata.entry_points(group=ENTRY_POINT_GROUP)
-        if (package := importlib.util.find_spec(entry.value)) is not None
-        for location in package.submodule_search_locations or ()
-    ]
+    entries = importlib.metadata.entry_points(group=ENTRY_POINT_GROUP)
+    installed = [folder for entry in entries for folder in _installed(entry)]
     return [_PACKAGED, *installed, *([Path(tasks_dir).resolve()] if tasks_dir else [])]
+
+
+def _installed(entry: importlib.metadata.EntryPoint) -> list[Path]:
+    """Return the task folders of an installed package; warn if it is not there."""
+    try:
+        package = importlib.util.find_spec(entry.value)
+    except ModuleNotFoundError:  # of the package that it would be in
+        package = None
+    if package is None:
+        owner = entry.dist.name if entry.dist is not None else "some distribution"
+        warnings.warn(
+            f"{owner} names the package '{entry.value}' for tasks, which cannot be found: "
+            f"its tasks are left out. Mend its entry point '{ENTRY_POINT_GROUP}'",
+            stacklevel=2,
+        )
+        return []
+    return [Path(location) for location in package.submodule_search_locations or ()]
 
 
 def _modules_in(folder: Path) -> list[Path]:

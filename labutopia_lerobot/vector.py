@@ -92,9 +92,14 @@ class LabVectorEnv(VectorEnv[Observation, Actions, NDArray[Any]]):
         seed: int | list[int | None] | None = None,
         options: dict[str, Any] | None = None,
     ) -> tuple[Observation, Info]:
-        """Begin an episode in every member; a number seeds them with seed, seed + 1, ..."""
-        self._terminated[:] = self._truncated[:] = False
-        return self._ensure().reset(seed=seed, options=options or {})
+        """Begin an episode in every member; a number seeds them with seed, seed + 1, ...
+
+        Gymnasium's option `reset_mask`, shape (num_envs,), names the members that begin anew; the
+        others stay as they are.
+        """
+        begin = (options or {}).get("reset_mask", slice(None))
+        self._terminated[begin] = self._truncated[begin] = False
+        return self._ensure().reset(seed=seed, options=dict(options or {}))
 
     def step(self, actions: Actions) -> tuple[Observation, NDArray[Any], Flags, Flags, Info]:
         """Step every member whose episode is not over; the others return their end, reward 0."""

@@ -1,5 +1,6 @@
 """A task in a folder of the user's own, without a line changed anywhere else."""
 
+import importlib.metadata
 import subprocess
 import sys
 from pathlib import Path
@@ -7,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.gymnasium_ids import register_tasks
 from labutopia_lerobot.registry import UnknownTaskError, task_files, task_function
 from labutopia_lerobot.setting import Setting
 
@@ -67,3 +69,19 @@ def test_a_task_that_exists_twice_is_an_error(tasks_dir):
     (tasks_dir / "level1" / "pick.py").write_text("")
     with pytest.raises(UnknownTaskError, match="exists twice"):
         task_files(tasks_dir)
+
+
+def test_a_package_that_is_not_there_is_told_and_the_other_tasks_stay(monkeypatch):
+    broken = importlib.metadata.EntryPoint("lab", "nowhere.lab_tasks", "labutopia.tasks")
+    monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [broken])
+    with pytest.warns(UserWarning, match=r"'nowhere\.lab_tasks' for tasks, which cannot be found"):
+        assert "level1/pick" in task_files()
+
+
+def test_tasks_that_clash_do_not_break_the_import(tasks_dir, monkeypatch):
+    (tasks_dir / "level1" / "pick.py").write_text("")
+    monkeypatch.setattr("labutopia_lerobot.registry._installed", lambda entry: [tasks_dir])
+    entry = importlib.metadata.EntryPoint("lab", "lab_tasks", "labutopia.tasks")
+    monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [entry])
+    with pytest.warns(UserWarning, match=r"No Gymnasium id is registered.*exists twice"):
+        register_tasks()

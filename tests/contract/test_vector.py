@@ -10,6 +10,8 @@ import pytest
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.vector import LabVectorEnv
 
@@ -159,3 +161,17 @@ def test_workers_load_no_torch_even_where_the_main_program_does(tmp_path: Path) 
         "envs.close()\n"
     )
     subprocess.run([sys.executable, str(program)], check=True)
+
+
+@pytest.mark.parametrize("asynchronous", [False, True])
+def test_a_masked_reset_leaves_the_others_ended(asynchronous: bool) -> None:
+    with playing(2, asynchronous) as envs:
+        envs.reset(seed=[0, 1])
+        still = np.stack([PANDA.start] * 2).astype(np.float32)
+        limit = canonical_task(Setting("level1/pick")).max_steps
+        for _ in range(limit):
+            *_, truncated, _ = envs.step(still)
+        assert truncated.all()
+        envs.reset(seed=[5, 6], options={"reset_mask": np.array([True, False])})
+        *_, truncated, _ = envs.step(still)
+        assert truncated.tolist() == [False, True]
