@@ -10,7 +10,8 @@ from rich.table import Table
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
-from labutopia_lerobot.cli.speed import all_tasks, measure
+from labutopia_lerobot.cli.setting_flags import add_setting_flags, setting_of_flags
+from labutopia_lerobot.cli.speed import RIGID, all_tasks, measure
 from labutopia_lerobot.registry import require_task
 
 _TARGETS = {  # on two cores without a GPU
@@ -37,12 +38,14 @@ def main() -> None:
     parser.add_argument(
         "--episodes", type=int, default=20, help="demonstrations per measurement (default: 20)"
     )
+    add_setting_flags(parser, but=("obs", "cameras", "split", "axes", "liquid"))
     arguments = parser.parse_args()
     for task in arguments.tasks:
-        require_task(task)
+        require_task(task, arguments.tasks_dir)
+    base = setting_of_flags(arguments, RIGID)
     tasks = arguments.tasks or all_tasks()
     watcher = partial(doing, Console(stderr=True))
-    figures = measure(tasks, arguments.seconds, arguments.episodes, watcher)
+    figures = measure(base, tasks, arguments.seconds, arguments.episodes, watcher)
     if arguments.json:
         sys.stdout.write(json.dumps(figures) + "\n")
         return

@@ -1,22 +1,26 @@
 """The fields of `Setting` as flags of a program."""
 
 import argparse
+from collections.abc import Collection
 from dataclasses import fields
 from typing import Any
 
 from labutopia_lerobot.setting import Setting, option_help, setting_from
 
 
-def add_setting_flags(parser: argparse.ArgumentParser, **defaults: Any) -> None:
+def add_setting_flags(
+    parser: argparse.ArgumentParser, but: Collection[str] = (), **defaults: Any
+) -> None:
     """Give a program a flag `--name` for every field of `Setting` but the task.
 
     Args:
         parser: Of the program.
+        but: Fields that the program chooses itself.
         **defaults: Fields whose default is another one in this program.
     """
     helps = option_help(Setting)
     for option in fields(Setting):
-        if option.name == "task":
+        if option.name in ("task", *but):
             continue
         default = defaults.get(option.name, option.default)
         several = isinstance(option.default, tuple)
@@ -42,5 +46,6 @@ def setting_of_flags(arguments: argparse.Namespace, task: str, **chosen: Any) ->
         UnknownOptionError: If a value is impossible.
         UnknownTaskError: If there is no such task.
     """
-    values = {option.name: getattr(arguments, option.name, None) for option in fields(Setting)}
+    names = (option.name for option in fields(Setting))
+    values = {name: getattr(arguments, name) for name in names if hasattr(arguments, name)}
     return setting_from(values | {"task": task} | chosen)

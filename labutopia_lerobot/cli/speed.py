@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import AbstractContextManager
+from dataclasses import asdict, replace
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -25,14 +26,14 @@ from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.runtime.workers import become_worker
-from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.setting import CAMERAS, Setting
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 
 POLICY_CAMERAS = ("front", "top")
 """What the paper's ACT and Diffusion Policy look through ("Model Input And Output")."""
 
-_RIGID = "level1/pick"
-_LIQUID = "level1/pour"
+RIGID = "level1/pick"
+LIQUID = "level1/pour"
 """100 ml of water in 1,000 particles, in the hand, in the air and in the other beaker."""
 
 _PACKAGES = ("lerobot_env_labutopia", "mujoco", "mink", "numba", "numpy", "lerobot")
@@ -56,26 +57,30 @@ type Watcher = Callable[[str], AbstractContextManager[None]]
 
 
 def measure(
-    tasks: Sequence[str], seconds: float, episodes: int, watcher: Watcher
+    base: Setting, tasks: Sequence[str], seconds: float, episodes: int, watcher: Watcher
 ) -> dict[str, Any]:
     """Measure everything.
 
     Args:
+        base: What is played, but for task, observation and cameras.
         tasks: Tasks whose demonstrations per hour are asked for.
         seconds: How long each rate is measured [s].
         episodes: Demonstrations recorded per rate of recording.
         watcher: Is told of every measurement.
     """
     cores = len(os.sched_getaffinity(0))
+    blind = replace(base, task=RIGID, obs="state")
+    rigid = replace(blind, obs="pixels", cameras=POLICY_CAMERAS)
+    liquid = replace(rigid, task=LIQUID)
     rates: dict[str, Callable[[], float]] = {
-        "no_camera_fps": lambda: _fps(_RIGID, (), 1, seconds),
-        "no_camera_fps_all_cores": lambda: _fps(_RIGID, (), cores, seconds),
-        "rigid_2cam_fps": lambda: _fps(_RIGID, POLICY_CAMERAS, 1, seconds),
-        "rigid_2cam_fps_all_cores": lambda: _fps(_RIGID, POLICY_CAMERAS, cores, seconds),
-        "liquid_2cam_fps": lambda: _fps(_LIQUID, POLICY_CAMERAS, 1, seconds),
-        "liquid_2cam_fps_all_cores": lambda: _fps(_LIQUID, POLICY_CAMERAS, cores, seconds),
-        "liquid_solver_real_time": lambda: round(_solver_speed(seconds), 2),
-        "record_3cam_fps": lambda: _recording_fps(episodes),
+        "no_camera_fps": lambda: _fps(blind, 1, seconds),
+        "no_camera_fps_all_cores": lambda: _fps(blind, cores, seconds),
+        "rigid_2cam_fps": lambda: _fps(rigid, 1, seconds),
+        "rigid_2cam_fps_all_cores": lambda: _fps(rigid, cores, seconds),
+        "liquid_2cam_fps": lambda: _fps(liquid, 1, seconds),
+        "liquid_2cam_fps_all_cores": lambda: _fps(liquid, cores, seconds),
+        "liquid_solver_real_time": lambda: round(_solver_speed(liquid, seconds), 2),
+        "record_3cam_fps": lambda: _recording_fps(replace(rigid, cameras=CAMERAS), episodes),
     }
     hourly = {f"demonstrations per hour of {task}": task for task in tasks}
     count = len(rates) + len(hourly)
@@ -86,7 +91,7 @@ def measure(
             figures[name] = rate()
     for number, (name, task) in enumerate(hourly.items(), start=len(rates) + 1):
         with watcher(f"Measuring {number}/{count}: {name}"):
-            demonstrations[task] = _demonstrations_per_hour(task, episodes)
+            demonstrations[task] = _demonstrations_per_hour(replace(blind, task=task), episodes)
     return {
         **figures,
         "demos_per_hour": demonstrations,
@@ -101,21 +106,21 @@ def all_tasks() -> list[str]:
     return list(task_files())
 
 
-def _fps(task: str, cameras: tuple[str, ...], processes: int, seconds: float) -> float:
+def _fps(setting: Setting, processes: int, seconds: float) -> float:
     """Return the frames per second of so many environments, one process each, together."""
     context = multiprocessing.get_context("spawn")
     with context.Manager() as manager:
         gate = manager.Barrier(processes)
         with ProcessPoolExecutor(processes, mp_context=context) as pool:
-            rates = [pool.submit(_replay, task, cameras, seconds, gate) for _ in range(processes)]
+            rates = [pool.submit(_replay, setting, seconds, gate) for _ in range(processes)]
             return round(sum(rate.result() for rate in rates), 1)
 
 
-def _replay(task: str, cameras: tuple[str, ...], seconds: float, gate: Any) -> float:
+def _replay(setting: Setting, seconds: float, gate: Any) -> float:
     """Replay an expert episode again and again; return the frames per second of the steps."""
     become_worker(signal.SIG_DFL)
-    actions = _expert_actions(task)
-    env = LabEnv(_setting(task, cameras))
+    actions = _expert_actions(setting)
+    env = LabEnv(setting)
     env.reset(seed=0)
     env.step(actions[0])
     gate.wait()
@@ -131,9 +136,9 @@ def _replay(task: str, cameras: tuple[str, ...], seconds: float, gate: Any) -> f
     return frames / elapsed
 
 
-def _solver_speed(seconds: float) -> float:
+def _solver_speed(setting: Setting, seconds: float) -> float:
     """Return how many seconds of liquid the solver alone computes in one, on one core."""
-    env = LabEnv(_setting(_LIQUID))
+    env = LabEnv(replace(setting, obs="state"))
     env.reset(seed=0)
     liquid = env.workcell.simulation.liquid
     assert liquid is not None  # the task has contents
@@ -144,8 +149,8 @@ def _solver_speed(seconds: float) -> float:
     return steps / liquid.hertz / (time.perf_counter() - start)
 
 
-def _expert_actions(task: str) -> list[NDArray[np.float32]]:
-    env = LabEnv(_setting(task))
+def _expert_actions(setting: Setting) -> list[NDArray[np.float32]]:
+    env = LabEnv(replace(setting, obs="state"))
     env.reset(seed=0)
     expert = env.expert()
     expert.start()
@@ -158,28 +163,24 @@ def _expert_actions(task: str) -> list[NDArray[np.float32]]:
     return actions
 
 
-def _recording_fps(episodes: int) -> float:
+def _recording_fps(setting: Setting, episodes: int) -> float:
     """Return the frames per second of a recording with pictures, start-up included."""
     start = time.perf_counter()
-    frames = _record(_RIGID, "pixels", episodes)
+    frames = _record(setting, episodes)
     return round(frames / (time.perf_counter() - start), 1)
 
 
-def _demonstrations_per_hour(task: str, episodes: int) -> int:
+def _demonstrations_per_hour(setting: Setting, episodes: int) -> int:
     """Return how many demonstrations without pictures are recorded, start-up included."""
     start = time.perf_counter()
-    _record(task, "state", episodes)
+    _record(setting, episodes)
     return round(3600 * episodes / (time.perf_counter() - start))
 
 
-def _record(task: str, obs: str, episodes: int) -> int:
+def _record(setting: Setting, episodes: int) -> int:
     """Record demonstrations on all cores; return their number of frames."""
     with tempfile.TemporaryDirectory() as folder:
         root = str(Path(folder) / "dataset")
-        options: dict[str, Any] = {"task": task, "obs": obs, "episodes": episodes, "root": root}
-        candidates = record(RecordingConfig(**options), _Silent())
+        options = asdict(setting) | {"split": "train", "cameras": list(setting.cameras)}
+        candidates = record(RecordingConfig(**options, episodes=episodes, root=root), _Silent())
     return sum(candidate.frames for candidate in candidates if candidate.success)
-
-
-def _setting(task: str, cameras: tuple[str, ...] = ()) -> Setting:
-    return Setting(task, cameras=cameras) if cameras else Setting(task, obs="state")
