@@ -16,7 +16,7 @@ demo: export HF_HUB_OFFLINE := 1
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test test-fast lint format clean
+.PHONY: help setup demo test test-slow lint format clean
 
 help:  ## List the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -37,11 +37,11 @@ demo: setup  ## Record, train and evaluate a small policy on a CPU, and print it
 	$(BIN)/python eval/report.py $(DEMO)/eval
 	@echo "Expert: $(DEMO)/level1-pick.png and .mp4. Policies: $(DEMO)/eval/*/videos"
 
-test: lint  ## Check style and types, then run every test
-	$(PYTEST)
-
-test-fast: setup  ## Run the tests that are not marked slow
+test: lint  ## Check style and types, then run every test but the sweeps
 	$(PYTEST) -m "not slow"
+
+test-slow: setup  ## Run the sweeps: ten episodes of every expert, trainings, kills, leaks
+	$(PYTEST) -m slow
 
 lint: setup  ## Check style, format and types
 	$(BIN)/ruff check

@@ -16,7 +16,8 @@ from labutopia_lerobot.setting import OBSERVATION_KINDS, Setting, UnknownOptionE
 @pytest.mark.parametrize("task", task_files())
 @pytest.mark.parametrize("obs", OBSERVATION_KINDS)
 def test_gymnasium_finds_no_fault_with_a_task(task: str, obs: str) -> None:
-    env = gymnasium.make(gymnasium_id(task), obs=obs).unwrapped
+    small = {"width": 64, "height": 64, "particles": 100}
+    env = gymnasium.make(gymnasium_id(task), obs=obs, **small).unwrapped
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         # Actions are radians and metres, as a robot takes them; LeRobot's policies normalise.

@@ -3,11 +3,19 @@
 import pytest
 
 from labutopia_lerobot.checks import CHECKS, Check
+from labutopia_lerobot.checks.experts import the_expert_wins_at_least_nine_of_ten
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import require_task, task_files
 
 
-@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
+SLOW = {the_expert_wins_at_least_nine_of_ten}
+"""Ten whole episodes with all particles: `make test-slow`."""
+
+
+@pytest.mark.parametrize(
+    "check",
+    [pytest.param(c, marks=[pytest.mark.slow] if c in SLOW else [], id=c.__name__) for c in CHECKS],
+)
 def test_it_is_so_that(env: LabEnv, check: Check):
     check(env)
 
