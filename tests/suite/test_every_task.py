@@ -7,7 +7,6 @@ from labutopia_lerobot.checks.experts import the_expert_wins_at_least_nine_of_te
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import require_task, task_files
 
-
 SLOW = {the_expert_wins_at_least_nine_of_ten}
 """Ten whole episodes with all particles: `make test-slow`."""
 
