@@ -1,5 +1,6 @@
 """The Gymnasium environment of a task; it meets LeRobot's environment contract."""
 
+import operator
 from typing import Any
 
 import gymnasium
@@ -104,7 +105,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         Raises:
             TaskError: If there is no such step.
         """
-        seed = None if seed is None else int(seed)
+        seed = None if seed is None else operator.index(seed)  # NumPy's integers too, no floats
         super().reset(seed=seed)
         self.seed = int(self.np_random.integers(2**31)) if seed is None else seed
         after = (options or {}).get("after")

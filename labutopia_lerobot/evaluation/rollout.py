@@ -94,6 +94,8 @@ def _row(
         policy=pairing.policy,
         play=PLAY,
         obs=setting.obs,
+        robot=setting.robot,
+        room=setting.room,
         seed=seed,
         success=info["is_success"],
         ever_success=info["ever_success"],

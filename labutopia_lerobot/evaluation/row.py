@@ -6,7 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.robots import DEFAULT_ROBOT
 from labutopia_lerobot.scenario.draw import Value
+from labutopia_lerobot.scenes import DEFAULT_ROOM
 
 
 class UnreadableResultError(UserError):
@@ -50,6 +52,8 @@ class Row:
         cause: Why it is no success (see `causes`), or None.
         device: Device of torch that the policy ran on, or None.
         renderer: What drew the pictures that the policy saw, or None.
+        robot: What played.
+        room: Where.
     """
 
     task: str
@@ -83,6 +87,8 @@ class Row:
     cause: str | None = None
     device: str | None = None
     renderer: str | None = None
+    robot: str = DEFAULT_ROBOT
+    room: str = DEFAULT_ROOM
 
 
 def from_columns[Kind](kind: type[Kind], columns: Mapping[str, Any], file: Path) -> Kind:

@@ -43,6 +43,8 @@ def test_any_whole_number_is_a_seed():
     second, info = env.reset(seed=np.int64(7))
     assert info["seed"] == 7
     assert np.array_equal(first["environment_state"], second["environment_state"])
+    with pytest.raises(TypeError):
+        env.reset(seed=7.5)
 
 
 def test_an_episode_can_begin_behind_a_step_with_the_liquid_in_place():
