@@ -139,7 +139,6 @@ class Inside:
 
     @property
     def shuffled(self) -> tuple[str, ...]:
-        """Nothing is dealt out."""
         return ()
 
     def sample(self, rng: np.random.Generator, placed: Mapping[Piece, Placement]) -> Placement:

@@ -47,12 +47,10 @@ class OnTop:
 
     @property
     def name(self) -> str:
-        """Name of the thing."""
         return self.of.name
 
     @property
     def support(self) -> str:
-        """Name of the thing."""
         return self.of.name
 
     def position_w(self, world: World) -> FloatArray:
@@ -79,7 +77,6 @@ class OverBench:
 
     @property
     def support(self) -> str:
-        """The bench."""
         return BENCH
 
     def position_w(self, world: World) -> FloatArray:

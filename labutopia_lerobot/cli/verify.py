@@ -7,7 +7,7 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
-from labutopia_lerobot.datasets.layout import INFO, read_json
+from labutopia_lerobot.datasets.tables import INFO, read_json
 from labutopia_lerobot.datasets.verify import require_intact
 
 

@@ -20,10 +20,10 @@ from lerobot.datasets.dataset_writer import DatasetWriter
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.candidate import COLUMNS, HISTOGRAM, Candidate, candidate_folder
-from labutopia_lerobot.datasets.features import IMAGES, dataset_features
-from labutopia_lerobot.datasets.layout import DRAWN, OUTCOME, PHASES, RECORDING, SEED
+from labutopia_lerobot.datasets.declaration import IMAGES, dataset_features
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import began_with
+from labutopia_lerobot.datasets.tables import DRAWN, OUTCOME, PHASES, RECORDING, SEED
 from labutopia_lerobot.runtime.video import (
     CODEC,
     KEYFRAME_INTERVAL,

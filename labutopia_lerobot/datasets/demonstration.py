@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.datasets.features import state_keys
+from labutopia_lerobot.datasets.declaration import state_keys
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.scenario.draw import Value

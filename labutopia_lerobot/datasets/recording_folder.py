@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from labutopia_lerobot.datasets.layout import RECORDING, read_json
+from labutopia_lerobot.datasets.tables import RECORDING, read_json
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.claim import differences, locked, write_whole
 

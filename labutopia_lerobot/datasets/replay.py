@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.datasets.features import state_keys
-from labutopia_lerobot.datasets.layout import (
+from labutopia_lerobot.datasets.declaration import state_keys
+from labutopia_lerobot.datasets.tables import (
     RECORDING,
     SEED,
     column,

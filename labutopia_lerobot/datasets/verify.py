@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
-from labutopia_lerobot.datasets.layout import (
+from labutopia_lerobot.datasets.tables import (
     INFO,
     OUTCOME,
     RECORDING,

@@ -71,7 +71,6 @@ class EvaluationConfig:
 
     @property
     def splits(self) -> list[str]:
-        """The splits to play."""
         return list(dict.fromkeys(_listed(self.split)))
 
     def check(self) -> None:

@@ -16,7 +16,7 @@ from lerobot.scripts.lerobot_eval import rollout
 from numpy.typing import NDArray
 
 import lerobot_env_labutopia  # noqa: F401 (registers the type, as LeRobot's programs do)
-from labutopia_lerobot.datasets.features import dataset_features
+from labutopia_lerobot.datasets.declaration import dataset_features
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.features import action_feature, observation_features

@@ -18,8 +18,11 @@ from lerobot.datasets.lerobot_dataset import LeRobotDataset
 
 from labutopia_lerobot.cli.record import parse
 from labutopia_lerobot.datasets.candidate import Candidate
-from labutopia_lerobot.datasets.features import dataset_features
-from labutopia_lerobot.datasets.layout import (
+from labutopia_lerobot.datasets.declaration import dataset_features
+from labutopia_lerobot.datasets.recorder import HopelessExpertError, record
+from labutopia_lerobot.datasets.recording_folder import RecordingFolderError
+from labutopia_lerobot.datasets.replay import ForeignDatasetError, replay
+from labutopia_lerobot.datasets.tables import (
     PHASES,
     RECORDING,
     SEED,
@@ -28,9 +31,6 @@ from labutopia_lerobot.datasets.layout import (
     read_frames,
     read_json,
 )
-from labutopia_lerobot.datasets.recorder import HopelessExpertError, record
-from labutopia_lerobot.datasets.recording_folder import RecordingFolderError
-from labutopia_lerobot.datasets.replay import ForeignDatasetError, replay
 from labutopia_lerobot.datasets.verify import find_problems, require_intact
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError

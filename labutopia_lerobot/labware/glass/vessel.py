@@ -51,7 +51,6 @@ class Vessel(Loose):
 
     @property
     def height(self) -> float:
-        """Overall height [m]."""
         return self.profile.height
 
     @property

@@ -59,7 +59,6 @@ class ButtonPanel(Fixed):
 
     @property
     def bodies(self) -> frozenset[str]:
-        """Names of all its bodies."""
         return frozenset({self.name, self.head, *(button.name for button in self.buttons)})
 
     @property
@@ -69,7 +68,6 @@ class ButtonPanel(Fixed):
 
     @property
     def joints(self) -> tuple[str, ...]:
-        """The slides of its buttons."""
         return tuple(button.joint for button in self.buttons)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:

@@ -65,7 +65,6 @@ class Cabinet(Fixed):
 
     @property
     def bodies(self) -> frozenset[str]:
-        """Names of all its bodies."""
         parts = [part.name for drawer in self.drawers for part in (drawer, drawer.handle)]
         return frozenset({self.name, *parts})
 
@@ -76,7 +75,6 @@ class Cabinet(Fixed):
 
     @property
     def joints(self) -> tuple[str, ...]:
-        """Its slides."""
         return tuple(drawer.joint for drawer in self.drawers)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:

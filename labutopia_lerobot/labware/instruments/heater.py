@@ -52,7 +52,6 @@ class Heater(Fixed):
 
     @property
     def switch(self) -> Switch:
-        """Whether it heats."""
         button, lamp = self.button, f"{self.name}_lamp"
         return Switch(f"{self.name}_switch", button.joint, button.travel, lamp)
 
@@ -63,7 +62,6 @@ class Heater(Fixed):
 
     @property
     def bodies(self) -> frozenset[str]:
-        """Names of all its bodies."""
         return frozenset({self.name, self.button.name})
 
     @property
@@ -73,12 +71,10 @@ class Heater(Fixed):
 
     @property
     def joints(self) -> tuple[str, ...]:
-        """The slide of its button."""
         return (self.button.joint,)
 
     @property
     def switches(self) -> tuple[Switch, ...]:
-        """Its one switch."""
         return (self.switch,)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:

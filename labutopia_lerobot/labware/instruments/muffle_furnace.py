@@ -75,7 +75,6 @@ class MuffleFurnace(Fixed):
 
     @property
     def door(self) -> Door:
-        """The door."""
         handle = Handle(f"{self.name}_handle", _HANDLE_LENGTH)
         return Door(f"{self.name}_door", handle, widest=_WIDEST, closed_within=_SEAL)
 
@@ -86,7 +85,6 @@ class MuffleFurnace(Fixed):
 
     @property
     def bodies(self) -> frozenset[str]:
-        """Names of all its bodies."""
         return frozenset({self.name, self.door.name, self.door.handle.name})
 
     @property
@@ -96,7 +94,6 @@ class MuffleFurnace(Fixed):
 
     @property
     def joints(self) -> tuple[str, ...]:
-        """Its hinge."""
         return (self.door.joint,)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:

@@ -13,7 +13,6 @@ class _Still:
 
     @property
     def switches(self) -> tuple[Switch, ...]:
-        """Its electric switches: none."""
         return ()
 
 
@@ -31,5 +30,4 @@ class Fixed(_Still):
 
     @property
     def movable(self) -> bool:
-        """It stays where it is."""
         return False

@@ -146,7 +146,6 @@ class WashBottle(Fixed):
 
     @property
     def height(self) -> float:
-        """Overall height [m]."""
         return max(z for _, z in _SPOUT) + _TUBE_RADIUS
 
     @property
