@@ -51,8 +51,8 @@ def test_tilts_to_one_side_only_do_not_count(env):
     assert info["substeps"]["shaken"] == np.inf
 
 
-def test_a_tilt_of_seventy_degrees_spills(env):
-    assert play(env, replace(shake(env), angle=math.radians(70)))["outcome"] == "spilled"
+def test_a_tilt_of_eighty_degrees_spills(env):
+    assert play(env, replace(shake(env), angle=math.radians(80)))["outcome"] == "spilled"
 
 
 def test_a_beaker_let_go_between_two_tilts_is_no_shake(env):

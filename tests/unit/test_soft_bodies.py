@@ -190,8 +190,9 @@ def test_each_further_stroke_gives_more_and_nothing_returns(env):
     while expert.label != "squeeze/done":
         env.step(expert.act())
         assert env.workcell.world.displaced(BOTTLE) == given
-    state, data = env.workcell.simulation._displaced[0], env.workcell.simulation.data
-    displacement = env.workcell.simulation._displacements[BOTTLE.name]
+    simulation = env.workcell.simulation
+    state, data = simulation._remembered(BOTTLE.name), simulation.data
+    (displacement,) = simulation._displacements
     expert = play(env, "squeeze/hold")
     squeezed, full = data.flexvert_xpos.copy(), volume(env)
     env.reset(seed=5)
@@ -206,12 +207,14 @@ def test_each_further_stroke_gives_more_and_nothing_returns(env):
 
 def test_a_bottle_gives_no_more_than_it_holds(env):
     env.reset(seed=5)
-    state, data = env.workcell.simulation._displaced[0], env.workcell.simulation.data
+    simulation = env.workcell.simulation
+    state, data = simulation._remembered(BOTTLE.name), simulation.data
+    (displacement,) = simulation._displacements
     at_rest = data.flexvert_xpos.copy()
     for _ in range(20):
         for size in (0.95, 1.0):  # a seventh less volume, about 45 ml
             data.flexvert_xpos[:] = at_rest[0] + size * (at_rest - at_rest[0])
-            env.workcell.simulation._displacements[BOTTLE.name].update(state, data)
+            displacement.update(state, data)
     assert state[1] == BOTTLE.contents
 
 

@@ -130,7 +130,7 @@ def test_a_hand_that_stays_round_the_bottle_has_not_finished(env):
 
 def test_a_jet_beside_the_beaker_spills(env, monkeypatch):
     (bottle, region), (beaker, _) = env.workcell.task.start.items()
-    start = {bottle: region, beaker: OnBench(x=(0.5, 0.55), y=(-0.4, -0.35))}
+    start = {bottle: region, beaker: OnBench(x=(0.30, 0.35), y=(-0.35, -0.30))}
     env = begun_with("level1/squeeze", replace(env.workcell.task, start=start), monkeypatch)
     info = play(env)
     assert info["outcome"] == "spilled"
