@@ -36,7 +36,26 @@ def main() -> None:
     """Write everything."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", type=Path, nargs="?", default=expert_rows.RESULTS)
-    rows = expert_rows.read(parser.parse_args().results)
+    parser.add_argument("--tables", action="store_true", help="leave the pictures as they are")
+    arguments = parser.parse_args()
+    write_tables(expert_rows.read(arguments.results))
+    if not arguments.tables:
+        write_gallery()
+
+
+def write_tables(rows: dict[str, list[Row]]) -> None:
+    """Write the table of tasks in the README, where things start and how experts fail."""
+    readme = (ROOT / "README.md").read_text()
+    before, _, rest = readme.partition(BEGIN)
+    _, _, after = rest.partition(END)
+    table = "\n".join(task_table(rows))
+    (ROOT / "README.md").write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
+    (DOCS / "starts.md").write_text("\n".join(start_table()) + "\n")
+    (DOCS / "failures.md").write_text("\n".join(failure_table(rows)) + "\n")
+
+
+def write_gallery() -> None:
+    """Write the pictures and the page that shows them."""
     gallery = [
         "# Gallery",
         "",
@@ -52,13 +71,6 @@ def main() -> None:
         gallery += [f"![{task_id}](gallery/{picture.name})", ""]
     Image.fromarray(pouring()).quantize(256).save(DOCS / "gallery" / "pouring.png", optimize=True)
     (DOCS / "gallery.md").write_text("\n".join(gallery))
-    readme = (ROOT / "README.md").read_text()
-    before, _, rest = readme.partition(BEGIN)
-    _, _, after = rest.partition(END)
-    table = "\n".join(task_table(rows))
-    (ROOT / "README.md").write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
-    (DOCS / "starts.md").write_text("\n".join(start_table()) + "\n")
-    (DOCS / "failures.md").write_text("\n".join(failure_table(rows)) + "\n")
 
 
 def pouring() -> NDArray[np.uint8]:
@@ -162,7 +174,8 @@ def failure_table(rows: Rows) -> list[str]:
         stuck = Counter(row.expert_failure for row in played if row.expert_failure is not None)
         cells = [f"`{task_id}`", str(line.n)]
         cells += [_counted(line.outcomes), _counted(line.causes), _counted(stuck)]
-        cells.append(str(sum(row.prelude_failures for row in played)))
+        anew = [row.prelude_failures for row in played if row.prelude_failures is not None]
+        cells.append(str(sum(anew)) if anew else "not recorded")
         lines.append(f"| {' | '.join(cells)} |")
     return lines
 

@@ -82,7 +82,7 @@ class Row:
     clipped_actions: int
     nonfinite_actions: int
     # Results of earlier versions lack what follows.
-    prelude_failures: int = 0
+    prelude_failures: int | None = None
     expert_failure: str | None = None
     cause: str | None = None
     device: str | None = None
