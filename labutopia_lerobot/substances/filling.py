@@ -113,7 +113,7 @@ def _capacity(vessel: Fillable | Dispenser) -> float:
     if isinstance(vessel, Dispenser):
         return vessel.contents
     _require_watertight(vessel)
-    return vessel.profile.capacity_below(vessel.profile.height)
+    return vessel.profile.capacity
 
 
 def _require_watertight(vessel: Fillable) -> None:

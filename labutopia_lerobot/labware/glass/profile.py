@@ -79,6 +79,20 @@ class Profile:
         """Return the radius of the cavity at `height` [m], for heights above the inner bottom."""
         return self.outer_radius(height) - self.wall
 
+    @cached_property
+    def capacity(self) -> float:
+        """Volume [m^3] of the whole cavity."""
+        return self.capacity_below(self.height)
+
+    @cached_property
+    def _levels(self) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+        """Heights [m] from the inner bottom to the lip and the volumes [m^3] below them."""
+        radii, corners = zip(*self.inner, strict=True)
+        heights = np.linspace(self.bottom, self.height, 256)
+        r = np.interp(heights, corners, radii)
+        frusta = np.pi / 3 * (r[:-1] ** 2 + r[:-1] * r[1:] + r[1:] ** 2) * np.diff(heights)
+        return heights, np.cumsum([0.0, *frusta])
+
     def capacity_below(self, height: float) -> float:
         """Return the volume [m^3] of the cavity below `height` [m]."""
         top = min(height, self.height)
@@ -93,18 +107,16 @@ class Profile:
         Raises:
             ValueError: The vessel does not hold that much.
         """
-        capacity = self.capacity_below(self.height)
-        if not 0 <= volume <= capacity:
-            raise ValueError(f"volume must lie between 0 and {capacity:.2e} m^3, not {volume:.2e}")
-        radii, corners = zip(*self.inner, strict=True)
-        heights = np.linspace(self.bottom, self.height, 256)
-        r = np.interp(heights, corners, radii)
-        frusta = np.pi / 3 * (r[:-1] ** 2 + r[:-1] * r[1:] + r[1:] ** 2) * np.diff(heights)
-        return float(np.interp(volume, np.cumsum([0.0, *frusta]), heights))
+        if not 0 <= volume <= self.capacity:
+            raise ValueError(
+                f"volume must lie between 0 and {self.capacity:.2e} m^3, not {volume:.2e}"
+            )
+        heights, volumes = self._levels
+        return float(np.interp(volume, volumes, heights))
 
     def depth(self, volume: float) -> float:
         """Return how deep a `volume` [m^3] of liquid is when the vessel stands upright [m]."""
-        return self.fill_height(min(volume, self.capacity_below(self.height))) - self.bottom
+        return self.fill_height(min(volume, self.capacity)) - self.bottom
 
     def mass_properties(self, density: float = BOROSILICATE_DENSITY) -> MassProperties:
         """Return mass, centre of mass and principal inertia of the wall at `density` [kg/m^3]."""

@@ -71,7 +71,7 @@ class Vessel(Loose):
     @property
     def capacity(self) -> float:
         """Brimful capacity [ml]."""
-        return self.profile.capacity_below(self.height) * 1e6
+        return self.profile.capacity * 1e6
 
     @property
     def mass(self) -> float:
