@@ -24,7 +24,7 @@ def the_goal_is_false_at_the_start(env: LabEnv) -> None:
 
 def nothing_forbidden_has_happened_at_the_start(env: LabEnv) -> None:
     """No episode is over before it begins."""
-    for seed in range(10):
+    for seed in range(3):
         _, info = env.reset(seed=seed)
         require(info["outcome"] == "running", f"seed {seed} begins with {info['outcome']}")
 
@@ -51,7 +51,7 @@ def random_actions_do_not_succeed(env: LabEnv) -> None:
 
 def doing_nothing_ends_by_timeout_at_the_time_limit(env: LabEnv) -> None:
     """Nothing falls over by itself, and the clock is right."""
-    trace = play(env, still, seed=0)
+    trace = play(env, still, seed=0).trace
     outcome, steps = trace[-1][1]["outcome"], len(trace) - 1
     require(outcome == "timeout", f"doing nothing ends with {outcome} after {steps} steps")
     limit = env.workcell.task.max_steps
@@ -59,8 +59,8 @@ def doing_nothing_ends_by_timeout_at_the_time_limit(env: LabEnv) -> None:
 
 
 def _require_no_success(env: LabEnv, player: Player) -> None:
-    for seed in range(3):
-        trace = play(env, player, seed)
+    for seed in range(2):
+        trace = play(env, player, seed).trace
         won = any(info["is_success"] or info["ever_success"] for _, info in trace)
         require(not won, f"seed {seed} succeeds")
 

@@ -1,6 +1,8 @@
 """Playing episodes for checks: the expert, doing nothing, random actions."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -14,20 +16,31 @@ type Actor = Callable[[], NDArray[np.float32]]
 type Player = Callable[[LabEnv], Actor]
 """Begins an episode of an environment that has been reset."""
 
-type Trace = list[tuple[Observation, Info]]
-"""What reset and every step gave."""
+
+@dataclass(frozen=True)
+class Played:
+    """An episode that was played to its end.
+
+    Attributes:
+        trace: What reset and every step gave.
+        state: Where the simulation ended, as bytes.
+    """
+
+    trace: list[tuple[Observation, Info]]
+    state: bytes
 
 
-def play(env: LabEnv, player: Player, seed: int) -> Trace:
-    """Play an episode to its end; return what reset and every step gave."""
-    trace: Trace = [env.reset(seed=seed)]
+@lru_cache(maxsize=8)
+def play(env: LabEnv, player: Player, seed: int) -> Played:
+    """Play an episode to its end; several checks look at the same one."""
+    trace = [env.reset(seed=seed)]
     act = player(env)
     over = False
     while not over:
         observation, _, terminated, truncated, info = env.step(act())
         trace.append((observation, info))
         over = terminated or truncated
-    return trace
+    return Played(trace, env.workcell.simulation.state().tobytes())
 
 
 def expert(env: LabEnv) -> Actor:
