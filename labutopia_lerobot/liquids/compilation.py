@@ -1,7 +1,10 @@
 """Compiling kernels with numba, once per machine."""
 
 import hashlib
+import logging
+import os
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import cast
 
@@ -30,6 +33,19 @@ def _forget_stale_kernels() -> None:
 
 
 _forget_stale_kernels()
+
+
+@cache
+def tell_of_compiling() -> None:
+    """Say, once in a process, that the next step with liquid compiles first, if so it is.
+
+    A package that is not ours to write into has its kernels elsewhere, compiled or not.
+    """
+    compiled = any(_SOURCES.rglob("__pycache__/*.nbi"))
+    if not compiled and os.access(_SOURCES, os.W_OK):
+        logging.getLogger(__name__).warning(
+            "Compiling the kernels of the liquid: about half a minute, once per machine"
+        )
 
 
 def kernel[Function: Callable[..., object]](function: Function) -> Function:

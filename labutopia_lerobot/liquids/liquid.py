@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.account import tally, whereabouts
+from labutopia_lerobot.liquids.compilation import tell_of_compiling
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
@@ -58,6 +59,7 @@ class Liquid:
         fillings: Sequence[Filling],
         particles: int = PARTICLES,
     ) -> None:
+        tell_of_compiling()
         bottles = [vessel for vessel in vessels if isinstance(vessel, Dispenser)]
         self.vessels = tuple(vessel for vessel in vessels if not isinstance(vessel, Dispenser))
         self.names = tuple(vessel.name for vessel in (*self.vessels, *bottles))

@@ -9,7 +9,8 @@ import pytest
 
 pytestmark = pytest.mark.slow
 
-SETTINGS = sorted(Path("policies").glob("*/train*.json"))
+ROOT = Path(__file__).parents[2]
+SETTINGS = sorted(path.relative_to(ROOT) for path in ROOT.glob("policies/*/train*.json"))
 SMALL = {
     # What makes a step of the paper's setting affordable here; nothing that it is about.
     "policies/act/train.json": ["--policy.pretrained_backbone_weights=null"],
@@ -41,7 +42,7 @@ def test_the_setting_trains_and_resumes(setting, datasets, tmp_path):
     out = tmp_path / "train"
     brief = ["--batch_size=2", "--num_workers=0", "--eval_steps=0"]
     run(
-        *("lerobot-train", f"--config_path={setting}", "--dataset.repo_id=local/pick"),
+        *("lerobot-train", f"--config_path={ROOT / setting}", "--dataset.repo_id=local/pick"),
         *(f"--dataset.root={root}", f"--output_dir={out}"),
         *("--steps=1", "--policy.device=cpu", *brief, *SMALL.get(str(setting), [])),
     )

@@ -11,6 +11,7 @@ from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.labware.glass.glass_rod import GlassRod
 from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.labware.glass.profile import Profile
+from labutopia_lerobot.liquids import compilation
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.substances.filling import (
@@ -157,25 +158,6 @@ def test_a_solver_that_diverges_ends_the_episode_and_tells_no_nonsense(env, pois
     assert info["outcome"] == "running"
 
 
-def test_a_restored_state_goes_on_bit_for_bit(env):
-    env.reset(seed=2)
-    expert = env.expert()
-    expert.start()
-    actions = [env.step(expert.act())[4]["applied_action"] for _ in range(90)]
-    simulation = env.workcell.simulation
-    env.reset(seed=2)
-    for action in actions[:70]:
-        simulation.step(action.astype(float))
-    saved = simulation.state()
-    final = []
-    for _ in range(2):
-        simulation.restore(saved)
-        for action in actions[70:]:
-            simulation.step(action.astype(float))
-        final.append(simulation.state().tobytes())
-    assert final[0] == final[1]
-
-
 def test_another_substance_weighs_and_flows_otherwise(monkeypatch):
     weights = {}
     for name in SUBSTANCES:
@@ -222,3 +204,16 @@ def test_a_shaken_vessel_makes_its_contents_slosh():
         speeds.append(np.linalg.norm(env.workcell.simulation.liquid.velocities, axis=1).mean())
     assert speeds[0] < 0.03
     assert max(speeds) > 0.1
+
+
+def test_the_half_minute_of_compiling_is_announced(monkeypatch, tmp_path, caplog):
+    monkeypatch.setattr(compilation, "_SOURCES", tmp_path)
+    compilation.tell_of_compiling.cache_clear()
+    compilation.tell_of_compiling()
+    assert "half a minute" in caplog.text
+    caplog.clear()
+    (tmp_path / "__pycache__").mkdir()
+    (tmp_path / "__pycache__" / "kernel.nbi").touch()
+    compilation.tell_of_compiling.cache_clear()
+    compilation.tell_of_compiling()
+    assert not caplog.text
