@@ -135,7 +135,8 @@ def require_task(task_id: str, tasks_dir: str | Path | None = None) -> Path:
     if task_id not in files:
         near = difflib.get_close_matches(task_id, files, n=1, cutoff=0.5)
         hint = f" Did you mean '{near[0]}'?" if near else ""
-        raise UnknownTaskError(f"Unknown task '{task_id}'.{hint} Tasks: {', '.join(files)}")
+        own = "" if tasks_dir else ". A task of your own is found with tasks_dir="
+        raise UnknownTaskError(f"Unknown task '{task_id}'.{hint} Tasks: {', '.join(files)}{own}")
     return files[task_id]
 
 
