@@ -4,7 +4,7 @@ from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Thing, World
 
 _KNOCK = 0.25
-"""Speed at which a thing may meet something hard [m/s]. The paper has only "undamaged" and "intact";
+"""Speed at which a thing may meet something hard [m/s]. The paper says "undamaged", "intact";
 ours is the fastest that ISO 10218-1 calls reduced speed, and what a fall of 3 mm gives."""
 
 _LOAD = 70.0
