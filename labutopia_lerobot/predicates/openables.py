@@ -74,13 +74,15 @@ def faster(part: Openable, *, than: float) -> Predicate:
 def grasped(bar: Bar) -> Predicate:
     """Bar is between the pads: they are closed on it, it is where they are and keeps them apart.
 
-    A closed fist touches a bar with both pads too: it is shut, and ahead of the bar.
+    A closed fist touches a bar with both pads too: it is shut, and ahead of the bar. Fingers that
+    are twisted about a bar until it jams are commanded wider than it is.
     """
     held = gripped(bar)
     return Predicate(
         f"{bar.name} grasped",
         lambda world: (
             held.holds(world)
+            and world.commanded_opening < bar.diameter
             and world.gripper_opening > bar.diameter / 2
             and _distance(world, bar) < bar.diameter / 2
         ),
