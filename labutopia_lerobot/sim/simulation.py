@@ -90,7 +90,6 @@ class Simulation:
         self._drives.command(data, start)
         self.command = start
         mujoco.mj_step1(model, data)
-        self.contacts.note_contacts()
         for _ in range(_SETTLE_STEPS):
             self.step(start)
         self._start_displacements()
@@ -134,16 +133,14 @@ class Simulation:
             self._drives.command(data, start + part * change)
             # The two halves of mj_step, turned round: so that positions are never one step old.
             mujoco.mj_step2(model, data)
-            self.contacts.note_forces()
+            self.contacts.note()
             mujoco.mj_step1(model, data)
-            self.contacts.note_contacts()
             if self.liquid is not None and substep % (PHYSICS_HZ // self.liquid.hertz) == 0:
                 self.liquid.step()
         self._work_switches()
         self._squeeze_bottles()
         if self.liquid is not None:
             self.account = self.liquid.take_account()
-        self.contacts.mirror()
         self.command = np.array(command)
 
     def _squeeze_bottles(self) -> None:
@@ -220,14 +217,13 @@ class Simulation:
     def restore(self, state: FloatArray) -> None:
         """Go back to what `state` returned in this episode, whatever has happened since.
 
-        What touched since the previous control step is forgotten, but for what touches now.
+        What touched since the previous control step is forgotten.
         """
         model, data, kind = self.scene.model, self.data, mujoco.mjtState.mjSTATE_INTEGRATION
         size = mujoco.mj_stateSize(model, kind)
         mujoco.mj_setState(model, data, state[:size], kind)
         mujoco.mj_step1(model, data)
         self.contacts.clear()
-        self.contacts.note_contacts()
         self.command = self._drives.targets(data)
         if self.liquid is not None:
             self.liquid.restore(state[size:])
