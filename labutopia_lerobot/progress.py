@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from labutopia_lerobot.predicates import Predicate
+from labutopia_lerobot.predicates import Count, Predicate
+from labutopia_lerobot.predicates.counting import Counter
 from labutopia_lerobot.task import (
     HOLD_S,
     INTERRUPTED,
@@ -52,8 +53,9 @@ class Progress:
     Attributes:
         history: Every named predicate of the task, when it held.
         milestones: Milestone -> time at which it latched [s], or None.
+        counted: How much of its count the first milestone that has not latched has seen.
         outcome: "running", "success", "timeout", "diverged", "interrupted" (a milestone's `keeping`
-            broke), or the key of the breached `never`.
+            broke), or the key of the breach: of a `never`, "broken" or "collided".
         ever: Whether the goal held at any instant after the last step.
 
     Raises:
@@ -63,6 +65,7 @@ class Progress:
     def __init__(self, task: Task, after: str | None = None) -> None:
         self._task = task
         self._predicates = task.facts
+        self._breaches = task.breaches
         self._hold_steps = round(HOLD_S * CONTROL_HZ)
         self._course = [(step, milestone) for step in task.steps for milestone in step.milestones]
         done = task.steps_until(after) if after is not None else ()
@@ -74,6 +77,8 @@ class Progress:
         }
         self.outcome = RUNNING
         self.ever = False
+        self.counted = 0.0
+        self._counter: Counter | None = None
         self._passed = 0
         self._steps = 0
         self._goal_since: int | None = None
@@ -102,8 +107,15 @@ class Progress:
         if self._passed == len(milestone.via):
             following = milestone.when
         else:
-            following = (milestone.via[self._passed], *(() if self._passed else milestone.begins))
-        return (*following, *(milestone.keeping if self._passed else ()))
+            following = (milestone.via[self._passed],)
+        return (*following, *(milestone.keeping if self._passed or self.counted else ()))
+
+    @property
+    def counting(self) -> Count | None:
+        """What is counted now, or None."""
+        if self._latched == len(self._course):
+            return None
+        return self._course[self._latched][1].count
 
     def end(self, outcome: str) -> None:
         """End the episode for a reason that no predicate sees."""
@@ -116,7 +128,7 @@ class Progress:
         for name, fact in self._predicates.items():
             self.history[name].note(bool(fact.holds(world)), world.time)
         breach = next((name for name, fact in self._forbidden() if self._holds(fact)), None)
-        self._latch(world.time)
+        self._latch(world)
         self._clock_the_goal()
         if breach is not None:
             self.outcome = breach
@@ -133,29 +145,32 @@ class Progress:
 
     def _forbidden(self) -> Iterator[tuple[str, Predicate]]:
         """Yield what must not occur now: at any time, and in the step that is being done."""
-        yield from self._task.never.items()
+        yield from self._breaches.items()
         if self.step is not None:
             yield from self.step.never.items()
 
-    def _latch(self, time: float) -> None:
+    def _latch(self, world: World) -> None:
         for _, milestone in self._course[self._latched :]:
-            if not self._pass_through(milestone):
+            if not self._pass_through(milestone, world):
                 return
-            self.milestones[milestone.name] = time
+            self.milestones[milestone.name] = world.time
             self._latched += 1
-            self._passed = 0
+            self._passed, self.counted, self._counter = 0, 0.0, None
 
-    def _pass_through(self, milestone: Milestone) -> bool:
+    def _pass_through(self, milestone: Milestone, world: World) -> bool:
         """Advance along the course of a milestone; tell whether it latches now."""
         course = milestone.via
         while self._passed < len(course) and self._holds(course[self._passed]):
-            if not self._passed and not self._holds(*milestone.begins):
-                break
             self._passed += 1
-        if self._passed and not self._holds(*milestone.keeping):
+        enough = self._passed == len(course)
+        if milestone.count is not None and enough:
+            self._counter = self._counter or milestone.count.counter()
+            self.counted = self._counter.add(world)
+            enough = self.counted >= milestone.count.needed
+        if (self._passed or self.counted) and not self._holds(*milestone.keeping):
             self.outcome = INTERRUPTED
             return False
-        return self._passed == len(course) and self._holds(*milestone.when)
+        return enough and self._holds(*milestone.when)
 
     def _clock_the_goal(self) -> None:
         if self.step is None and self._holds(*self._task.goal):

@@ -1,16 +1,16 @@
 """A task is a value: what stands where, what is done step by step, what counts as success."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.layout import Piece, Start
-from labutopia_lerobot.predicates import Predicate
+from labutopia_lerobot.predicates import Count, Predicate, broken, collided
 from labutopia_lerobot.predicates.predicate import same
 from labutopia_lerobot.scenes.views import VESSEL_VIEW, View
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.substances.filling import Filling
-from labutopia_lerobot.world import CONTROL_HZ
+from labutopia_lerobot.world import CONTROL_HZ, Thing
 
 HOLD_S = 2.0
 """How long the goal must hold without a break (paper, "Evaluation Execution")."""
@@ -21,8 +21,12 @@ TIMEOUT = "timeout"
 DIVERGED = "diverged"
 INTERRUPTED = "interrupted"
 """Outcome of an episode in which a milestone's `keeping` broke."""
+BROKEN = "broken"
+"""Outcome of an episode in which something movable was knocked or pressed too hard."""
+COLLIDED = "collided"
+"""Outcome of an episode in which the robot ran into what no step lets it touch."""
 
-_RESERVED = {RUNNING, SUCCESS, TIMEOUT, DIVERGED, INTERRUPTED}
+_RESERVED = {RUNNING, SUCCESS, TIMEOUT, DIVERGED, INTERRUPTED, BROKEN, COLLIDED}
 
 
 class TaskError(UserError, ValueError):
@@ -37,28 +41,30 @@ class Milestone:
         name: A participle; a column of the result tables.
         when: What must hold together at the moment of latching.
         via: What must have held before, one after the other, since the previous milestone.
-        begins: What must hold together for the first of `via` to count.
-        keeping: What must not cease to hold from the first of `via` until the latch; if it does,
-            the episode is over.
+        keeping: What must not cease to hold from the first of `via`, or of what is counted, until
+            the latch; if it does, the episode is over.
+        count: What must have added up since the previous milestone, behind the last of `via`.
 
     Raises:
-        TaskError: If anything is no tuple of predicates.
+        TaskError: If anything is of the wrong kind.
     """
 
     name: str
     when: tuple[Predicate, ...]
     via: tuple[Predicate, ...] = ()
-    begins: tuple[Predicate, ...] = ()
     keeping: tuple[Predicate, ...] = ()
+    count: Count | None = None
 
     def __post_init__(self) -> None:
-        for part in fields(self)[1:]:
-            _require_all(Predicate, getattr(self, part.name), f"`{part.name}` of '{self.name}'")
+        for part in ("when", "via", "keeping"):
+            _require_all(Predicate, getattr(self, part), f"`{part}` of '{self.name}'")
+        if not isinstance(self.count, Count | None):
+            raise TaskError(f"`count` of '{self.name}' is {self.count!r}, which is no Count")
 
     @property
     def facts(self) -> tuple[Predicate, ...]:
         """Every predicate of the milestone."""
-        return (*self.via, *self.begins, *self.keeping, *self.when)
+        return (*self.via, *self.keeping, *self.when)
 
 
 @dataclass(frozen=True)
@@ -69,7 +75,10 @@ class Step:
         name: A verb, such as `pick`.
         skills: What the scripted expert plays.
         milestones: What latches within it, in this order.
+        touches: What the hand is to touch; whatever no step of a task names ends the episode when
+            arm or hand push against it.
         never: Outcome that ends the episode -> the fact that must not occur during this step.
+        notes: Facts that are told of beside, and judge nothing.
 
     Raises:
         TaskError: If it has no milestone, or anything is of the wrong kind.
@@ -78,11 +87,14 @@ class Step:
     name: str
     skills: tuple[Skill, ...]
     milestones: tuple[Milestone, ...]
+    touches: tuple[Thing, ...] = ()
     never: Mapping[str, Predicate] = field(default_factory=dict)
+    notes: tuple[Predicate, ...] = ()
 
     def __post_init__(self) -> None:
         _require_all(Skill, self.skills, f"`skills` of step '{self.name}'")
         _require_all(Milestone, self.milestones, f"`milestones` of step '{self.name}'")
+        _require_all(Predicate, self.notes, f"`notes` of step '{self.name}'")
         _require_outcomes(self.never, f"step '{self.name}'")
         if not self.milestones:
             raise TaskError(f"Step '{self.name}' has no milestone: say what tells that it is done")
@@ -159,8 +171,15 @@ class Task:
 
     @property
     def facts(self) -> dict[str, Predicate]:
-        """Every named predicate of the task, by name: milestones, goal, breaches."""
+        """Every named predicate of the task, by name: milestones, goal, breaches, notes."""
         return {fact.name: fact for fact in self._all_facts()}
+
+    @property
+    def breaches(self) -> dict[str, Predicate]:
+        """Outcome -> what must not occur at any time: `never`, then what no task forgives."""
+        loose = (piece for piece in self.start if piece.movable)
+        touched = (thing for step in self.steps for thing in step.touches)
+        return {**self.never, BROKEN: broken(*loose), COLLIDED: collided(*touched)}
 
     def steps_until(self, name: str) -> tuple[Step, ...]:
         """Return the steps up to and with the one of this name.
@@ -182,9 +201,10 @@ class Task:
             for milestone in step.milestones:
                 yield from milestone.facts
         yield from self.goal
-        yield from self.never.values()
+        yield from self.breaches.values()
         for step in self.steps:
             yield from step.never.values()
+            yield from step.notes
 
 
 def _require_all(kind: type, items: object, where: str) -> None:

@@ -47,7 +47,7 @@ def _chapters() -> Iterator[str]:
     yield "Predicates, skills and pieces of your own may stand in your task file."
     yield ""
     yield from _chapter("Task, step, milestone", "labutopia_lerobot.task")
-    for kind in (task.Task, task.Step, task.Milestone, predicates.Predicate):
+    for kind in (task.Task, task.Step, task.Milestone, predicates.Predicate, predicates.Count):
         yield from _with_attributes(kind)
     yield "`~fact` is the fact that a predicate does not hold."
     yield ""

@@ -28,6 +28,9 @@ def why_failed(task: Task, progress: Progress, expert: Expert) -> list[str]:
         lines.append(f"Did not hold at the end, {awaited}: {'; '.join(false)}")
     elif progress.outcome == TIMEOUT:
         lines.append(f"All held at the end, {awaited}, but not for long enough")
+    if missing and progress.counting is not None:
+        count = progress.counting
+        lines.append(f"Counted, {awaited}: {progress.counted:.3g} of {count.needed:g} {count.name}")
     lines += [
         f"Touched what no phase lists: {mover} and {other}, {count} control steps"
         for (mover, other), count in expert.unexpected.most_common()
@@ -45,7 +48,7 @@ def _ending(task: Task, progress: Progress) -> str:
     if progress.outcome == INTERRUPTED:
         return "what a milestone must keep ceased to hold"
     step = {} if progress.step is None else progress.step.never
-    breach = {**step, **task.never}.get(progress.outcome)
+    breach = {**step, **task.breaches}.get(progress.outcome)
     return progress.outcome if breach is None else f"{progress.outcome} ({breach.name})"
 
 

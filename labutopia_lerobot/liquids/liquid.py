@@ -260,7 +260,15 @@ class Liquid:
         moved = (inside >= 0) & (self._last_held >= 0) & (inside != self._last_held)
         np.add.at(moves, (self._last_held[moved], inside[moved]), 1)
         self._last_held = np.where(inside >= 0, inside, self._last_held)
-        return LiquidAccount(self.names, counts, moves, self.volume)
+        return LiquidAccount(self.names, counts, moves, self._speeds(inside), self.volume)
+
+    def _speeds(self, inside: NDArray[np.int64]) -> FloatArray:
+        """Return the mean speed in each vessel [m/s], shape (names,), from who is where."""
+        held, count = inside >= 0, len(self.names)
+        speeds = np.linalg.norm(self.velocities[held], axis=1)
+        total = np.bincount(inside[held], speeds, minlength=count)
+        mean: FloatArray = total / np.maximum(np.bincount(inside[held], minlength=count), 1)
+        return mean
 
     def state(self) -> FloatArray:
         """Return all that the next step depends on beside MuJoCo's state.

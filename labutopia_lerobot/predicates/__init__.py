@@ -9,11 +9,13 @@ from labutopia_lerobot.predicates.buttons import (
     switched_on,
     touched,
 )
-from labutopia_lerobot.predicates.liquids import poured, spilled
+from labutopia_lerobot.predicates.counting import Count, swings, turns
+from labutopia_lerobot.predicates.damage import broken, collided
+from labutopia_lerobot.predicates.liquids import liquid_moving, poured, spilled
 from labutopia_lerobot.predicates.openables import (
     clear_of,
     closed,
-    collided,
+    faster,
     grasped,
     less_open,
     opened,
@@ -21,8 +23,8 @@ from labutopia_lerobot.predicates.openables import (
 from labutopia_lerobot.predicates.placing import near, released, standing_on, struck, withdrawn
 from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.predicates.squeezing import dispensed, spout_over
-from labutopia_lerobot.predicates.stirring import dipped, moving, off_axis, on_side, over_mouth
-from labutopia_lerobot.predicates.tilting import lip_over, tilted, tilted_left, tilted_right
+from labutopia_lerobot.predicates.stirring import immersed, moving, off_axis, over_mouth
+from labutopia_lerobot.predicates.tilting import lip_over, tilted
 from labutopia_lerobot.predicates.vessels import (
     falling,
     gripped,
@@ -33,26 +35,29 @@ from labutopia_lerobot.predicates.vessels import (
 )
 
 __all__ = [
+    "Count",
     "Predicate",
     "aligned",
+    "broken",
     "clear_of",
     "closed",
     "collided",
-    "dipped",
     "dispensed",
     "falling",
+    "faster",
     "fingered",
     "fingers_clear_of",
     "grasped",
     "gripped",
+    "immersed",
     "knocked_over",
     "less_open",
     "lifted",
     "lip_over",
+    "liquid_moving",
     "moving",
     "near",
     "off_axis",
-    "on_side",
     "opened",
     "over_mouth",
     "poured",
@@ -64,11 +69,11 @@ __all__ = [
     "standing_on",
     "steady",
     "struck",
+    "swings",
     "switched_on",
     "tilted",
-    "tilted_left",
-    "tilted_right",
     "touched",
+    "turns",
     "upright",
     "withdrawn",
 ]

@@ -1,4 +1,4 @@
-"""Facts about liquid: poured, spilled.
+"""Facts about liquid: poured, spilled, moving.
 
 Where liquid is simulated they are about volumes. Where it is not (`liquid=off`) the same facts are
 told from how vessels are tilted, as in the original.
@@ -10,14 +10,20 @@ from labutopia_lerobot.world import OpenVessel, Thing, World
 
 
 def poured(
-    vessel: OpenVessel, target: OpenVessel, *, share: float, beyond_deg: float = 95.0
+    vessel: OpenVessel,
+    target: OpenVessel,
+    *,
+    share: float,
+    beyond_deg: float = 95.0,
+    below: float = 0.20,
 ) -> Predicate:
     """At least this share of what was filled into the vessel is in the target.
 
     Without liquid: the vessel leans more than `beyond_deg` degrees, beyond the level, where nothing
-    stays in a beaker, with its lip over the target's mouth.
+    stays in a beaker, with its lip over the target's mouth, less than `below` metres above.
     """
-    tipped, aimed = tilted(vessel, beyond_deg=beyond_deg), lip_over(vessel, target)
+    tipped = tilted(vessel, beyond_deg=beyond_deg)
+    aimed = lip_over(vessel, target, below=below)
 
     def holds(world: World) -> bool:
         liquid = world.liquid
@@ -49,3 +55,14 @@ def spilled(
         return tipped.holds(world) and not (unless is not None and unless.holds(world))
 
     return Predicate(f"more than {100 * share:g} % of {vessel.name} spilled", holds)
+
+
+def liquid_moving(vessel: Thing, *, above: float) -> Predicate:
+    """Liquid inside the vessel moves at more than `above` metres per second on the average.
+
+    Without liquid: never.
+    """
+    return Predicate(
+        f"liquid in {vessel.name} moving above {above:g} m/s",
+        lambda world: world.liquid is not None and world.liquid.speed_in(vessel.name) > above,
+    )

@@ -6,7 +6,7 @@ import numpy as np
 
 from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.predicates.vessels import gripped
-from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Thing, World
+from labutopia_lerobot.world import Thing, World
 
 
 class Bar(Thing, Protocol):
@@ -41,15 +41,6 @@ class Openable(Thing, Protocol):
         ...
 
 
-class Instrument(Thing, Protocol):
-    """A thing of several bodies."""
-
-    @property
-    def bodies(self) -> frozenset[str]:
-        """Names of all its bodies."""
-        ...
-
-
 def opened(part: Openable, *, to: float) -> Predicate:
     """Door or drawer is open to a position of its joint [rad or m], or further."""
     return Predicate(
@@ -72,16 +63,26 @@ def closed(part: Openable) -> Predicate:
     )
 
 
-def grasped(bar: Bar) -> Predicate:
-    """Bar is between the pads: both touch it, it is where they are and keeps them apart.
+def faster(part: Openable, *, than: float) -> Predicate:
+    """Door or drawer moves faster than a speed of its joint [rad/s or m/s], either way."""
+    return Predicate(
+        f"{part.name} faster than {part.spell(than)}/s",
+        lambda world: world.joint_speed(part.joint) > than,
+    )
 
-    A closed fist touches a bar with both pads too: it is shut, and ahead of the bar.
+
+def grasped(bar: Bar) -> Predicate:
+    """Bar is between the pads: they are closed on it, it is where they are and keeps them apart.
+
+    A closed fist touches a bar with both pads too: it is shut, and ahead of the bar. Fingers that
+    are twisted about a bar until it jams are commanded wider than it is.
     """
-    touched = gripped(bar)
+    held = gripped(bar)
     return Predicate(
         f"{bar.name} grasped",
         lambda world: (
-            touched.holds(world)
+            held.holds(world)
+            and world.commanded_opening < bar.diameter
             and world.gripper_opening > bar.diameter / 2
             and _distance(world, bar) < bar.diameter / 2
         ),
@@ -91,17 +92,6 @@ def grasped(bar: Bar) -> Predicate:
 def clear_of(bar: Bar, *, by: float) -> Predicate:
     """Point between the pads is further than `by` metres from the surface of a bar."""
     return Predicate(f"hand {by:g} m clear of {bar.name}", lambda world: _distance(world, bar) > by)
-
-
-def collided(instrument: Instrument, *, sparing: Thing) -> Predicate:
-    """Arm or hand touches any body of an instrument but the one that it may touch."""
-    forbidden = instrument.bodies - {sparing.name}
-    return Predicate(
-        f"robot touches {instrument.name} beyond {sparing.name}",
-        lambda world: any(
-            world.touched_by(part) & forbidden for part in (ARM, HAND, LEFT_PAD, RIGHT_PAD)
-        ),
-    )
 
 
 def _distance(world: World, bar: Bar) -> float:

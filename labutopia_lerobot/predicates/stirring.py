@@ -1,31 +1,31 @@
 """Facts about a rod that stirs in a vessel."""
 
-from typing import Literal
+from typing import Protocol
 
 import numpy as np
 
 from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.substances.filling import Fillable
 from labutopia_lerobot.world import FloatArray, OpenVessel, Thing, World
 
-type Side = Literal["ahead", "left", "behind", "right"]
 
-_SIDES: dict[Side, tuple[float, float]] = {
-    "ahead": (1.0, 0.0),
-    "left": (0.0, 1.0),
-    "behind": (-1.0, 0.0),
-    "right": (0.0, -1.0),
-}
-"""Directions along the x and y axis of the robot's base."""
+class Filled(OpenVessel, Fillable, Protocol):
+    """A vessel with a round mouth whose cavity is known."""
 
 
-def dipped(rod: Thing, vessel: OpenVessel, *, by: float) -> Predicate:
-    """Tip of the rod is in the vessel, more than `by` metres below its mouth."""
+def immersed(rod: Thing, vessel: Filled, *, filling_ml: float) -> Predicate:
+    """Tip of the rod is in the vessel, below the surface of the liquid.
+
+    Without liquid: below where `filling_ml` millilitres would stand.
+    """
 
     def holds(world: World) -> bool:
-        x, y, z = (world.frame(vessel.rim).inverse() @ world.pose(rod)).position_w
-        return bool(np.hypot(x, y) < vessel.mouth_radius and z < -by)
+        volume = filling_ml * 1e-6 if world.liquid is None else world.liquid.inside[vessel.name]
+        surface = vessel.profile.bottom + vessel.profile.depth(volume)
+        x, y, z = (world.pose(vessel).inverse() @ world.pose(rod)).position_w
+        return bool(np.hypot(x, y) < vessel.mouth_radius and z < surface)
 
-    return Predicate(f"{rod.name} dipped {by:g} m into {vessel.name}", holds)
+    return Predicate(f"{rod.name} in the {filling_ml:g} ml in {vessel.name}", holds)
 
 
 def over_mouth(rod: Thing, vessel: OpenVessel, *, within: float, by: float) -> Predicate:
@@ -44,23 +44,6 @@ def off_axis(rod: Thing, vessel: OpenVessel, *, beyond: float) -> Predicate:
         f"{rod.name} {beyond:g} m off the axis of {vessel.name}",
         lambda world: bool(np.hypot(*_offset(world, rod, vessel)[:2]) > beyond),
     )
-
-
-def on_side(rod: Thing, vessel: OpenVessel, side: Side, *, beyond: float) -> Predicate:
-    """Tip is further than `beyond` metres off the vessel's axis, to a side as the robot sees it.
-
-    Each side is a quarter of the circle; from above, ahead, left, behind and right follow one
-    another counterclockwise.
-    """
-    forward, leftward = _SIDES[side]
-
-    def holds(world: World) -> bool:
-        base, offset = world.robot_base, _offset(world, rod, vessel)
-        direction = forward * base.x_axis + leftward * base.y_axis
-        distance = float(np.hypot(*offset[:2]))
-        return bool(distance > beyond and offset @ direction > distance * np.sqrt(0.5))
-
-    return Predicate(f"{rod.name} {side} in {vessel.name}", holds)
 
 
 def moving(thing: Thing, *, above: float) -> Predicate:

@@ -1,4 +1,4 @@
-"""Facts about tilting a held vessel."""
+"""Facts about tilting a vessel."""
 
 import numpy as np
 
@@ -15,42 +15,14 @@ def tilted(thing: Thing, *, beyond_deg: float) -> Predicate:
     )
 
 
-def tilted_left(thing: Thing, *, beyond_deg: float) -> Predicate:
-    """The thing leans to the left, seen along the horizontal direction of the hand."""
-    limit = np.radians(beyond_deg)
-    return Predicate(
-        f"{thing.name} tilted left beyond {beyond_deg:g} deg",
-        lambda world: _lean(world, thing) > limit,
-    )
+def lip_over(vessel: OpenVessel, target: OpenVessel, *, below: float) -> Predicate:
+    """Lowest point of the lip is over the target's mouth, less than `below` metres above it."""
 
+    def holds(world: World) -> bool:
+        x, y, z = _lip(world, vessel) - world.frame(target.rim).position_w
+        return bool(np.hypot(x, y) < target.mouth_radius and 0.0 < z < below)
 
-def tilted_right(thing: Thing, *, beyond_deg: float) -> Predicate:
-    """The thing leans to the right, seen along the horizontal direction of the hand."""
-    limit = np.radians(beyond_deg)
-    return Predicate(
-        f"{thing.name} tilted right beyond {beyond_deg:g} deg",
-        lambda world: _lean(world, thing) < -limit,
-    )
-
-
-def lip_over(vessel: OpenVessel, target: OpenVessel) -> Predicate:
-    """Lowest point of the vessel's lip is above the mouth of the target, inside its edge."""
-    return Predicate(
-        f"{vessel.name} lip over {target.name}", lambda world: _lip_over(world, vessel, target)
-    )
-
-
-def _lean(world: World, thing: Thing) -> float:
-    """Angle from the vertical, positive to the left of the hand's horizontal direction [rad]."""
-    forward, axis = world.gripper.z_axis, world.pose(thing).z_axis
-    left = np.array([-forward[1], forward[0], 0.0]) / np.hypot(forward[0], forward[1])
-    return float(np.arctan2(axis @ left, axis[2]))
-
-
-def _lip_over(world: World, vessel: OpenVessel, target: OpenVessel) -> bool:
-    mouth = world.frame(target.rim).position_w
-    offset = _lip(world, vessel) - mouth
-    return bool(np.hypot(offset[0], offset[1]) < target.mouth_radius and offset[2] > 0.0)
+    return Predicate(f"{vessel.name} lip less than {below:g} m over {target.name}", holds)
 
 
 def _lip(world: World, vessel: OpenVessel) -> FloatArray:

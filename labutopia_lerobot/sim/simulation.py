@@ -4,13 +4,13 @@ from collections.abc import Mapping
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.robots.drives import Drives
+from labutopia_lerobot.sim.contact_record import ContactRecord
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
 from labutopia_lerobot.sim.scene import Scene
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
@@ -38,14 +38,13 @@ class Simulation:
             elements, shape (elements,).
         liquid: The liquid, or None where there is none.
         account: Where it is, as of the last control step.
-        touched: Groups that touched since the previous control step, shape (groups, groups).
+        contacts: What touched what since the previous control step, how hard and how fast.
     """
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.data = mujoco.MjData(scene.model)
-        count = len(scene.groups)
-        self.touched: NDArray[np.bool_] = np.zeros((count, count), dtype=bool)
+        self.contacts = ContactRecord(scene, self.data)
         self._drives = Drives(scene.model, scene.robot)
         self._start = np.array(scene.robot.start)
         self.command = self._start.copy()
@@ -127,27 +126,21 @@ class Simulation:
         Args:
             command: Joint targets [rad] and gripper opening [m], shape (elements,).
         """
-        model, data, contact = self.scene.model, self.data, self.data.contact
-        group_of_geom = self.scene.group_of_geom
-        self.touched[:] = False
+        model, data = self.scene.model, self.data
+        self.contacts.clear()
         start, change = self.command, command - self.command
         for substep, part in enumerate(self._ramp, start=1):
             self._drives.command(data, start + part * change)
             # The two halves of mj_step, turned round: so that positions are never one step old.
             mujoco.mj_step2(model, data)
+            self.contacts.note()
             mujoco.mj_step1(model, data)
-            if data.ncon:
-                soft = self.scene.model.ngeom + contact.flex  # no geom, but a flex, has touched
-                touching = np.where(contact.geom < 0, soft, contact.geom)
-                first, second = group_of_geom[touching].T
-                self.touched[first, second] = True
             if self.liquid is not None and substep % (PHYSICS_HZ // self.liquid.hertz) == 0:
                 self.liquid.step()
         self._work_switches()
         self._squeeze_bottles()
         if self.liquid is not None:
             self.account = self.liquid.take_account()
-        self.touched |= self.touched.T
         self.command = np.array(command)
 
     def _squeeze_bottles(self) -> None:
@@ -224,12 +217,13 @@ class Simulation:
     def restore(self, state: FloatArray) -> None:
         """Go back to what `state` returned in this episode, whatever has happened since.
 
-        Contacts of the previous control step are forgotten.
+        What touched since the previous control step is forgotten.
         """
         model, data, kind = self.scene.model, self.data, mujoco.mjtState.mjSTATE_INTEGRATION
         size = mujoco.mj_stateSize(model, kind)
         mujoco.mj_setState(model, data, state[:size], kind)
         mujoco.mj_step1(model, data)
+        self.contacts.clear()
         self.command = self._drives.targets(data)
         if self.liquid is not None:
             self.liquid.restore(state[size:])

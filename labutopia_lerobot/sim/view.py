@@ -31,6 +31,8 @@ class SimulatedWorld:
         self._gripper = scene.model.site(scene.robot.gripper.site).id
         self._group = {name: index for index, name in enumerate(scene.groups)}
         self._pieces = scene.pieces
+        movable = [piece.name for piece in scene.pieces if piece.movable]
+        self._faller = {name: index for index, name in enumerate(movable)}
         self._bodies: dict[str, int] = {
             piece.name: int(scene.model.body(piece.name).id) for piece in scene.pieces
         }
@@ -84,15 +86,29 @@ class SimulatedWorld:
 
     def velocity(self, thing: Thing) -> FloatArray:
         """Return the velocity of a thing's centre of mass, shape (3,), m/s, world frame."""
-        twist = np.empty(6)  # angular, then linear
-        kind, body = mujoco.mjtObj.mjOBJ_BODY, self._body(thing)
-        mujoco.mj_objectVelocity(self._model, self._data, kind, body, twist, 0)
-        return twist[3:]
+        return self._twist(thing)[3:]
+
+    def angular_velocity(self, thing: Thing) -> FloatArray:
+        """Return the angular velocity of a thing, shape (3,), rad/s, world frame."""
+        return self._twist(thing)[:3]
+
+    def fall_speed(self, thing: Thing) -> float:
+        """Return the greatest downward speed of a thing since the last control step, let go."""
+        if thing.name not in self._faller:
+            raise self._unknown("movable thing", thing.name, self._faller)
+        return float(self._simulation.contacts.fall[self._faller[thing.name]])
 
     def joint(self, name: str) -> float:
         """Return the position of a named hinge [rad] or slide [m]."""
         try:
             return float(self._data.joint(name).qpos[0])
+        except KeyError:
+            raise self._unknown("joint", name, self._names(self._model.njnt, "joint")) from None
+
+    def joint_speed(self, name: str) -> float:
+        """Return how fast a named hinge [rad/s] or slide [m/s] moves; never negative."""
+        try:
+            return abs(float(self._data.joint(name).qvel[0]))
         except KeyError:
             raise self._unknown("joint", name, self._names(self._model.njnt, "joint")) from None
 
@@ -126,12 +142,31 @@ class SimulatedWorld:
 
     def touching(self, first: str, second: str) -> bool:
         """Tell whether the two touched since the last control step."""
-        return bool(self._simulation.touched[self._touching(first), self._touching(second)])
+        return bool(self._simulation.contacts.touched[self._pair(first, second)])
 
     def touched_by(self, name: str) -> frozenset[str]:
         """Return everything that touched it since the last control step."""
-        row = self._simulation.touched[self._touching(name)]
+        row = self._simulation.contacts.touched[self._touching(name)]
         return frozenset(self._simulation.scene.groups[index] for index in np.flatnonzero(row))
+
+    def contact_force(self, first: str, second: str) -> float:
+        """Return the greatest normal force between the two since the last control step [N]."""
+        return float(self._simulation.contacts.force[self._pair(first, second)])
+
+    def approach_speed(self, first: str, second: str) -> float:
+        """Return the greatest speed at which the two met since the last control step [m/s]."""
+        return float(self._simulation.contacts.approach[self._pair(first, second)])
+
+    def _twist(self, thing: Thing) -> FloatArray:
+        """Return angular and linear velocity of a thing's centre of mass, shape (6,)."""
+        twist = np.empty(6)
+        kind, body = mujoco.mjtObj.mjOBJ_BODY, self._body(thing)
+        mujoco.mj_objectVelocity(self._model, self._data, kind, body, twist, 0)
+        return twist
+
+    def _pair(self, first: str, second: str) -> tuple[int, int]:
+        """Return where a record of contacts tells of two groups."""
+        return self._touching(first), self._touching(second)
 
     def _body(self, thing: Thing) -> int:
         if thing.name not in self._bodies:

@@ -162,7 +162,7 @@ class Workcell:
         """Let the expert play skills that nobody judges; tell whether all went well."""
         expert = self.expert(skills)
         expert.start()
-        breaches = self.task.never.values()
+        breaches = self.task.breaches.values()
         while skills and not expert.finished:
             self.simulation.step(self.filter(expert.act()))
             broken = any(breach.holds(self.world) for breach in breaches)

@@ -28,10 +28,10 @@ class Stir:
 
     rod: Thing
     vessel: OpenVessel
-    turns: float = 5.0
+    turns: float = 5.1
     radius: float = 1 / 3
     turn_s: float = 2.0
-    bottom_gap: float = 0.02
+    bottom_gap: float = 0.012
     rise: float = 0.02
     clearance: float = 0.10
 

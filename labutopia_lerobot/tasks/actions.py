@@ -8,18 +8,20 @@ from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates import (
     Predicate,
     closed,
-    dipped,
     falling,
+    faster,
     fingered,
     grasped,
     gripped,
+    immersed,
     knocked_over,
     less_open,
     lifted,
+    lip_over,
+    liquid_moving,
     moving,
     near,
     off_axis,
-    on_side,
     opened,
     over_mouth,
     poured,
@@ -30,13 +32,16 @@ from labutopia_lerobot.predicates import (
     standing_on,
     steady,
     struck,
-    tilted_left,
-    tilted_right,
+    swings,
+    tilted,
+    turns,
     upright,
     withdrawn,
 )
+from labutopia_lerobot.predicates.stirring import Filled
 from labutopia_lerobot.skills import Close, Open, Pick, Place, Pour, Press, Shake, Stir
 from labutopia_lerobot.skills.handle import Operable
+from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Milestone, Step
 from labutopia_lerobot.world import BENCH, Button, Graspable, OpenVessel, Standing, Thing
 
@@ -57,51 +62,59 @@ def pick(
         "pick",
         (Pick(thing, lift, support),),
         (Milestone("gripped", (held,)), Milestone("lifted", (held, lifted(thing, by=0.20), *also))),
+        (thing,),
     )
 
 
 def pour(vessel: OpenVessel, into: OpenVessel) -> Step:
     """Pour: 80 % of what was in the vessel, which is then held upright again.
 
-    The share is ours; the original judges a tilt of 50 degrees, and 30 for upright.
+    From where liquid may flow until that much has, the lip is over the target (paper: "within a
+    specified region above the target"). The share is ours; the original judges a tilt of 50
+    degrees, and 30 for upright.
     """
+    enough, flowing = poured(vessel, into, share=0.80), tilted(vessel, beyond_deg=45)
     return Step(
         "pour",
         (Pour(vessel, into),),
         (
-            Milestone("poured", (poured(vessel, into, share=0.80),)),
+            Milestone("poured", (enough,), (flowing,), keeping=(aimed(vessel, into),)),
             Milestone("righted", (gripped(vessel), upright(vessel, within_deg=10))),
         ),
+        (vessel,),
     )
 
 
-def place(thing: Standing, on: Destination, *, within: float | None) -> Step:
+def aimed(vessel: OpenVessel, into: OpenVessel) -> Predicate:
+    """Return what holds while liquid flows: the lip is over the target, and not high above it."""
+    return lip_over(vessel, into, below=0.20)  # original: 0.1 to 0.2
+
+
+def place(thing: Standing, on: Destination, *, within: float) -> Step:
     """Place: set down upright with the base in full contact, and let go.
 
     Args:
         thing: What is in the hand.
         on: Where to.
-        within: How far off it may stand [m]; None for anywhere on the same support.
+        within: How far off it may stand [m].
     """
-    there = () if within is None else (near(thing, on, within=within),)
-    carried = () if within is None else (Milestone("carried", (*there, gripped(thing))),)
+    there = near(thing, on, within=within)
     return Step(
         "place",
         (Place(thing, on),),
         (
-            *carried,
-            Milestone("placed", (*there, standing_on(thing, on))),
+            Milestone("carried", (there, gripped(thing))),
+            Milestone("placed", (there, standing_on(thing, on))),
             Milestone("released", (standing_on(thing, on), released(thing))),
         ),
+        (thing,),
     )
 
 
-def left_standing(
-    thing: Standing, on: Destination, *, within: float | None
-) -> tuple[Predicate, ...]:
+def left_standing(thing: Standing, on: Destination, *, within: float) -> tuple[Predicate, ...]:
     """Return the goal of what ends with `place`: the thing stands, at rest, the hand is away."""
     return (
-        *(() if within is None else (near(thing, on, within=within),)),
+        near(thing, on, within=within),
         standing_on(thing, on),  # paper: "upright ... with its base in full contact"
         released(thing),
         withdrawn(thing, by=0.05),  # original, TransportBeaker: gripper 0.05 m away
@@ -112,18 +125,16 @@ def left_standing(
 def shake(vessel: Graspable, at: Destination) -> Step:
     """Shake: from the start position, tilt left and right three times (paper), and return."""
     in_hand = (gripped(vessel), lifted(vessel, by=0.05))  # original: z > z0 + 0.05
-    swing = (
-        tilted_left(vessel, beyond_deg=15),  # ours: the paper has no number
-        tilted_right(vessel, beyond_deg=15),
-    )
+    three = swings(vessel, needed=3, beyond_deg=15)  # ours: the paper has no angle
     return Step(
         "shake",
         (Shake(vessel, at),),
         (
             Milestone("at_start", held_at(vessel, at)),
-            Milestone("shaken", in_hand, via=swing * 3, keeping=in_hand),
+            Milestone("shaken", in_hand, keeping=in_hand, count=three),
             Milestone("returned", held_at(vessel, at)),
         ),
+        (vessel,),
     )
 
 
@@ -136,19 +147,20 @@ def held_at(vessel: Graspable, at: Destination) -> tuple[Predicate, ...]:
     )
 
 
-def stir(rod: Graspable, vessel: OpenVessel) -> Step:
-    """Stir: five circles counterclockwise, and take the rod out."""
-    # Ours: the lower half of the beaker, where the liquid of a half-full one is.
-    inside = (gripped(rod), dipped(rod, vessel, by=0.045))
-    turn = (
-        on_side(rod, vessel, "ahead", beyond=0.005),  # ours: half of the original's 9 mm
-        on_side(rod, vessel, "left", beyond=0.005),
-        on_side(rod, vessel, "behind", beyond=0.005),
-        on_side(rod, vessel, "right", beyond=0.005),
-    )
+def stir(rod: Graspable, vessel: Filled, filling: Filling) -> Step:
+    """Stir: five circles in the liquid, either way round (paper), and take the rod out.
+
+    Args:
+        rod: What to stir with.
+        vessel: Where to stir.
+        filling: What it holds, or would.
+    """
+    inside = (gripped(rod), immersed(rod, vessel, filling_ml=filling.ml))
+    # Ours: half of the original's 9 mm, and the way from the axis to the circle and back for free.
+    five = turns(rod, vessel, needed=4.75, beyond=0.005)
     circling = (
         *inside,
-        off_axis(rod, vessel, beyond=0.003),  # so that the sides are passed by going round
+        off_axis(rod, vessel, beyond=0.003),
         moving(rod, above=0.003),  # paper: "without interruption or hesitation"; ours: a tenth
     )
     return Step(
@@ -156,9 +168,11 @@ def stir(rod: Graspable, vessel: OpenVessel) -> Step:
         (Stir(rod, vessel),),
         (
             Milestone("inserted", inside),
-            Milestone("stirred", inside, via=turn * 5, begins=circling, keeping=circling),
+            Milestone("stirred", inside, keeping=circling, count=five),
             Milestone("withdrawn", held_over(rod, vessel)),
         ),
+        (rod,),
+        notes=(liquid_moving(vessel, above=0.005),),
     )
 
 
@@ -167,7 +181,7 @@ def held_over(rod: Graspable, vessel: OpenVessel) -> tuple[Predicate, ...]:
     return (gripped(rod), over_mouth(rod, vessel, within=0.04, by=0.05))
 
 
-def open_by_handle(part: Operable, *, to: float, begun: float, pull: float) -> Step:
+def open_by_handle(part: Operable, *, to: float, begun: float, pull: float, hasty: float) -> Step:
     """Open: grip the handle and pull, "without slipping" (paper).
 
     Args:
@@ -175,6 +189,7 @@ def open_by_handle(part: Operable, *, to: float, begun: float, pull: float) -> S
         to: Position of its joint that counts as open [rad or m].
         begun: Position beyond which it has moved [rad or m].
         pull: How far the expert pulls [rad or m].
+        hasty: Speed of its joint that is not smooth any more (paper: "smoothly") [rad/s or m/s].
     """
     held = grasped(part.handle)
     return Step(
@@ -184,15 +199,18 @@ def open_by_handle(part: Operable, *, to: float, begun: float, pull: float) -> S
             Milestone("gripped", (held, less_open(part, than=begun))),
             Milestone("opened", (opened(part, to=to),), (opened(part, to=begun),), keeping=(held,)),
         ),
+        (part.handle,),
+        {"slammed": faster(part, than=hasty)},
     )
 
 
-def close_by_handle(part: Operable, *, begun: float, grip: str = "gripped") -> Step:
+def close_by_handle(part: Operable, *, begun: float, hasty: float, grip: str = "gripped") -> Step:
     """Close: grip the handle and push shut, "without slipping" (paper).
 
     Args:
         part: The door or drawer.
         begun: Position below which it has moved [rad or m].
+        hasty: Speed of its joint that is not smooth any more (paper: "smoothly") [rad/s or m/s].
         grip: Name of the first milestone.
     """
     held = grasped(part.handle)
@@ -203,6 +221,8 @@ def close_by_handle(part: Operable, *, begun: float, grip: str = "gripped") -> S
             Milestone(grip, (held, opened(part, to=begun))),
             Milestone("closed", (closed(part),), (less_open(part, than=begun),), keeping=(held,)),
         ),
+        (part.handle,),
+        {"slammed": faster(part, than=hasty)},
     )
 
 
@@ -214,7 +234,8 @@ def press(button: Button, *, hold: float) -> Step:
         hold: How long the expert keeps it in [s].
     """
     in_by_finger = (fingered(button), pressed(button), pushed(button, with_force=2.0))
-    return Step("press", (Press(button, hold),), (Milestone("pressed", in_by_finger),))
+    pressing = Milestone("pressed", in_by_finger)
+    return Step("press", (Press(button, hold),), (pressing,), (button,))
 
 
 def mishaps(
@@ -232,7 +253,7 @@ def mishaps(
     return {
         "knocked_over": knocked_over(vessel, beyond_deg=30),
         **spilling,
-        "dropped": falling(vessel, faster_than=0.5),  # free fall over 13 mm
+        "dropped": falling(vessel, faster_than=0.4),  # paper: no drop; ours: 10 mm, less a step
     }
 
 
@@ -240,8 +261,8 @@ def stirring_mishaps(rod: Graspable, vessel: OpenVessel, rack: Thing) -> dict[st
     """Return what must not happen while a rod from a rack stirs in a vessel."""
     return {
         "knocked_over": knocked_over(rod, beyond_deg=30),
-        "dropped": falling(rod, faster_than=0.5),  # free fall over 13 mm
+        "dropped": falling(rod, faster_than=0.4),  # as `mishaps`
         "spilled": spilled(vessel, share=0.01),  # paper: "without causing spillage"
-        "collided": struck(vessel),
+        "struck": struck(vessel),
         "rack_struck": struck(rack, but_for=frozenset({rod.name})),
     }

@@ -27,12 +27,14 @@ class LiquidAccount:
             spilled, clinging, in flight; shape (vessels + 1, vessels + 3).
         moves: Particles that since the previous control step have arrived in a vessel (column)
             after another one had been the last to hold them (row), shape (vessels, vessels).
+        speeds: Mean speed of the particles inside each vessel [m/s], shape (vessels,); 0 for none.
         particle_volume: Of each [m^3].
     """
 
     vessels: tuple[str, ...]
     counts: NDArray[np.int64]
     moves: NDArray[np.int64]
+    speeds: NDArray[np.float64]
     particle_volume: float
 
     @property
@@ -97,6 +99,10 @@ class LiquidAccount:
     def spilled_from(self, origin: str) -> float:
         """Return what was filled into a vessel and is spilled [m^3]."""
         return self._volume(self.counts[self._index(origin), -3])
+
+    def speed_in(self, vessel: str) -> float:
+        """Return how fast what is inside a vessel moves, on the average [m/s]."""
+        return float(self.speeds[self._index(vessel)])
 
     def _index(self, vessel: str) -> int:
         if vessel not in self.vessels:

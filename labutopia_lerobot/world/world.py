@@ -21,8 +21,9 @@ ROOM = "room"
 class World(Protocol):
     """Getters only: nothing that holds a `World` can change the simulation.
 
-    Everything handed out is a copy. Contacts are those of any physics step since the previous
-    control step, so that a touch shorter than a control period is seen too. Contact names are
+    Everything handed out is a copy. Contacts, their forces and speeds, and falls are the extremes
+    of all physics steps since the previous control step, so that a touch or a knock shorter than a
+    control period is seen too. Contact names are
     the names of bodies (a thing's own, or a moving part's), and `left_pad`, `right_pad`, `hand`,
     `arm`, `bench`, `room`.
     """
@@ -74,8 +75,23 @@ class World(Protocol):
         """Return the velocity of a thing's centre of mass, shape (3,), m/s, world frame."""
         ...
 
+    def angular_velocity(self, thing: Thing) -> FloatArray:
+        """Return the angular velocity of a thing, shape (3,), rad/s, world frame."""
+        ...
+
+    def fall_speed(self, thing: Thing) -> float:
+        """Return the greatest downward speed of a movable thing while not between the pads [m/s].
+
+        Zero where it rose, or where both pads touched it all the time.
+        """
+        ...
+
     def joint(self, name: str) -> float:
         """Return the position of a named hinge [rad] or slide [m]."""
+        ...
+
+    def joint_speed(self, name: str) -> float:
+        """Return how fast a named hinge [rad/s] or slide [m/s] moves; never negative."""
         ...
 
     def sensor(self, name: str) -> float:
@@ -101,4 +117,12 @@ class World(Protocol):
 
     def touched_by(self, name: str) -> frozenset[str]:
         """Return everything that touched it at any physics step since the last control step."""
+        ...
+
+    def contact_force(self, first: str, second: str) -> float:
+        """Return the greatest sum of the normal forces between the two [N]."""
+        ...
+
+    def approach_speed(self, first: str, second: str) -> float:
+        """Return the greatest speed at which the two met, along the normal of a contact [m/s]."""
         ...

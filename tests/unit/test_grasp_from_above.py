@@ -32,8 +32,8 @@ def move_dish():
             plate: OnBench(x=(0.15, 0.30), y=(-0.28, -0.13)),
         },
         steps=(
-            Step("pick", (Pick(dish, lift=0.15, approach="above"),), (picked,)),
-            Step("place", (Place(dish, OnTop(plate)),), (placed,)),
+            Step("pick", (Pick(dish, lift=0.15, approach="above"),), (picked,), (dish,)),
+            Step("place", (Place(dish, OnTop(plate)),), (placed,), (dish,)),
         ),
         goal=(standing_on(dish, OnTop(plate)), released(dish), withdrawn(dish, by=0.05)),
         never={},

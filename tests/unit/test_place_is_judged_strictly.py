@@ -89,7 +89,7 @@ def test_a_beaker_let_go_above_the_plate_is_dropped(env):
     assert play(env, Place(beaker, OnTop(plate)), spoil=let_go)["outcome"] == "dropped"
 
 
-def test_a_beaker_let_go_aslant_is_knocked_over(env):
+def test_a_beaker_let_go_aslant_falls_on_its_edge_or_over(env):
     beaker, plate = things(env)
 
     def slant(expert, action):
@@ -97,10 +97,10 @@ def test_a_beaker_let_go_aslant_is_knocked_over(env):
             action[6] += 0.8
 
     info = play(env, Place(beaker, OnTop(plate)), spoil=slant)
-    assert info["outcome"] == "knocked_over"
+    assert info["outcome"] in {"broken", "knocked_over"}
 
 
-def test_a_hand_on_the_plate_has_collided(env):
+def test_a_hand_on_the_plate_has_struck_it(env):
     beaker, plate = things(env)
 
     def bow(expert, action):
@@ -108,7 +108,7 @@ def test_a_hand_on_the_plate_has_collided(env):
             action[5] += 0.5
 
     info = play(env, Place(beaker, OnTop(plate), retreat=0.03), spoil=bow)
-    assert info["outcome"] == "collided"
+    assert info["outcome"] == "struck"
 
 
 def test_a_beaker_carried_nineteen_centimetres_high_is_not_transported():

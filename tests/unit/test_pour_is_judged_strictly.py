@@ -104,7 +104,7 @@ def test_a_beaker_let_go_afterwards_is_dropped(env):
             action[-1] = PANDA.max_opening
 
     beaker, _ = env.workcell.task.start
-    assert play(env, *env.workcell.task.skills, spoil=let_go)["outcome"] in {"dropped", "collided"}
+    assert play(env, *env.workcell.task.skills, spoil=let_go)["outcome"] in {"dropped", "struck"}
 
 
 def test_a_target_that_is_run_into_has_been_struck(env):
@@ -113,7 +113,7 @@ def test_a_target_that_is_run_into_has_been_struck(env):
             action[1] += 0.3
 
     info = play(env, *env.workcell.task.skills, spoil=lean_on)
-    assert info["outcome"] == "collided"
+    assert info["outcome"] == "struck"
 
 
 def test_a_beaker_lifted_nineteen_centimetres_is_not_picked(whole):

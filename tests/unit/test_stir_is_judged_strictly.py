@@ -43,8 +43,11 @@ def let_go(action: np.ndarray) -> None:
     action[-1] = PANDA.max_opening
 
 
-def test_the_unspoilt_skill_succeeds(env):
-    assert play(env)["outcome"] == "success"
+def test_the_unspoilt_skill_succeeds_and_the_liquid_goes_round(env):
+    info = play(env)
+    assert info["outcome"] == "success"
+    (moving,) = env.workcell.task.steps[-1].notes
+    assert env.workcell.progress.history[moving.name].first > 3.0  # not before the rod is in
 
 
 def test_the_rod_neither_slips_nor_spins_in_the_grip(env):
@@ -62,12 +65,6 @@ def test_the_rod_neither_slips_nor_spins_in_the_grip(env):
 
 def test_four_turns_are_not_five(env):
     info = play(env, replace(stir(env), turns=4.0))
-    assert info["outcome"] == "interrupted"  # the rod comes out too early
-    assert info["substeps"]["stirred"] == np.inf
-
-
-def test_five_turns_clockwise_do_not_count(env):
-    info = play(env, replace(stir(env), turns=-5.0, turn_s=-2.0))
     assert info["outcome"] == "interrupted"  # the rod comes out too early
     assert info["substeps"]["stirred"] == np.inf
 
@@ -90,8 +87,8 @@ def test_a_rod_that_stops_half_way_is_interrupted(env):
     assert np.isfinite(info["substeps"]["inserted"])
 
 
-def test_a_rod_four_centimetres_deep_is_not_inserted(env):
-    info = play(env, replace(stir(env), bottom_gap=0.05))
+def test_a_rod_that_circles_above_the_liquid_is_not_inserted(env):
+    info = play(env, replace(stir(env), bottom_gap=0.035))  # 8 mm above where 60 ml stand
     assert info["outcome"] == "timeout"
     assert info["substeps"]["inserted"] == np.inf
 
@@ -109,17 +106,17 @@ def test_a_rod_pushed_onto_the_bottom_collides(env):
     middle = replace(stir(env), radius=0.0)
     info = play(env, middle, spoil=after(env, "stir/circle", 0.0, press))
     tip = env.workcell.world.frame("beaker_rim").inverse() @ env.workcell.world.pose(middle.rod)
-    assert info["outcome"] == "collided"
+    assert info["outcome"] == "struck"
     assert np.hypot(*tip.position_w[:2]) < middle.vessel.mouth_radius / 2  # nowhere near the wall
 
 
 def test_a_rod_that_scrapes_along_the_wall_collides(env):
-    assert play(env, replace(stir(env), radius=0.85))["outcome"] == "collided"
+    assert play(env, replace(stir(env), radius=0.85))["outcome"] == "struck"
 
 
 def test_a_rod_let_go_in_the_beaker_fails(env):
     info = play(env, spoil=after(env, "stir/circle", 5.0, let_go))
-    assert info["outcome"] in {"interrupted", "dropped", "collided"}
+    assert info["outcome"] in {"interrupted", "dropped", "struck", "broken"}
 
 
 def test_a_rod_four_centimetres_above_the_beaker_is_not_withdrawn(env):

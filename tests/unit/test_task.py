@@ -54,7 +54,10 @@ def test_equal_calls_make_equal_predicates_and_others_do_not():
     assert not same(gripped(SMALL), lifted(SMALL, by=0.1))
 
 
-@pytest.mark.parametrize("outcome", ["success", "timeout", "diverged", "interrupted", "running"])
+@pytest.mark.parametrize(
+    "outcome",
+    ["success", "timeout", "diverged", "interrupted", "running", "broken", "collided"],
+)
 def test_reserved_outcomes_are_refused(outcome):
     with pytest.raises(TaskError, match=f"reserved outcomes {outcome}"):
         replace(TASK, never={outcome: gripped(SMALL)})

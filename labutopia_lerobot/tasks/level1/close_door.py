@@ -8,7 +8,7 @@ import math
 
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import clear_of, closed, collided
+from labutopia_lerobot.predicates import clear_of, closed
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
@@ -17,6 +17,7 @@ from labutopia_lerobot.tasks import actions
 # handle; wider or turned further, the door would stand where the hand is.
 AJAR = math.radians(40)
 BEGUN = AJAR - math.radians(2)  # ours: further than a grip jolts a door
+HASTY = math.radians(60)  # ours: a third of a second for the last 20 degrees
 YAW = math.radians(5)
 
 
@@ -32,12 +33,12 @@ def close_door() -> Task:
         ),
         # Original: these x and y, no yaw.
         start={oven: OnBench(x=(0.77, 0.85), y=(-0.05, 0.0), yaw=(-YAW, YAW))},
-        steps=(actions.close_by_handle(door, begun=BEGUN),),
+        steps=(actions.close_by_handle(door, begun=BEGUN, hasty=HASTY),),
         goal=(
             closed(door),  # paper: "with no gaps"
             clear_of(door.handle, by=0.08),  # original: gripper to handle more than 0.08 m
         ),
-        never={"collided": collided(oven, sparing=door.handle)},
+        never={},
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DOOR_VIEW,
     )

@@ -8,13 +8,14 @@ import math
 
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import clear_of, collided, opened
+from labutopia_lerobot.predicates import clear_of, faster, opened
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 
 OPEN_TO = math.radians(50)  # original: the arc that its expert pulls the door along
 BEGUN = math.radians(2)  # ours: further than a grip jolts a door
+HASTY = math.radians(60)  # ours: it takes a second or more
 YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
 
 
@@ -30,12 +31,17 @@ def open_door() -> Task:
         ),
         # Original: these x and y, no yaw.
         start={oven: OnBench(x=(0.70, 0.80), y=(0.05, 0.15), yaw=(-YAW, YAW))},
-        steps=(actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=math.radians(55)),),
+        steps=(
+            actions.open_by_handle(
+                door, to=OPEN_TO, begun=BEGUN, pull=math.radians(55), hasty=HASTY
+            ),
+        ),
         goal=(
             opened(door, to=OPEN_TO),  # paper: "remaining open at the target angle"
+            ~faster(door, than=math.radians(2)),  # ours: at rest
             clear_of(door.handle, by=0.04),  # original: gripper to handle more than 0.04 m
         ),
-        never={"collided": collided(oven, sparing=door.handle)},
+        never={},
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DOOR_VIEW,
     )

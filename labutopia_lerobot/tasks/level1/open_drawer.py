@@ -8,13 +8,14 @@ import math
 
 from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import clear_of, collided, opened
+from labutopia_lerobot.predicates import clear_of, faster, opened
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 
 OPEN_TO = 0.13  # original: handle moved by more than 0.13 m
 BEGUN = 0.005  # ours: further than a grip jolts a drawer
+HASTY = 0.30  # ours: half a second or more [m/s]
 YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
 
 
@@ -30,12 +31,13 @@ def open_drawer() -> Task:
         ),
         # Original: these x and y, no yaw.
         start={cabinet: OnBench(x=(0.70, 0.77), y=(-0.05, 0.05), yaw=(-YAW, YAW))},
-        steps=(actions.open_by_handle(drawer, to=OPEN_TO, begun=BEGUN, pull=0.15),),
+        steps=(actions.open_by_handle(drawer, to=OPEN_TO, begun=BEGUN, pull=0.15, hasty=HASTY),),
         goal=(
             opened(drawer, to=OPEN_TO),
+            ~faster(drawer, than=0.01),  # ours: at rest
             clear_of(drawer.handle, by=0.04),  # original: gripper to handle more than 0.04 m
         ),
-        never={"collided": collided(cabinet, sparing=drawer.handle)},
+        never={},
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DOOR_VIEW,
     )

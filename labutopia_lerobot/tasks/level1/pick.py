@@ -26,7 +26,7 @@ def pick() -> Task:
             lifted(flask, by=0.20),
             gripped(flask),  # paper: "securely grasped"
             upright(flask, within_deg=20),  # ours: a quarter-full flask does not spill
-            steady(flask, below=0.10),  # paper: "maintained steadily"; the number is ours
+            steady(flask, below=0.05),  # paper: "maintained steadily"; the number is ours
         ),
         never=actions.mishaps(flask, spill=None),
         time_limit_s=800 / 60,  # original: 800 steps at 60 Hz

@@ -34,7 +34,7 @@ def place() -> Task:
         goal=actions.left_standing(vessel, OnTop(plate), within=within),
         never={
             **actions.mishaps(vessel, spill=None),
-            "collided": struck(plate, but_for=frozenset({vessel.name})),
+            "struck": struck(plate, but_for=frozenset({vessel.name})),
         },
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
         view=WIDE_VESSEL_VIEW,

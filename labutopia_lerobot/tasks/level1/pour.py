@@ -5,7 +5,7 @@ Ported from: config/level1_pour.yaml, tasks/pickpour_task.py, controllers/pour_c
 
 from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import gripped, lifted, lip_over, steady, struck, upright
+from labutopia_lerobot.predicates import gripped, lifted, steady, struck, upright
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
 from labutopia_lerobot.substances.filling import Filling
@@ -37,8 +37,8 @@ def pour() -> Task:
         ),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            **actions.mishaps(vessel, spill=0.05, pouring=lip_over(vessel, target)),
-            "collided": struck(target),
+            **actions.mishaps(vessel, spill=0.05, pouring=actions.aimed(vessel, target)),
+            "struck": struck(target),
         },
         time_limit_s=1500 / 60,  # original: 1500 steps at 60 Hz
         view=WIDE_VESSEL_VIEW,

@@ -18,15 +18,16 @@ from labutopia_lerobot.tasks import actions
 def stir() -> Task:
     """Return the task."""
     rod, rack, vessel = GlassRod("glass_rod"), TestTubeRack("rack"), beaker("beaker", "150 ml")
+    filling = Filling(ml=60)  # ours: a good quarter of what it holds
     return Task(
         instruction=(
-            "Stir in the beaker with the glass rod in the gripper, five times round "
-            "counterclockwise, and take the rod out."
+            "Stir in the beaker with the glass rod in the gripper, five times round, and take the "
+            "rod out."
         ),
         paraphrases=(
-            "Put the glass rod you are holding into the beaker, stir five circles "
-            "counterclockwise, and lift it out again.",
-            "Use the glass rod to stir the liquid: five turns counterclockwise, then withdraw it.",
+            "Put the glass rod you are holding into the beaker, stir five circles, and lift it out "
+            "again.",
+            "Use the glass rod to stir the liquid: five turns, then withdraw it.",
         ),
         # Original: the same range for the beaker, which is the paper's 15 cm x 15 cm; a fixed
         # rack at (0.284, 0.308).
@@ -36,13 +37,13 @@ def stir() -> Task:
             rod: Inside(rack, at=rack.middle),
         },
         prelude=(Pick(rod, lift=0.23, support=rack.name),),
-        steps=(actions.stir(rod, vessel),),
+        steps=(actions.stir(rod, vessel, filling),),
         goal=(
             *actions.held_over(rod, vessel),
             upright(rod, within_deg=10),
-            steady(rod, below=0.02),
+            steady(rod, below=0.05),  # ours: as in Pick; a long rod shows every tremble of a hand
         ),
-        contents={vessel: Filling(ml=60)},  # ours: a good quarter of what it holds
+        contents={vessel: filling},
         never=actions.stirring_mishaps(rod, vessel, rack),
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
         view=WIDEST_VESSEL_VIEW,

@@ -11,7 +11,6 @@ from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import (
-    collided,
     fingers_clear_of,
     near,
     released,
@@ -55,10 +54,7 @@ def heat_beaker() -> Task:
             fingers_clear_of(button, by=0.05),  # ours: the finger is gone
         ),
         contents={vessel: Filling(ml=60)},  # ours: a good quarter of what it holds
-        never={
-            **actions.mishaps(vessel, spill=0.01),
-            "collided": collided(heater, sparing=button),
-        },
+        never=actions.mishaps(vessel, spill=0.01),
         time_limit_s=2500 / 60,  # original: 2500 steps at 60 Hz
         view=WIDE_VESSEL_VIEW,
     )

@@ -9,12 +9,13 @@ from dataclasses import replace
 
 from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import clear_of, closed, collided, opened
+from labutopia_lerobot.predicates import clear_of, closed, faster, opened
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Milestone, Task
 from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.tasks.level1.open_drawer import BEGUN, OPEN_TO
 
+HASTY = 0.30  # ours: half a second or more [m/s]
 YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
 
 
@@ -23,8 +24,8 @@ def operate_drawer() -> Task:
     cabinet = Cabinet("cabinet")
     drawer = cabinet.top_drawer
     clear = clear_of(drawer.handle, by=0.04)  # original: gripper to handle more than 0.04 m
-    opening = actions.open_by_handle(drawer, to=OPEN_TO, begun=BEGUN, pull=0.15)
-    let_go = Milestone("released", (clear, opened(drawer, to=OPEN_TO)))
+    opening = actions.open_by_handle(drawer, to=OPEN_TO, begun=BEGUN, pull=0.15, hasty=HASTY)
+    let_go = Milestone("released", (clear, opened(drawer, to=OPEN_TO), ~faster(drawer, than=0.01)))
     return Task(
         instruction="Open the top drawer of the cabinet, let go of it, then close it again.",
         paraphrases=(
@@ -35,10 +36,10 @@ def operate_drawer() -> Task:
         start={cabinet: OnBench(x=(0.69, 0.79), y=(-0.05, 0.05), yaw=(-YAW, YAW))},
         steps=(
             replace(opening, milestones=(*opening.milestones, let_go)),
-            actions.close_by_handle(drawer, begun=OPEN_TO, grip="gripped_again"),
+            actions.close_by_handle(drawer, begun=OPEN_TO, hasty=HASTY, grip="gripped_again"),
         ),
         goal=(closed(drawer), clear),  # paper: "retreat a specified distance"
-        never={"collided": collided(cabinet, sparing=drawer.handle)},
+        never={},
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
         view=DOOR_VIEW,
     )

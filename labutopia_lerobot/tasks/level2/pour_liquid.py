@@ -7,7 +7,7 @@ controllers/pickpour_controller.py.
 from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OverBench
-from labutopia_lerobot.predicates import lip_over, struck, upright
+from labutopia_lerobot.predicates import struck, upright
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
@@ -18,10 +18,11 @@ def pour_liquid() -> Task:
     """Return the task."""
     vessel, target = beaker("beaker"), beaker("target_beaker", "800 ml")
     bench = OverBench("middle of the start region", ahead=0.695, left=0.075)
+    within = 0.15  # ours: the corners of that region, and 4 cm
     return Task(
-        instruction="Pour the small beaker into the large one and set it down on the bench.",
+        instruction="Pour the small beaker into the large one and put it back where it stood.",
         paraphrases=(
-            "Pick up the beaker, empty it into the big beaker and put it back on the bench.",
+            "Pick up the beaker, empty it into the big beaker and put it back in its place.",
             "Transfer the contents of the 250 ml beaker to the 800 ml beaker, then put it down.",
         ),
         # Original: the same ranges, which are the paper's 15 cm x 15 cm.
@@ -32,13 +33,13 @@ def pour_liquid() -> Task:
         steps=(
             actions.pick(vessel, also=(upright(vessel, within_deg=10),)),  # original: 30 deg
             actions.pour(vessel, target),
-            actions.place(vessel, bench, within=None),
+            actions.place(vessel, bench, within=within),
         ),
-        goal=actions.left_standing(vessel, bench, within=None),
+        goal=actions.left_standing(vessel, bench, within=within),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            **actions.mishaps(vessel, spill=0.05, pouring=lip_over(vessel, target)),
-            "collided": struck(target),
+            **actions.mishaps(vessel, spill=0.05, pouring=actions.aimed(vessel, target)),
+            "struck": struck(target),
         },
         # The original's 1000 steps at 60 Hz have no setting down; ours: twice the expert's median.
         time_limit_s=34.0,

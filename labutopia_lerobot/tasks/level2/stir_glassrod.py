@@ -18,16 +18,16 @@ from labutopia_lerobot.tasks import actions
 def stir_glassrod() -> Task:
     """Return the task."""
     rod, rack, vessel = GlassRod("glass_rod"), TestTubeRack("rack"), beaker("beaker", "150 ml")
+    filling = Filling(ml=60)  # ours: a good quarter of what it holds
     return Task(
         instruction=(
-            "Take the glass rod from the rack, stir in the beaker with it, five times round "
-            "counterclockwise, and take it out."
+            "Take the glass rod from the rack, stir in the beaker with it, five times round, and "
+            "take it out."
         ),
         paraphrases=(
-            "Pick the glass rod out of the rack, stir five circles counterclockwise in the beaker "
-            "and lift it out again.",
-            "Fetch the stirring rod and stir the beaker's contents: five turns counterclockwise, "
-            "then withdraw it.",
+            "Pick the glass rod out of the rack, stir five circles in the beaker and lift it out "
+            "again.",
+            "Fetch the stirring rod and stir the beaker's contents: five turns, then withdraw it.",
         ),
         # Original: the same range for the beaker, which is the paper's 15 cm x 15 cm; a fixed
         # rack at (0.284, 0.308).
@@ -36,13 +36,13 @@ def stir_glassrod() -> Task:
             rack: OnBench(x=(0.209, 0.359), y=(0.233, 0.383)),
             rod: Inside(rack, at=rack.middle),
         },
-        steps=(actions.pick(rod, lift=0.23, support=rack.name), actions.stir(rod, vessel)),
+        steps=(actions.pick(rod, lift=0.23, support=rack.name), actions.stir(rod, vessel, filling)),
         goal=(
             *actions.held_over(rod, vessel),
             upright(rod, within_deg=10),
-            steady(rod, below=0.02),
+            steady(rod, below=0.05),  # ours: as in Pick; a long rod shows every tremble of a hand
         ),
-        contents={vessel: Filling(ml=60)},  # ours: a good quarter of what it holds
+        contents={vessel: filling},
         never=actions.stirring_mishaps(rod, vessel, rack),
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
         view=WIDEST_VESSEL_VIEW,

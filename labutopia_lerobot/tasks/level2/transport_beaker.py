@@ -35,7 +35,7 @@ def transport_beaker() -> Task:
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
             **actions.mishaps(vessel, spill=0.01),  # ours, as in Shake
-            "collided": struck(plate, but_for=frozenset({vessel.name})),
+            "struck": struck(plate, but_for=frozenset({vessel.name})),
         },
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
         view=WIDE_VESSEL_VIEW,

@@ -9,7 +9,6 @@ from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.predicates import (
-    collided,
     dispensed,
     gripped,
     released,
@@ -54,6 +53,7 @@ def squeeze() -> Task:
                     Milestone("dispensed", (enough,)),
                     Milestone("released", (released(bottle),)),
                 ),
+                (bottle,),  # not its cap and spout, which are another body
             ),
         ),
         goal=(
@@ -64,7 +64,6 @@ def squeeze() -> Task:
         contents={bottle: Filling(ml=200)},
         never={
             "spilled": spilled(bottle, share=0.01),
-            "collided": collided(bottle, sparing=bottle),  # cap and spout are not to be touched
             "struck": struck(target),
         },
         time_limit_s=20.0,  # ours: twice the expert's median of 9.5 s, rounded up

@@ -1,0 +1,167 @@
+"""Plays that are the same for every task: ways to fail it, and ways to do it that look odd.
+
+A play begins in an environment that has been reset, and yields actions. It goes by what happens,
+not by the names of things, so that it is played in tasks that do not exist yet.
+"""
+
+from collections.abc import Callable
+from itertools import chain
+from typing import Any
+
+import numpy as np
+
+from attacks.arm import Actions, Arm
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Pose
+
+type Play = Callable[[LabEnv], Actions]
+
+
+def outcome(env: LabEnv, play: Play, seed: int) -> dict[str, Any]:
+    """Play from a reset until the episode is over; return the last info.
+
+    When the play has no more actions the last one is repeated.
+    """
+    env.reset(seed=seed)
+    actions, over = play(env), False
+    action = env.workcell.simulation.command.astype(np.float32)
+    while not over:
+        action = next(actions, action)
+        _, _, terminated, truncated, info = env.step(action)
+        over = terminated or truncated
+    return info
+
+
+def expert(env: LabEnv) -> Actions:
+    """Play as the task's expert does."""
+    script = env.expert()
+    script.start()
+    while True:
+        yield script.act()
+
+
+def until(env: LabEnv, happened: Callable[[], bool]) -> Actions:
+    """Play as the expert does until something has happened."""
+    for action in expert(env):
+        if happened():
+            return
+        yield action
+
+
+def until_phase(env: LabEnv, label: str) -> Actions:
+    """Play as the expert does until it begins a phase, such as `place/lower`."""
+    script = env.expert()
+    script.start()
+    while True:
+        action = script.act()
+        if script.label == label:
+            return
+        yield action
+
+
+def _latched(env: LabEnv) -> bool:
+    """Tell whether the first milestone has latched."""
+    return any(time is not None for time in env.workcell.progress.milestones.values())
+
+
+def _down(arm: Arm, env: LabEnv) -> Actions:
+    """Drive the hand straight down, to where the bench is and 5 cm further."""
+    bench = env.workcell.world.bench_height
+    here = arm.pose
+    return arm.go(here.moved(z=bench - 0.05 - here.position_w[2]))
+
+
+def ram_the_bench(env: LabEnv) -> Actions:
+    """Drive what is in the hand, or the fist, into the bench, go back and do the task."""
+    arm = Arm(env)
+    shut = float(arm.command[-1]) if _held(env) else 0.0
+    home = arm.pose
+    yield from chain(arm.stay(0.5, shut), _down(arm, env), arm.go(home), expert(env))
+
+
+def ram_the_bench_at_the_end(env: LabEnv) -> Actions:
+    """Do the task, and drive the hand into the bench before it has counted."""
+    yield from until(env, lambda: env.workcell.progress.ever)
+    arm = Arm(env)
+    yield from chain(_down(arm, env), arm.stay(60.0))
+
+
+def never_close_the_hand(env: LabEnv) -> Actions:
+    """Do as the expert does, with open fingers."""
+    for action in expert(env):
+        action[-1] = env.workcell.world.robot.max_opening
+        yield action
+
+
+def give_up_half_way(env: LabEnv) -> Actions:
+    """Stop for good when the first milestone has latched."""
+    yield from until(env, lambda: _latched(env))
+    yield from Arm(env).stay(60.0)
+
+
+def drop(env: LabEnv) -> Actions:
+    """Open the hand for good once something has been between the pads for half a second."""
+    since: list[float] = []
+    for action in expert(env):
+        if _held(env):
+            since.append(env.workcell.world.time)
+        if since and env.workcell.world.time > since[0] + 0.5:
+            action[-1] = env.workcell.world.robot.max_opening
+        yield action
+
+
+def shake_while_holding(env: LabEnv) -> Actions:
+    """Do the task, and rock what is in the hand by 12 degrees, twice a second, as it counts."""
+    yield from until(env, lambda: env.workcell.progress.ever)
+    arm, began = Arm(env), env.workcell.world.time
+    level = arm.command[-2]
+    for action in arm.stay(60.0):
+        action[-2] = level + 0.2 * np.sin(4 * np.pi * (env.workcell.world.time - began))
+        yield action
+
+
+def stretch_first(env: LabEnv) -> Actions:
+    """Raise the hand by 8 cm and come back, then do the task."""
+    arm = Arm(env)
+    home = arm.pose
+    yield from chain(arm.go(home.moved(z=0.08)), arm.go(home), expert(env))
+
+
+def tremble(env: LabEnv) -> Actions:
+    """Wait a second, then do the task with a hand that trembles by half a milliradian a joint."""
+    rng = np.random.default_rng(env.seed)
+    yield from Arm(env).stay(1.0)
+    for action in expert(env):
+        noise = rng.normal(0.0, 0.0005, len(action))
+        noise[-1] = 0.0
+        yield action + noise.astype(np.float32)
+
+
+def turned(pose: Pose, axis: int, angle: float) -> Pose:
+    """Return a pose turned about one of its own axes, by an angle [rad]."""
+    cosine, sine = np.cos(angle), np.sin(angle)
+    turn = np.eye(3)
+    first, second = (axis + 1) % 3, (axis + 2) % 3
+    turn[first, first] = turn[second, second] = cosine
+    turn[second, first], turn[first, second] = sine, -sine
+    return Pose(pose.position_w, pose.rotation_w @ turn)
+
+
+def _held(env: LabEnv) -> bool:
+    """Tell whether both pads touch one thing."""
+    world = env.workcell.world
+    return bool(world.touched_by(LEFT_PAD) & world.touched_by(RIGHT_PAD))
+
+
+FAILING: tuple[Play, ...] = (
+    ram_the_bench,
+    ram_the_bench_at_the_end,
+    never_close_the_hand,
+    give_up_half_way,
+    drop,
+    shake_while_holding,
+)
+"""What a person would fail, whatever the task is."""
+
+PASSING: tuple[Play, ...] = (stretch_first, tremble)
+"""What a person would pass, whatever the task is."""
