@@ -32,11 +32,6 @@ class Drives:
         """Return joint angles [rad] and the opening [m], the sum of the fingers' slides."""
         return np.append(data.qpos[self._joints], data.qpos[self._fingers].sum())
 
-    def targets(self, data: mujoco.MjData) -> FloatArray:
-        """Return a copy of the servos' targets [rad or m]."""
-        targets: FloatArray = data.ctrl[self._servos]
-        return targets
-
     def command(self, data: mujoco.MjData, targets: FloatArray) -> None:
         """Give the servos their targets [rad or m]."""
         data.ctrl[self._servos] = targets

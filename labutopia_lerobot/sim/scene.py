@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.robots.robot import Robot
+from labutopia_lerobot.robots.set_points import SPAN
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import PARTICLES
@@ -18,6 +19,9 @@ from labutopia_lerobot.sim.memory import Memory
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
 from labutopia_lerobot.world.model import PHYSICS_HZ
+
+COMMANDS = "robot.commands"
+"""Slot of the memory for the commands that act, the last in the last row, (SPAN, elements)."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +99,7 @@ def compile_scene(
         # millisecond for elastic bodies, implicitfast refuses them, of which this is a sibling
         # (MuJoCo documentation, "Integrators", "Deformables").
         spec.option.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
-    memory = _memory(pieces)
+    memory = _memory(pieces, robot)
     spec.nuserdata = memory.size
     contents = contents or {}
     liquid = _drawing(spec, contents, particles) if contents else None
@@ -111,11 +115,12 @@ def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
     robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=room.robot_stand))
 
 
-def _memory(pieces: tuple[Piece, ...]) -> Memory:
-    """Keep of every switch whether it is on and its button in, of bottles see `Displacement`."""
+def _memory(pieces: tuple[Piece, ...], robot: Robot) -> Memory:
+    """Keep the last commands, of switches whether on and in, of bottles see `Displacement`."""
     switches = [switch.name for piece in pieces for switch in piece.switches]
     bottles = [piece.name for piece in pieces if isinstance(piece, SqueezeBottle)]
-    return Memory(dict.fromkeys([*switches, *bottles], 2))
+    commands = {COMMANDS: SPAN * len(robot.elements)}
+    return Memory(commands | dict.fromkeys([*switches, *bottles], 2))
 
 
 def _drawing(

@@ -1,6 +1,6 @@
 """Stepping: the one place where time passes."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import mujoco
 import numpy as np
@@ -11,13 +11,13 @@ from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.robots.drives import Drives
+from labutopia_lerobot.robots.set_points import SPAN, SUBSTEPS, set_points
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
-from labutopia_lerobot.sim.scene import Scene
+from labutopia_lerobot.sim.scene import COMMANDS, Scene
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 from labutopia_lerobot.world.model import PHYSICS_HZ
 
-_SUBSTEPS = PHYSICS_HZ // CONTROL_HZ
 _SETTLE_STEPS = CONTROL_HZ // 3
 """Control steps before the episode begins, in which things come to rest on the bench."""
 
@@ -34,11 +34,12 @@ class Simulation:
     Attributes:
         scene: What was compiled.
         data: MuJoCo's state; positions and contacts in it always belong to the present moment.
-        command: Joint targets [rad] and gripper opening [m] in force, in the order of the robot's
-            elements, shape (elements,).
         liquid: The liquid, or None where there is none.
         account: Where it is, as of the last control step.
         touched: Groups that touched since the previous control step, shape (groups, groups).
+        set_points: What the servos were given at each physics step since then [rad or m], shape
+            (SUBSTEPS, elements).
+        watch: Called after every physics step, if anything.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -48,7 +49,6 @@ class Simulation:
         self.touched: NDArray[np.bool_] = np.zeros((count, count), dtype=bool)
         self._drives = Drives(scene.model, scene.robot)
         self._start = np.array(scene.robot.start)
-        self.command = self._start.copy()
         self._switches = [switch for piece in scene.pieces for switch in piece.switches]
         self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
         self._displacements = [
@@ -58,7 +58,9 @@ class Simulation:
         ]
         self.liquid = _liquid(scene, self.data) if scene.contents else None
         self.account = None if self.liquid is None else self.liquid.take_account()
-        self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
+        self.set_points = np.tile(self._start, (SUBSTEPS, 1))
+        self.watch: Callable[[], None] | None = None
+        self.commands[:] = self._start
         self._built = scene.model.body_pos.copy()
 
     def reset(
@@ -89,7 +91,7 @@ class Simulation:
             start[: len(displacement)] += displacement
         self._drives.place(data.qpos, start)
         self._drives.command(data, start)
-        self.command = start
+        self.commands[:] = start
         mujoco.mj_step1(model, data)
         for _ in range(_SETTLE_STEPS):
             self.step(start)
@@ -119,10 +121,7 @@ class Simulation:
             self.liquid.start_dispensing()
 
     def step(self, command: FloatArray) -> None:
-        """Advance by one control period.
-
-        The servo targets move linearly from the old command to the new one, as the interpolator of
-        a real arm's controller does; held targets would kick the arm thirty times a second.
+        """Advance by one control period, in which the servos follow a smooth curve.
 
         Args:
             command: Joint targets [rad] and gripper opening [m], shape (elements,).
@@ -130,9 +129,12 @@ class Simulation:
         model, data, contact = self.scene.model, self.data, self.data.contact
         group_of_geom = self.scene.group_of_geom
         self.touched[:] = False
-        start, change = self.command, command - self.command
-        for substep, part in enumerate(self._ramp, start=1):
-            self._drives.command(data, start + part * change)
+        commands = self.commands
+        commands[:-1] = commands[1:]
+        commands[-1] = command
+        self.set_points = set_points(commands)
+        for substep, targets in enumerate(self.set_points, start=1):
+            self._drives.command(data, targets)
             # The two halves of mj_step, turned round: so that positions are never one step old.
             mujoco.mj_step2(model, data)
             mujoco.mj_step1(model, data)
@@ -143,12 +145,13 @@ class Simulation:
                 self.touched[first, second] = True
             if self.liquid is not None and substep % (PHYSICS_HZ // self.liquid.hertz) == 0:
                 self.liquid.step()
+            if self.watch is not None:
+                self.watch()
         self._work_switches()
         self._squeeze_bottles()
         if self.liquid is not None:
             self.account = self.liquid.take_account()
         self.touched |= self.touched.T
-        self.command = np.array(command)
 
     def _squeeze_bottles(self) -> None:
         """Let out of every bottle what its wall has displaced since the last control step."""
@@ -180,6 +183,16 @@ class Simulation:
     def _remembered(self, name: str) -> FloatArray:
         """Return what is remembered of a switch or bottle, shape (2,), a view."""
         return self.scene.memory.of(self.data, name)
+
+    @property
+    def commands(self) -> FloatArray:
+        """The commands that act, the last in the last row, shape (SPAN, elements), a view."""
+        return np.reshape(self.scene.memory.of(self.data, COMMANDS), (SPAN, -1))
+
+    @property
+    def command(self) -> FloatArray:
+        """Joint targets [rad] and gripper opening [m] in force, shape (elements,), a copy."""
+        return self.commands[-1].copy()
 
     @property
     def diverged(self) -> bool:
@@ -230,7 +243,6 @@ class Simulation:
         size = mujoco.mj_stateSize(model, kind)
         mujoco.mj_setState(model, data, state[:size], kind)
         mujoco.mj_step1(model, data)
-        self.command = self._drives.targets(data)
         if self.liquid is not None:
             self.liquid.restore(state[size:])
             self.account = self.liquid.take_account()
