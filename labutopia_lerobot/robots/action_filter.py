@@ -1,12 +1,16 @@
 """What a robot's controller does to a command before it acts: make it finite and reachable."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.robots.command_limits import CommandLimits
-from labutopia_lerobot.robots.hand_kinematics import HandKinematics
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
+
+if TYPE_CHECKING:
+    from labutopia_lerobot.robots.hand_kinematics import HandKinematics
 
 _HAND_SHARE = 0.9
 """Share of the hand's greatest speed that commands may ask for: the hand still gets faster while
@@ -29,7 +33,7 @@ class ActionFilter:
         nonfinite: Commands of this episode with an infinite or undefined element.
     """
 
-    def __init__(self, robot: Robot, hand: HandKinematics) -> None:
+    def __init__(self, robot: Robot, hand: "HandKinematics") -> None:
         self._names = robot.names
         self._limits = CommandLimits(robot)
         self._hand, self._joints = hand, len(robot.joints)

@@ -1,8 +1,8 @@
 """The Franka Hand, a parallel gripper: names, limits and what skills need to know.
 
 Stroke and speed are those of the Franka Hand product manual: 80 mm between the fingers, 50 mm/s per
-finger. It gives no acceleration: chosen are full speed after 0.1 s, and jerk over acceleration as of
-the Panda's joints.
+finger. It gives no acceleration: chosen are full speed after 0.1 s, and jerk over acceleration as
+of the Panda's joints.
 """
 
 from labutopia_lerobot.robots.robot import Element, ParallelGripper

@@ -61,7 +61,7 @@ class ReactiveMotion:
         )
         self._command_limits = CommandLimits(scene.robot, _SHARE)
         self._box = _Box(self._model.nv, self._drives.joint_dofs)
-        self._posture = mink.PostureTask(self._model, cost=0.01)
+        self._posture = mink.PostureTask(self._model, cost=0.003)
         home = self._model.qpos0.copy()
         self._drives.place(home, np.array(scene.robot.start))
         self._posture.set_target(home)

@@ -192,7 +192,8 @@ class Simulation:
     @property
     def command(self) -> FloatArray:
         """Joint targets [rad] and gripper opening [m] in force, shape (elements,), a copy."""
-        return self.commands[-1].copy()
+        command: FloatArray = self.commands[-1].copy()
+        return command
 
     @property
     def diverged(self) -> bool:
