@@ -23,6 +23,9 @@ from labutopia_lerobot.world.model import PHYSICS_HZ
 COMMANDS = "robot.commands"
 """Slot of the memory for the commands that act, the last in the last row, (SPAN, elements)."""
 
+CONTACTS = "scene.contacts"
+"""Slot of the memory for which buttons are in, piece after piece, 0 or 1."""
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -116,11 +119,14 @@ def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
 
 
 def _memory(pieces: tuple[Piece, ...], robot: Robot) -> Memory:
-    """Keep the last commands, of switches whether on and in, of bottles see `Displacement`."""
+    """Keep commands, which buttons are in, which switches on, of bottles see `Displacement`."""
+    buttons = [button.name for piece in pieces for button in piece.buttons]
     switches = [switch.name for piece in pieces for switch in piece.switches]
     bottles = [piece.name for piece in pieces if isinstance(piece, SqueezeBottle)]
     commands = {COMMANDS: SPAN * len(robot.elements)}
-    return Memory(commands | dict.fromkeys([*switches, *bottles], 2))
+    return Memory(
+        commands | {CONTACTS: len(buttons)} | dict.fromkeys(switches, 1) | dict.fromkeys(bottles, 2)
+    )
 
 
 def _drawing(

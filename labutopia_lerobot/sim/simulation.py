@@ -12,8 +12,9 @@ from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.set_points import SPAN, SUBSTEPS, set_points
+from labutopia_lerobot.sim.button_contacts import ButtonContacts
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
-from labutopia_lerobot.sim.scene import COMMANDS, Scene
+from labutopia_lerobot.sim.scene import COMMANDS, CONTACTS, Scene
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 from labutopia_lerobot.world.model import PHYSICS_HZ
@@ -49,6 +50,8 @@ class Simulation:
         self.touched: NDArray[np.bool_] = np.zeros((count, count), dtype=bool)
         self._drives = Drives(scene.model, scene.robot)
         self._start = np.array(scene.robot.start)
+        self._buttons = [button for piece in scene.pieces for button in piece.buttons]
+        self._contacts = ButtonContacts(scene.model, self._buttons)
         self._switches = [switch for piece in scene.pieces for switch in piece.switches]
         self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
         self._displacements = [
@@ -145,9 +148,11 @@ class Simulation:
                 self.touched[first, second] = True
             if self.liquid is not None and substep % (PHYSICS_HZ // self.liquid.hertz) == 0:
                 self.liquid.step()
+            if self._buttons:
+                self._work_buttons()
             if self.watch is not None:
                 self.watch()
-        self._work_switches()
+        self._light_lamps()
         self._squeeze_bottles()
         if self.liquid is not None:
             self.account = self.liquid.take_account()
@@ -163,14 +168,25 @@ class Simulation:
                 spout = Pose(site.xpos, site.xmat.reshape(3, 3))
                 self.liquid.dispense(displacement.bottle, state[1], spout, 1.0 / CONTROL_HZ)
 
-    def _work_switches(self) -> None:
-        """Toggle what has been pressed since the last control step, and light the lamps."""
+    def _work_buttons(self) -> None:
+        """Let the contacts behind the buttons click, and toggle the switches that do so."""
+        clicked = self._contacts.update(self.data, self._remembered(CONTACTS))
+        if clicked.any():
+            names = {self._buttons[index].name for index in np.flatnonzero(clicked)}
+            for switch in self._switches:
+                if switch.button in names:
+                    self._remembered(switch.name)[0] = not self.switched_on(switch.name)
+
+    def _light_lamps(self) -> None:
+        """Light the lamps of the switches that are on."""
         for switch, dark in zip(self._switches, self._dark, strict=True):
-            state = self._remembered(switch.name)
-            pressed = self.data.joint(switch.button).qpos[0] > switch.travel
-            on = bool(state[0]) != (pressed and not state[1])
-            state[:] = on, pressed
-            self.scene.model.geom(switch.lamp).rgba = switch.lit if on else dark
+            lit = self.switched_on(switch.name)
+            self.scene.model.geom(switch.lamp).rgba = switch.lit if lit else dark
+
+    def pressed(self, name: str) -> bool:
+        """Tell whether a button has clicked in, and not out again."""
+        index = [button.name for button in self._buttons].index(name)
+        return bool(self._remembered(CONTACTS)[index])
 
     def switched_on(self, name: str) -> bool:
         """Tell whether a switch is on."""
@@ -181,7 +197,7 @@ class Simulation:
         return float(self._remembered(name)[1])
 
     def _remembered(self, name: str) -> FloatArray:
-        """Return what is remembered of a switch or bottle, shape (2,), a view."""
+        """Return what the memory holds under a name, a view."""
         return self.scene.memory.of(self.data, name)
 
     @property
