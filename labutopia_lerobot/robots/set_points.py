@@ -21,25 +21,32 @@ SPAN = 4
 """Commands that act at any time."""
 
 
-def _basis() -> FloatArray:
-    """Return the weights of the commands at the end of each physics step, (SUBSTEPS, SPAN)."""
+def _weights() -> tuple[FloatArray, FloatArray]:
+    """Return the weights of the commands at the end of each physics step, and their rates [1/s].
+
+    Both are of shape (SUBSTEPS, SPAN).
+    """
     t = np.arange(1, SUBSTEPS + 1) / SUBSTEPS
-    falling = (1.0 - t) ** 3
-    first = 3.0 * t**3 - 6.0 * t**2 + 4.0
-    second = -3.0 * t**3 + 3.0 * t**2 + 3.0 * t + 1.0
-    return np.column_stack([falling, first, second, t**3]) / 6.0
+    ones, none = np.ones_like(t), np.zeros_like(t)
+    powers = np.column_stack([ones, t, t**2, t**3])
+    slopes = np.column_stack([none, ones, 2.0 * t, 3.0 * t**2]) * CONTROL_HZ
+    basis = np.array([[1, 4, 1, 0], [-3, 0, 3, 0], [3, -6, 3, 0], [-1, 3, -3, 1]]) / 6.0
+    return powers @ basis, slopes @ basis
 
 
-_BASIS = _basis()
+_POSITIONS, _RATES = _weights()
 
 
-def set_points(commands: FloatArray) -> FloatArray:
-    """Return the set-points of a control period, shape (SUBSTEPS, elements) [rad or m].
+def set_points(commands: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the set-points of a control period [rad or m], and their rates [rad/s or m/s].
 
     Args:
         commands: The last four, the oldest first, shape (SPAN, elements).
+
+    Returns:
+        Two arrays of shape (SUBSTEPS, elements).
     """
     oldest = commands[0]
     # Relative to the oldest, that what does not move stays what it is to the last bit.
-    points: FloatArray = oldest + _BASIS[:, 1:] @ (commands[1:] - oldest)
-    return points
+    change = commands[1:] - oldest
+    return oldest + _POSITIONS[:, 1:] @ change, _RATES[:, 1:] @ change

@@ -135,8 +135,8 @@ class Simulation:
         commands = self.commands
         commands[:-1] = commands[1:]
         commands[-1] = command
-        self.set_points = set_points(commands)
-        for substep, targets in enumerate(self.set_points, start=1):
+        self.set_points, rates = set_points(commands)
+        for substep, targets in enumerate(self.set_points + self._drives.lag * rates, start=1):
             self._drives.command(data, targets)
             # The two halves of mj_step, turned round: so that positions are never one step old.
             mujoco.mj_step2(model, data)

@@ -46,7 +46,7 @@ class Arm:
         for action in actions:
             command = self.filter(action.astype(np.float32), self.commands)
             self.commands = np.vstack([self.commands[1:], command])
-            points.append(set_points(self.commands))
+            points.append(set_points(self.commands)[0])
         return np.concatenate(points)
 
 
@@ -128,7 +128,9 @@ def test_an_action_of_another_length_is_refused_by_naming_the_elements():
 
 def test_commands_that_stand_still_give_set_points_that_do_so_to_the_last_bit():
     commands = np.tile(PANDA.start, (SPAN, 1))
-    assert (set_points(commands) == commands[0]).all()
+    positions, rates = set_points(commands)
+    assert (positions == commands[0]).all()
+    assert (rates == 0.0).all()
 
 
 @pytest.mark.parametrize("distance", [0.0, 0.3, 1.0, 3.0, 7.7, 100.0])
