@@ -10,7 +10,7 @@ import numpy as np
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.room import Room
-from labutopia_lerobot.world import Thing
+from labutopia_lerobot.world import Button, Thing
 
 if TYPE_CHECKING:
     import mujoco
@@ -22,7 +22,7 @@ _TRIES = 1000
 
 
 class Switch(Protocol):
-    """A push-button that toggles a lamp each time it passes its travel."""
+    """A push-button that toggles a lamp each time it clicks in."""
 
     @property
     def name(self) -> str:
@@ -31,12 +31,7 @@ class Switch(Protocol):
 
     @property
     def button(self) -> str:
-        """Slide of the button; positive is in."""
-        ...
-
-    @property
-    def travel(self) -> float:
-        """Where it clicks [m]."""
+        """Name of the button."""
         ...
 
     @property
@@ -61,6 +56,11 @@ class Piece(Thing, Protocol):
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of its hinges and slides, as in the model; their positions are its state."""
+        ...
+
+    @property
+    def buttons(self) -> tuple[Button, ...]:
+        """Its push-buttons."""
         ...
 
     @property

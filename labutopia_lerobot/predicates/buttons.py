@@ -18,10 +18,8 @@ class Switch(Protocol):
 
 
 def pressed(button: Button) -> Predicate:
-    """Button is in as far as it clicks, or further."""
-    return Predicate(
-        f"{button.name} pressed", lambda world: world.joint(button.joint) >= button.travel
-    )
+    """Button has clicked in, and not out again."""
+    return Predicate(f"{button.name} pressed", lambda world: world.pressed(button.name))
 
 
 def pushed(button: Button, *, with_force: float) -> Predicate:

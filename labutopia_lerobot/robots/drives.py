@@ -14,6 +14,9 @@ class Drives:
 
     Attributes:
         joint_dofs: Where the velocities of the arm's joints are, shape (joints,).
+        lag: Time by which the joints' servos, whose damping brakes every motion, would follow late,
+            shape (elements,) [s]: targets that are ahead by as much make them follow in time, all
+            joints together. The fingers are to give way, and have none.
 
     Args:
         model: A model that the robot has been built into.
@@ -27,15 +30,13 @@ class Drives:
         self._fingers = np.array([finger.qposadr[0] for finger in fingers])
         self.joint_dofs = np.array([joint.dofadr[0] for joint in joints])
         self._servos = np.array([model.actuator(name).id for name in robot.names])
+        stiffness, damping = (model.actuator_biasprm[self._servos, kind] for kind in (1, 2))
+        self.lag: FloatArray = damping / stiffness
+        self.lag[len(joints) :] = 0.0
 
     def measured(self, data: mujoco.MjData) -> FloatArray:
         """Return joint angles [rad] and the opening [m], the sum of the fingers' slides."""
         return np.append(data.qpos[self._joints], data.qpos[self._fingers].sum())
-
-    def targets(self, data: mujoco.MjData) -> FloatArray:
-        """Return a copy of the servos' targets [rad or m]."""
-        targets: FloatArray = data.ctrl[self._servos]
-        return targets
 
     def command(self, data: mujoco.MjData, targets: FloatArray) -> None:
         """Give the servos their targets [rad or m]."""

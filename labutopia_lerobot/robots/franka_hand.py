@@ -1,14 +1,14 @@
 """The Franka Hand, a parallel gripper: names, limits and what skills need to know.
 
 Stroke and speed are those of the Franka Hand product manual: 80 mm between the fingers, 50 mm/s per
-finger.
+finger. It gives no acceleration: chosen are full speed after 0.1 s, and jerk over acceleration as
+of the Panda's joints.
 """
 
 from labutopia_lerobot.robots.robot import Element, ParallelGripper
 
 FRANKA_HAND = ParallelGripper(
-    element=Element("gripper", lower=0.0, upper=0.08, speed=0.1),
-    closing_speed=0.09,
+    element=Element("gripper", lower=0.0, upper=0.08, speed=0.1, acceleration=1.0, jerk=500.0),
     finger_reach=0.009,  # half a pad's height, franka_hand_model
     site="grasp",
     body="hand",

@@ -106,8 +106,10 @@ def _add_finger(
     pad.friction = (1.0, 0.005, 0.0001)
     pad.condim = 4
     pad.priority = 1
-    # Stiffer than MuJoCo's default of 20 ms: the full force sinks the pad in by half a millimetre.
+    # Harder than MuJoCo's defaults of 20 ms and 0.9 to 0.95: the full force sank the pads 0.44 mm
+    # into a flask, now 0.10 mm. Above 0.995 they lose contact for single physics steps and strike.
     pad.solref = (0.008, 1)
+    pad.solimp = (0.98, 0.99, 0.0005, 0.5, 2)
 
 
 def _couple_fingers(spec: mujoco.MjSpec) -> None:

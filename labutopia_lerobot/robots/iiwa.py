@@ -14,9 +14,17 @@ if TYPE_CHECKING:
     import mujoco
 
 
+_RUN_UP_S = 0.25
+"""From rest to full speed [s]. KUKA publishes no accelerations; the Panda, a lighter arm, needs
+0.13 to 0.29 s."""
+_JERK_SHARE = 500.0
+"""Jerk over acceleration [1/s]: not published either; that of all axes of the Panda."""
+
+
 def _axis(name: str, range_deg: float, speed_deg_s: float) -> Element:
-    limit = math.radians(range_deg)
-    return Element(name, -limit, limit, math.radians(speed_deg_s))
+    limit, speed = math.radians(range_deg), math.radians(speed_deg_s)
+    acceleration = speed / _RUN_UP_S
+    return Element(name, -limit, limit, speed, acceleration, _JERK_SHARE * acceleration)
 
 
 _JOINTS = (
@@ -48,6 +56,7 @@ IIWA = Robot(
     # Flange of the stretched arm, 0.946 m from the shoulder [KUKA], at the height of the bench; the
     # data sheet's "maximum reach" of 0.82 m ends at the wrist.
     reach=0.90,
+    hand_speed=1.7,  # not published; that of the Panda, which carries the same hand
     base_body="base_link",
     # Straight ahead the elbow would have to bend further than it can (joint 4). Like this no joint
     # comes nearer to its ends than 8 % of its range, measured over twenty runs of pick and

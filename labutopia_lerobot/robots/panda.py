@@ -14,15 +14,15 @@ if TYPE_CHECKING:
     import mujoco
 
 _JOINTS = (
-    Element("joint1", -2.8973, 2.8973, 2.175),
-    Element("joint2", -1.7628, 1.7628, 2.175),
-    Element("joint3", -2.8973, 2.8973, 2.175),
-    Element("joint4", -3.0718, -0.0698, 2.175),
-    Element("joint5", -2.8973, 2.8973, 2.61),
-    Element("joint6", -0.0175, 3.7525, 2.61),
-    Element("joint7", -2.8973, 2.8973, 2.61),
+    Element("joint1", -2.8973, 2.8973, 2.175, 15.0, 7500.0),
+    Element("joint2", -1.7628, 1.7628, 2.175, 7.5, 3750.0),
+    Element("joint3", -2.8973, 2.8973, 2.175, 10.0, 5000.0),
+    Element("joint4", -3.0718, -0.0698, 2.175, 12.5, 6250.0),
+    Element("joint5", -2.8973, 2.8973, 2.61, 15.0, 7500.0),
+    Element("joint6", -0.0175, 3.7525, 2.61, 20.0, 10000.0),
+    Element("joint7", -2.8973, 2.8973, 2.61, 20.0, 10000.0),
 )
-"""Limits of position [rad] and velocity [rad/s] [FCI]."""
+"""Limits of position [rad], velocity [rad/s], acceleration [rad/s^2] and jerk [rad/s^3] [FCI]."""
 
 
 def _add_to(spec: "mujoco.MjSpec", parent: "mujoco.MjsBody") -> None:
@@ -40,6 +40,7 @@ PANDA = Robot(
     # pointed straight away from the base would need joint 6 beyond its limit.
     home=(0.812, 0.159, 0.067, -2.209, -1.319, 1.318, 0.046),
     reach=0.855,  # Franka Emika Panda data sheet, "maximum reach"
+    hand_speed=1.7,  # [FCI], limits in the Cartesian space: translation
     base_body="link0",
     # Pointing straight ahead, the wrist cannot reach low and level (joint 6 ends at 3.75 rad);
     # turned by 60 degrees all joints stay a fifth of their range from their ends over the whole

@@ -24,12 +24,16 @@ class Element:
         lower: Least position [rad or m].
         upper: Greatest position [rad or m].
         speed: Greatest speed [rad/s or m/s].
+        acceleration: Greatest acceleration [rad/s^2 or m/s^2].
+        jerk: Greatest jerk [rad/s^3 or m/s^3].
     """
 
     name: str
     lower: float
     upper: float
     speed: float
+    acceleration: float
+    jerk: float
 
 
 @dataclass(frozen=True)
@@ -38,8 +42,6 @@ class ParallelGripper:
 
     Attributes:
         element: Distance between the pads [m].
-        closing_speed: Rate of that distance that skills command [m/s]; below the greatest, so that
-            commands are never clipped.
         finger_reach: How far the fingers reach beyond the point between the pads [m].
         site: Site between the pads: z forward, y along the finger motion, x up at home.
         body: Body that carries the fingers.
@@ -48,7 +50,6 @@ class ParallelGripper:
     """
 
     element: Element
-    closing_speed: float
     finger_reach: float
     site: str
     body: str
@@ -72,6 +73,7 @@ class Robot:
         gripper: The hand.
         home: Joint angles at rest [rad].
         reach: How far the hand gets from the base, horizontally [m].
+        hand_speed: Greatest speed of the point between the pads [m/s].
         base_body: Root body.
         vessel_approach: How the hand comes to vessels, relative to the bearing from the base.
         handle_approach: How the hand comes to handles, relative to straight into the door.
@@ -83,6 +85,7 @@ class Robot:
     gripper: ParallelGripper
     home: tuple[float, ...]
     reach: float
+    hand_speed: float
     base_body: str
     vessel_approach: Approach
     handle_approach: Approach
@@ -113,6 +116,16 @@ class Robot:
         return tuple(element.speed for element in self.elements)
 
     @property
+    def acceleration(self) -> tuple[float, ...]:
+        """Greatest accelerations of the elements [rad/s^2 or m/s^2]."""
+        return tuple(element.acceleration for element in self.elements)
+
+    @property
+    def jerk(self) -> tuple[float, ...]:
+        """Greatest jerks of the elements [rad/s^3 or m/s^3]."""
+        return tuple(element.jerk for element in self.elements)
+
+    @property
     def start(self) -> tuple[float, ...]:
         """Positions of the elements when an episode begins [rad or m]: home, the gripper open."""
         return (*self.home, self.max_opening)
@@ -121,11 +134,6 @@ class Robot:
     def max_opening(self) -> float:
         """Greatest distance between the pads [m]."""
         return self.gripper.element.upper
-
-    @property
-    def closing_speed(self) -> float:
-        """Rate of the opening that skills command [m/s]."""
-        return self.gripper.closing_speed
 
     @property
     def finger_reach(self) -> float:

@@ -11,8 +11,10 @@ import itertools
 import mink
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.robots.command_limits import CommandLimits
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
@@ -31,8 +33,8 @@ _GAIN = 0.85 / CONTROL_HZ
 `gain * distance / dt`."""
 _RETREAT = 0.0005
 """Distance by which a pair that is too near must part in a control period [m]."""
-_SPEED_SHARE = 0.9
-"""Share of the joint speed limits that is used, so that commands are never clipped."""
+_SHARE = 0.85
+"""Share of the robot's speeds and accelerations that is used: commands are never clipped."""
 _FAR = (0.0, 0.0, -10.0)
 _OBSTACLE, _LOAD = "obstacle_", "load_"
 
@@ -50,33 +52,35 @@ class ReactiveMotion:
         self._world = world
         scene = simulation.scene
         self._robot, self._pieces = scene.robot, scene.pieces
+        self._joints = len(scene.robot.joints)
         self._model = _planning_model(scene)
         self._drives = Drives(self._model, scene.robot)
         self._configuration = mink.Configuration(self._model)
         self._track = mink.FrameTask(
             scene.robot.gripper.site, "site", position_cost=1.0, orientation_cost=0.3
         )
-        self._posture = mink.PostureTask(self._model, cost=0.01)
+        self._command_limits = CommandLimits(scene.robot, _SHARE)
+        self._box = _Box(self._model.nv, self._drives.joint_dofs)
+        self._posture = mink.PostureTask(self._model, cost=0.003)
         home = self._model.qpos0.copy()
         self._drives.place(home, np.array(scene.robot.start))
         self._posture.set_target(home)
         self._limits = [
-            mink.ConfigurationLimit(self._model),
-            mink.VelocityLimit(
-                self._model,
-                {joint.name: _SPEED_SHARE * joint.speed for joint in scene.robot.joints}
-                | dict.fromkeys(scene.robot.gripper.finger_joints, 0.0),
-            ),
+            self._box,
+            mink.VelocityLimit(self._model, dict.fromkeys(scene.robot.gripper.finger_joints, 0.0)),
         ]
         self._clearances = _clearances(self._model, scene.robot, scene.pieces)
         hulls = [body for piece in scene.pieces for body in _hulls_by_body(scene, piece)]
         self._obstacles = [(scene.model.body(body).name, body) for body in hulls]
 
-    def follow(self, target: Pose, *, touches: frozenset[str], holds: Thing | None) -> FloatArray:
-        """Return joint targets, one control period ahead, that bring the gripper to the target.
+    def follow(
+        self, target: Pose, opening: float, *, touches: frozenset[str], holds: Thing | None
+    ) -> FloatArray:
+        """Return the next command, shape (elements,), that brings the gripper to the target.
 
         Args:
             target: Wanted pose of the gripper frame.
+            opening: Wanted distance between the pads [m].
             touches: Names of things, or `bench`, that the hand and its load may touch.
             holds: The thing in the gripper, kept clear of everything else, or None.
         """
@@ -91,7 +95,12 @@ class ReactiveMotion:
             and not (obstacle in touches and mover != ARM)
             and obstacle != load
         ]
-        command = self._simulation.command[: len(self._robot.joints)]
+        limits, commands, joints = self._command_limits, self._simulation.commands, self._joints
+        before, last = commands[-2:]
+        least, greatest = limits.changes(before, last)
+        self._box.least, self._box.greatest = least[:joints], greatest[:joints]
+        wanted = limits.within(np.append(last[:joints], opening))
+        change = np.clip(limits.closing(wanted - last), least, greatest)
         try:
             velocity = mink.solve_ik(
                 self._configuration,
@@ -101,10 +110,14 @@ class ReactiveMotion:
                 damping=1e-6,
                 limits=[*self._limits, *avoid],
             )
-        except mink.NoSolutionFound:
-            return command.copy()  # hemmed in: whatever it did would bring it nearer to something
-        joints: FloatArray = command + velocity[self._drives.joint_dofs] / CONTROL_HZ
-        return joints
+        except (
+            mink.NoSolutionFound
+        ):  # hemmed in: whatever it did would bring it nearer to something
+            change[:joints] = np.clip(limits.braking(last - before), least, greatest)[:joints]
+        else:
+            change[:joints] = velocity[self._drives.joint_dofs] / CONTROL_HZ
+        command: FloatArray = last + change
+        return command
 
     def _look(self, holds: Thing | None) -> None:
         """Bring the planning model up to date with the command in force and the live world."""
@@ -121,13 +134,34 @@ class ReactiveMotion:
                     load.pos, load.quat = in_hand.position_w, in_hand.quat_wxyz
                 else:
                     load.pos = _FAR
-        positions = self._simulation.command.copy()
+        positions = self._simulation.command
         # A touch inside the range: measured openings overshoot it, which no motion could mend.
         widest = self._robot.max_opening
         positions[-1] = np.clip(self._world.gripper_opening, 1e-4, widest - 1e-4)
         qpos = self._model.qpos0.copy()
         self._drives.place(qpos, positions)
         self._configuration.update(qpos)
+
+
+class _Box(mink.Limit):
+    """Bounds on the change of each joint in a control period.
+
+    Attributes:
+        least: Least changes, shape (joints,) [rad].
+        greatest: Greatest changes, shape (joints,) [rad].
+    """
+
+    def __init__(self, dofs: int, joints: NDArray[np.intp]) -> None:
+        rows = np.eye(dofs)[joints]
+        self._rows = np.vstack([rows, -rows])
+        self.least: FloatArray = np.zeros(len(joints))
+        self.greatest: FloatArray = np.zeros(len(joints))
+
+    def compute_qp_inequalities(
+        self, configuration: mink.Configuration, dt: float
+    ) -> mink.Constraint:
+        """Return the bounds as mink wants them."""
+        return mink.Constraint(self._rows, np.concatenate([self.greatest, -self.least]))
 
 
 def _planning_model(scene: Scene) -> mujoco.MjModel:

@@ -1,6 +1,6 @@
 """Stepping: the one place where time passes."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import mujoco
 import numpy as np
@@ -10,14 +10,15 @@ from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.robots.drives import Drives
+from labutopia_lerobot.robots.set_points import SPAN, SUBSTEPS, set_points
+from labutopia_lerobot.sim.button_contacts import ButtonContacts
 from labutopia_lerobot.sim.contact_record import ContactRecord
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
-from labutopia_lerobot.sim.scene import Scene
+from labutopia_lerobot.sim.scene import COMMANDS, CONTACTS, Scene
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 from labutopia_lerobot.world.model import PHYSICS_HZ
 
-_SUBSTEPS = PHYSICS_HZ // CONTROL_HZ
 _SETTLE_STEPS = CONTROL_HZ // 3
 """Control steps before the episode begins, in which things come to rest on the bench."""
 
@@ -34,11 +35,12 @@ class Simulation:
     Attributes:
         scene: What was compiled.
         data: MuJoCo's state; positions and contacts in it always belong to the present moment.
-        command: Joint targets [rad] and gripper opening [m] in force, in the order of the robot's
-            elements, shape (elements,).
         liquid: The liquid, or None where there is none.
         account: Where it is, as of the last control step.
         contacts: What touched what since the previous control step, how hard and how fast.
+        set_points: What the servos were given at each physics step since then [rad or m], shape
+            (SUBSTEPS, elements).
+        watch: Called after every physics step, if anything.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -47,7 +49,8 @@ class Simulation:
         self.contacts = ContactRecord(scene, self.data)
         self._drives = Drives(scene.model, scene.robot)
         self._start = np.array(scene.robot.start)
-        self.command = self._start.copy()
+        self._buttons = [button for piece in scene.pieces for button in piece.buttons]
+        self._button_contacts = ButtonContacts(scene.model, self._buttons)
         self._switches = [switch for piece in scene.pieces for switch in piece.switches]
         self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
         self._displacements = [
@@ -57,7 +60,9 @@ class Simulation:
         ]
         self.liquid = _liquid(scene, self.data) if scene.contents else None
         self.account = None if self.liquid is None else self.liquid.take_account()
-        self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
+        self.set_points = np.tile(self._start, (SUBSTEPS, 1))
+        self.watch: Callable[[], None] | None = None
+        self.commands[:] = self._start
         self._built = scene.model.body_pos.copy()
 
     def reset(
@@ -88,7 +93,7 @@ class Simulation:
             start[: len(displacement)] += displacement
         self._drives.place(data.qpos, start)
         self._drives.command(data, start)
-        self.command = start
+        self.commands[:] = start
         mujoco.mj_step1(model, data)
         for _ in range(_SETTLE_STEPS):
             self.step(start)
@@ -118,30 +123,33 @@ class Simulation:
             self.liquid.start_dispensing()
 
     def step(self, command: FloatArray) -> None:
-        """Advance by one control period.
-
-        The servo targets move linearly from the old command to the new one, as the interpolator of
-        a real arm's controller does; held targets would kick the arm thirty times a second.
+        """Advance by one control period, in which the servos follow a smooth curve.
 
         Args:
             command: Joint targets [rad] and gripper opening [m], shape (elements,).
         """
         model, data = self.scene.model, self.data
         self.contacts.clear()
-        start, change = self.command, command - self.command
-        for substep, part in enumerate(self._ramp, start=1):
-            self._drives.command(data, start + part * change)
+        commands = self.commands
+        commands[:-1] = commands[1:]
+        commands[-1] = command
+        self.set_points, rates = set_points(commands)
+        for substep, targets in enumerate(self.set_points + self._drives.lag * rates, start=1):
+            self._drives.command(data, targets)
             # The two halves of mj_step, turned round: so that positions are never one step old.
             mujoco.mj_step2(model, data)
             self.contacts.note()
             mujoco.mj_step1(model, data)
             if self.liquid is not None and substep % (PHYSICS_HZ // self.liquid.hertz) == 0:
                 self.liquid.step()
-        self._work_switches()
+            if self._buttons:
+                self._work_buttons()
+            if self.watch is not None:
+                self.watch()
+        self._light_lamps()
         self._squeeze_bottles()
         if self.liquid is not None:
             self.account = self.liquid.take_account()
-        self.command = np.array(command)
 
     def _squeeze_bottles(self) -> None:
         """Let out of every bottle what its wall has displaced since the last control step."""
@@ -153,14 +161,25 @@ class Simulation:
                 spout = Pose(site.xpos, site.xmat.reshape(3, 3))
                 self.liquid.dispense(displacement.bottle, state[1], spout, 1.0 / CONTROL_HZ)
 
-    def _work_switches(self) -> None:
-        """Toggle what has been pressed since the last control step, and light the lamps."""
+    def _work_buttons(self) -> None:
+        """Let the contacts behind the buttons click, and toggle the switches that do so."""
+        clicked = self._button_contacts.update(self.data, self._remembered(CONTACTS))
+        if clicked.any():
+            names = {self._buttons[index].name for index in np.flatnonzero(clicked)}
+            for switch in self._switches:
+                if switch.button in names:
+                    self._remembered(switch.name)[0] = not self.switched_on(switch.name)
+
+    def _light_lamps(self) -> None:
+        """Light the lamps of the switches that are on."""
         for switch, dark in zip(self._switches, self._dark, strict=True):
-            state = self._remembered(switch.name)
-            pressed = self.data.joint(switch.button).qpos[0] > switch.travel
-            on = bool(state[0]) != (pressed and not state[1])
-            state[:] = on, pressed
-            self.scene.model.geom(switch.lamp).rgba = switch.lit if on else dark
+            lit = self.switched_on(switch.name)
+            self.scene.model.geom(switch.lamp).rgba = switch.lit if lit else dark
+
+    def pressed(self, name: str) -> bool:
+        """Tell whether a button has clicked in, and not out again."""
+        index = [button.name for button in self._buttons].index(name)
+        return bool(self._remembered(CONTACTS)[index])
 
     def switched_on(self, name: str) -> bool:
         """Tell whether a switch is on."""
@@ -171,8 +190,19 @@ class Simulation:
         return float(self._remembered(name)[1])
 
     def _remembered(self, name: str) -> FloatArray:
-        """Return what is remembered of a switch or bottle, shape (2,), a view."""
+        """Return what the memory holds under a name, a view."""
         return self.scene.memory.of(self.data, name)
+
+    @property
+    def commands(self) -> FloatArray:
+        """The commands that act, the last in the last row, shape (SPAN, elements), a view."""
+        return np.reshape(self.scene.memory.of(self.data, COMMANDS), (SPAN, -1))
+
+    @property
+    def command(self) -> FloatArray:
+        """Joint targets [rad] and gripper opening [m] in force, shape (elements,), a copy."""
+        command: FloatArray = self.commands[-1].copy()
+        return command
 
     @property
     def diverged(self) -> bool:
@@ -224,7 +254,6 @@ class Simulation:
         mujoco.mj_setState(model, data, state[:size], kind)
         mujoco.mj_step1(model, data)
         self.contacts.clear()
-        self.command = self._drives.targets(data)
         if self.liquid is not None:
             self.liquid.restore(state[size:])
             self.account = self.liquid.take_account()

@@ -121,6 +121,13 @@ class SimulatedWorld:
                 "sensor", name, self._names(self._model.nsensor, "sensor")
             ) from None
 
+    def pressed(self, name: str) -> bool:
+        """Tell whether a named button has clicked in, and not out again."""
+        buttons = [button.name for piece in self._pieces for button in piece.buttons]
+        if name not in buttons:
+            raise self._unknown("button", name, buttons)
+        return self._simulation.pressed(name)
+
     def switched_on(self, name: str) -> bool:
         """Tell whether a named switch is on."""
         switches = [switch.name for piece in self._pieces for switch in piece.switches]

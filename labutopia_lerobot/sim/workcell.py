@@ -11,6 +11,7 @@ from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.robots.action_filter import ActionFilter
+from labutopia_lerobot.robots.hand_kinematics import HandKinematics
 from labutopia_lerobot.scenario import (
     Scenario,
     canonical_task,
@@ -62,7 +63,7 @@ class Workcell:
         scene = compile_scene(pieces, robot, room, task.view, task.contents, setting.particles)
         self.simulation = Simulation(scene)
         self.world = SimulatedWorld(self.simulation)
-        self.filter = ActionFilter(robot)
+        self.filter = ActionFilter(robot, HandKinematics(scene.model, robot))
         self.progress = Progress(task)
         self._appearance = Appearance(scene.model)
 
@@ -128,7 +129,7 @@ class Workcell:
         Raises:
             ValueError: If the action does not have the shape of the robot's.
         """
-        self.simulation.step(self.filter(action))
+        self.simulation.step(self.filter(action, self.simulation.commands))
         if self.simulation.diverged:
             self.progress.end(DIVERGED)
         self.progress.update(self.world)
@@ -164,7 +165,7 @@ class Workcell:
         expert.start()
         breaches = self.task.breaches.values()
         while skills and not expert.finished:
-            self.simulation.step(self.filter(expert.act()))
+            self.simulation.step(self.filter(expert.act(), self.simulation.commands))
             broken = any(breach.holds(self.world) for breach in breaches)
             if expert.failure or broken or self.simulation.diverged:
                 return False

@@ -22,7 +22,7 @@ class Close:
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield approach, reach, settle, grip, move, pause, release and leave."""
         done = closed(self.part)
-        beyond = -self.part.closed_within  # against the stop, so that no gap is left
+        beyond = -0.4 * self.part.closed_within  # lightly against the stop, so that no gap is left
         yield from move_by_handle(
             self.part, world, beyond, lambda w, target, elapsed: done.holds(w)
         )

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.robots.braking import longest_step
 from labutopia_lerobot.skills.skill import Phase, Skill
 from labutopia_lerobot.world import (
     ARM,
@@ -23,18 +24,20 @@ from labutopia_lerobot.world import (
 
 _STEP_S = 1.0 / CONTROL_HZ
 _ACCELERATION = 1.0
-"""Greatest change of the gripper's speed along its way [m/s^2]; keeps a full beaker from slopping
-where it is carried. Turns are bounded by `Phase.turn_speed` alone."""
+"""Greatest change of the gripper's velocity [m/s^2]; keeps a full beaker from slopping where it is
+carried."""
 
-_EASING = 1.0
-"""Share of the full speed per radian left, with which turns come to rest [1/rad]."""
+_TURN_ACCELERATION = 5.0
+"""Greatest change of the gripper's angular velocity [rad/s^2]."""
 
 
 class Motion(Protocol):
-    """Turns a wanted gripper pose into joint targets, reactively."""
+    """Turns a wanted gripper pose and opening into commands, reactively."""
 
-    def follow(self, target: Pose, *, touches: frozenset[str], holds: Thing | None) -> FloatArray:
-        """Return the next joint targets, shape (joints,), radians."""
+    def follow(
+        self, target: Pose, opening: float, *, touches: frozenset[str], holds: Thing | None
+    ) -> FloatArray:
+        """Return the next command, shape (elements,): joint targets [rad] and opening [m]."""
         ...
 
 
@@ -61,8 +64,7 @@ class Expert:
         self.label = ""
         self._remaining = self._play()
         self._reference = self._world.gripper
-        self._opening = self._world.commanded_opening
-        self._speed = 0.0
+        self._velocity = np.zeros(6)
         self._next_phase()
 
     def _play(self) -> Iterator[tuple[str, Phase]]:
@@ -94,13 +96,11 @@ class Expert:
         elif self.failure is None and late:
             self.failure = f"{self.label} not done after {self._phase.timeout_s:g} s"
         self._reference = self._towards(target)
-        joints = self._motion.follow(
-            self._reference, touches=self._phase.touches, holds=self._phase.holds
+        phase = self._phase
+        command = self._motion.follow(
+            self._reference, phase.opening, touches=phase.touches, holds=phase.holds
         )
-        change = self._phase.opening - self._opening
-        step = self._world.robot.closing_speed * _STEP_S
-        self._opening += float(np.clip(change, -step, step))
-        return np.append(joints, self._opening).astype(np.float32)
+        return command.astype(np.float32)
 
     def _count_unexpected_touches(self) -> None:
         """Count touches of the arm, the hand and its load with what the phase does not list."""
@@ -113,18 +113,27 @@ class Expert:
                 self.unexpected[mover, other] += 1
 
     def _towards(self, target: Pose) -> Pose:
-        """Move the reference towards the target within the phase's speeds."""
-        distance = self._reference.distance_to(target)
-        turn = Rotation.from_matrix(target.rotation_w @ self._reference.rotation_w.T)
-        angle = turn.magnitude()
-        duration = max(distance / self._phase.speed, angle / self._phase.turn_speed, 1e-9)
-        # Share of the full speed, ramped up at the start; at the end that from which it comes to
-        # rest at the acceleration over the distance left, or turns through the angle left.
-        stopping = np.sqrt(2.0 * _ACCELERATION * distance) / self._phase.speed
-        wanted = min(1.0, stopping + _EASING * angle)
-        self._speed = min(wanted, self._speed + _ACCELERATION * _STEP_S / self._phase.speed)
-        part = min(1.0, self._speed * _STEP_S / duration)
+        """Move the reference towards the target within the phase's speeds, in a straight line.
+
+        It speeds up, turns aside and comes to rest with bounded accelerations, also where the
+        target jumps or moves.
+        """
+        turn = Rotation.from_matrix(target.rotation_w @ self._reference.rotation_w.T).as_rotvec()
+        way = np.concatenate([target.position_w - self._reference.position_w, turn])
+        duration = max(_shares(way, self._phase.speed, self._phase.turn_speed), 1e-9)
+        full = way / duration  # the velocity that is as fast as the phase allows
+        growth = _STEP_S**2 / max(_shares(full, _ACCELERATION, _TURN_ACCELERATION), 1e-9)
+        step = float(longest_step(np.array(duration), np.array(growth)))
+        change = min(step / _STEP_S, 1.0) * full - self._velocity
+        excess = _shares(change, _ACCELERATION * _STEP_S, _TURN_ACCELERATION * _STEP_S)
+        self._velocity = self._velocity + change / max(excess, 1.0)
+        moved = self._velocity * _STEP_S
         return Pose(
-            self._reference.position_w + part * (target.position_w - self._reference.position_w),
-            Rotation.from_rotvec(part * turn.as_rotvec()).as_matrix() @ self._reference.rotation_w,
+            self._reference.position_w + moved[:3],
+            Rotation.from_rotvec(moved[3:]).as_matrix() @ self._reference.rotation_w,
         )
+
+
+def _shares(motion: FloatArray, linear: float, angular: float) -> float:
+    """Return a motion (along, then about the axes, shape (6,)) in units of what is allowed."""
+    return float(max(np.linalg.norm(motion[:3]) / linear, np.linalg.norm(motion[3:]) / angular))

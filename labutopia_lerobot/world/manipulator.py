@@ -26,11 +26,6 @@ class Manipulator(Protocol):
         ...
 
     @property
-    def closing_speed(self) -> float:
-        """Rate of that distance to command [m/s]."""
-        ...
-
-    @property
     def finger_reach(self) -> float:
         """How far the fingers reach beyond the point between the pads [m]."""
         ...

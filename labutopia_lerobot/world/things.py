@@ -77,6 +77,11 @@ class Button(Thing, Protocol):
         ...
 
     @property
+    def differential(self) -> float:
+        """How far it comes back before it clicks out [m]."""
+        ...
+
+    @property
     def force_sensor(self) -> str:
         """Name of the sensor of the force on it [N]."""
         ...

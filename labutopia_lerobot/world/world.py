@@ -98,6 +98,10 @@ class World(Protocol):
         """Return the reading of a named scalar sensor, such as the force on a button [N]."""
         ...
 
+    def pressed(self, name: str) -> bool:
+        """Tell whether a named button has clicked in, and not out again."""
+        ...
+
     def switched_on(self, name: str) -> bool:
         """Tell whether a named switch is on."""
         ...

@@ -4,11 +4,12 @@ import pytest
 
 from labutopia_lerobot.checks import CHECKS, Check
 from labutopia_lerobot.checks.experts import the_expert_wins_at_least_nine_of_ten
+from labutopia_lerobot.checks.motions import the_expert_does_so_in_ten_episodes
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import require_task, task_files
 
-SLOW = {the_expert_wins_at_least_nine_of_ten}
-"""Ten whole episodes with all particles: `make test-slow`."""
+SLOW = {the_expert_wins_at_least_nine_of_ten, the_expert_does_so_in_ten_episodes}
+"""Ten whole episodes each: `make test-slow`."""
 
 
 @pytest.mark.parametrize(

@@ -141,9 +141,10 @@ def test_the_hand_reaches_low_over_the_start_regions_within_the_limits(x, y):
     goal = hand_at(world, np.array([x, y, world.bench_height + vessel.grip_height]))
     lower, upper, speed = (np.array(limit[:-1]) for limit in (IIWA.lower, IIWA.upper, IIWA.speed))
     for _ in range(150):
-        joints = motion.follow(goal, touches=frozenset(), holds=None)
+        command = motion.follow(goal, IIWA.max_opening, touches=frozenset(), holds=None)
+        joints = command[:-1]
         assert (np.abs(joints - simulation.command[:-1]) <= speed / 30).all()
         assert ((lower - 1e-6 <= joints) & (joints <= upper + 1e-6)).all()
-        simulation.step(np.append(joints, IIWA.max_opening))
+        simulation.step(command)
     assert world.gripper.distance_to(goal) < 0.004
     assert not world.touched_by("bench") & {"arm", "hand"}

@@ -76,11 +76,12 @@ def test_commands_stay_within_the_limits_of_the_joints():
     limits = np.array(PANDA.speed[:-1]) / 30
     far = world.gripper.moved(x=3.0, z=2.0)
     for _ in range(90):
-        joints = motion.follow(far, touches=frozenset(), holds=None)
+        command = motion.follow(far, 0.08, touches=frozenset(), holds=None)
+        joints = command[:-1]
         assert (np.abs(joints - simulation.command[:-1]) <= limits).all()
         assert (joints >= np.array(PANDA.lower[:-1]) - 1e-6).all()
         assert (joints <= np.array(PANDA.upper[:-1]) + 1e-6).all()
-        simulation.step(np.append(joints, 0.08))
+        simulation.step(command)
 
 
 @dataclass(frozen=True)

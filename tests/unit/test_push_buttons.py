@@ -58,3 +58,12 @@ def test_half_a_press_switches_nothing(simulation):
     push(simulation, 2.3)
     push(simulation, 0.0)
     assert not simulation.switched_on(HEATER.switch.name)
+
+
+def test_it_clicks_out_later_than_in(simulation):
+    name, travel = HEATER.button.name, HEATER.button.travel
+    for force, pressed in ((2.62, False), (2.7, True), (2.62, True), (2.5, False)):
+        push(simulation, force)
+        assert simulation.pressed(name) is pressed
+    back = push(simulation, 2.62)
+    assert travel - HEATER.button.differential < back < travel

@@ -1,6 +1,5 @@
 """Robots and rooms are values: nothing counts to seven, and names that do not exist are told."""
 
-import math
 import re
 import subprocess
 import sys
@@ -17,67 +16,12 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.policies import RandomPolicy, StillPolicy
 from labutopia_lerobot.features import action_feature, observation_features
 from labutopia_lerobot.layout import Workspace
-from labutopia_lerobot.robots import IIWA, PANDA, ROBOTS, Element, Robot, load_robot
-from labutopia_lerobot.robots.action_filter import ActionFilter
+from labutopia_lerobot.robots import IIWA, PANDA, ROBOTS, load_robot
 from labutopia_lerobot.robots.drives import Drives
-from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
-from labutopia_lerobot.robots.franka_hand_model import add_franka_hand
-from labutopia_lerobot.robots.parts import add_joint_servo
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.scenes import LABORATORY, ROOMS, Surface, load_room
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.world import Approach
-
-JOINTS = tuple(Element(f"axis{i}", -3.0, 3.0, 2.0 + 0.1 * i) for i in range(6))
-# Axis, place of the link on the one before [m], end of the link [m]: a turret, upper arm, forearm
-# and three axes of a wrist, as most arms in industry have them.
-LINKS = (
-    ((0, 0, 1), (0.0, 0.0, 0.10), (0.0, 0.0, 0.20)),
-    ((0, 1, 0), (0.0, 0.0, 0.20), (0.0, 0.0, 0.42)),
-    ((0, 1, 0), (0.0, 0.0, 0.42), (0.35, 0.0, 0.0)),
-    ((1, 0, 0), (0.35, 0.0, 0.0), (0.08, 0.0, 0.0)),
-    ((0, 1, 0), (0.08, 0.0, 0.0), (0.06, 0.0, 0.0)),
-    ((1, 0, 0), (0.06, 0.0, 0.0), (0.04, 0.0, 0.0)),
-)
-
-
-def build(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
-    """An arm of six joints, after a fan with a motor of its own, which is no element of it."""
-    spec.add_material(name="plain", rgba=(0.5, 0.5, 0.6, 1.0))
-    body = parent.add_body(name="socket", gravcomp=1)
-    fan = body.add_body(name="fan", pos=(-0.2, 0, 0.1))
-    fan.add_joint(name="fan", axis=(0, 0, 1))
-    fan.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=(0.05, 0.01, 0.01), contype=0, conaffinity=0)
-    spec.add_actuator(name="fan", target="fan", trntype=mujoco.mjtTrn.mjTRN_JOINT)
-    for joint, (axis, place, end) in zip(JOINTS, LINKS, strict=True):
-        body = body.add_body(name=f"{joint.name}_link", pos=place, gravcomp=1)
-        limits = (joint.lower, joint.upper)
-        body.add_joint(name=joint.name, axis=axis, range=limits, armature=0.1, damping=1.0)
-        body.add_geom(
-            type=mujoco.mjtGeom.mjGEOM_CAPSULE,
-            fromto=(0, 0, 0, *end),
-            size=(0.04, 0, 0),
-            mass=1.5,
-            contype=0,
-            conaffinity=0,
-        )
-        add_joint_servo(spec, joint, stiffness=2000.0, damping=60.0, force=100.0)
-    half = math.sqrt(0.5)  # of the hand: z along the last axis, fingers side by side
-    hand = body.add_body(name="hand", pos=(0.06, 0, 0), quat=(half, 0, half, 0), gravcomp=1)
-    add_franka_hand(spec, hand, material="plain")
-
-
-SIX = Robot(
-    name="six",
-    add_to=build,
-    joints=JOINTS,
-    gripper=FRANKA_HAND,
-    home=(0.3, -0.3, 0.3, 0.0, 0.0, 0.0),
-    reach=0.9,
-    base_body="socket",
-    vessel_approach=Approach(yaw=0.0, pitch=0.1),
-    handle_approach=Approach(yaw=0.0, pitch=0.1),
-)
+from six_joint_arm import SIX
 
 
 @pytest.fixture
@@ -92,16 +36,6 @@ def test_features_have_as_many_numbers_as_the_robot(env):
     observed = observation_features(env.setting, lambda: canonical_task(env.setting))
     assert observed["agent_pos"].names == names
     assert observed["agent_pos"].shape == (7,)
-
-
-def test_the_filter_clips_every_element_to_its_own_limits():
-    act = ActionFilter(SIX)
-    act.start(np.array(SIX.start))
-    applied = act(np.full(7, 100.0, np.float32))
-    np.testing.assert_allclose(
-        applied, np.minimum(np.array(SIX.start) + np.array(SIX.speed) / 30, SIX.upper), atol=1e-6
-    )
-    assert act.clipped == 1
 
 
 def test_heights_come_from_the_room(monkeypatch):
@@ -130,13 +64,6 @@ def test_heights_come_from_the_room(monkeypatch):
     assert not expert.unexpected
 
 
-def test_an_action_of_another_length_is_refused_by_naming_the_elements():
-    act = ActionFilter(SIX)
-    act.start(np.array(SIX.start))
-    with pytest.raises(ValueError, match=r"\(7,\) \(axis0, .*, gripper\), not \(8,\)"):
-        act(np.zeros(8, np.float32))
-
-
 def test_spaces_observations_and_policies_have_as_many_numbers_as_the_robot(env):
     assert env.action_space.shape == env.observation_space["agent_pos"].shape == (7,)
     observation, _ = env.reset(seed=0)
@@ -153,9 +80,9 @@ def test_the_expert_moves_a_six_joint_arm_to_where_it_wants(env):
     env.reset(seed=0)
     goal = env.workcell.world.gripper.moved(x=0.05, y=-0.05, z=-0.05)
     for _ in range(90):
-        joints = env.workcell.motion.follow(goal, touches=frozenset(), holds=None)
-        assert joints.shape == (6,)
-        env.step(np.append(joints, SIX.max_opening).astype(np.float32))
+        command = env.workcell.motion.follow(goal, SIX.max_opening, touches=frozenset(), holds=None)
+        assert command.shape == (7,)
+        env.step(command.astype(np.float32))
     assert env.workcell.world.gripper.distance_to(goal) < 0.005
     assert env.workcell.world.gripper.angle_to(goal) < 0.05
     assert env.workcell.simulation.data.joint("fan").qpos[0] == 0.0
@@ -174,7 +101,7 @@ def test_drives_find_the_elements_wherever_they_are_in_the_model():
     assert data.joint("axis0").qpos[0] == positions[0]
     assert data.joint("finger_joint1").qpos[0] == data.joint("finger_joint2").qpos[0]
     drives.command(data, positions)
-    np.testing.assert_array_equal(drives.targets(data), positions)
+    np.testing.assert_array_equal([data.actuator(name).ctrl[0] for name in SIX.names], positions)
     assert data.actuator("fan").ctrl[0] == 0.0
     assert data.actuator("gripper").ctrl[0] == positions[-1]
 

@@ -13,9 +13,8 @@ _SLANT = math.radians(35.0)
 _ROLL = math.radians(45.0)
 """How far the front leans back, and a pressing hand to the right about its own axis [rad].
 
-The default robot cannot point a level hand straight ahead. Like this, on a panel turned by 15 to 35
-degrees to face the robot's left, its joints stay 12 % of their range from their ends over 100
-starts of `level1/press`.
+The default robot cannot point a level hand straight ahead. Like this, on a panel turned by 20 to 35
+degrees to face the robot's left, its joints keep away from their ends (`level1/press`).
 """
 
 _WIDTH, _HEIGHT, _DEPTH = 0.36, 0.13, 0.05

@@ -52,8 +52,7 @@ class Heater(Fixed):
 
     @property
     def switch(self) -> Switch:
-        button, lamp = self.button, f"{self.name}_lamp"
-        return Switch(f"{self.name}_switch", button.joint, button.travel, lamp)
+        return Switch(f"{self.name}_switch", self.button.name, f"{self.name}_lamp")
 
     @property
     def top_height(self) -> float:
@@ -72,6 +71,10 @@ class Heater(Fixed):
     @property
     def joints(self) -> tuple[str, ...]:
         return (self.button.joint,)
+
+    @property
+    def buttons(self) -> tuple[PushButton, ...]:
+        return (self.button,)
 
     @property
     def switches(self) -> tuple[Switch, ...]:

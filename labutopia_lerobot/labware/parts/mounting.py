@@ -1,6 +1,7 @@
 """How things stand: free on the bench, or fixed to it; what most of them are is said once, here."""
 
 from labutopia_lerobot.labware.parts.switch import Switch
+from labutopia_lerobot.world import Button
 
 
 class _Still:
@@ -9,6 +10,10 @@ class _Still:
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of its hinges and slides that are its state: none."""
+        return ()
+
+    @property
+    def buttons(self) -> tuple[Button, ...]:
         return ()
 
     @property

@@ -42,12 +42,15 @@ class PushButton:
         color: Of the cap, red, green, blue, alpha.
         radius: Of the cap [m]; finger tips are 30 mm wide.
         travel: How far in it clicks [m] (original: 5 mm).
+        differential: How far it comes back before it clicks out [m]: the differential travel of a
+            subminiature snap-action switch, 0.010 inch (NATO stock number 5930-01-142-8727).
     """
 
     name: str
     color: Color
     radius: float = 0.018
     travel: float = 0.005
+    differential: float = 0.00025
 
     @property
     def joint(self) -> str:
