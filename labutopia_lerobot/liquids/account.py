@@ -54,3 +54,36 @@ def tally(
     # A row of -1 is the last one: remainders are never negative.
     cells = (origins % rows) * columns + places
     return np.bincount(cells, minlength=rows * columns).reshape(rows, columns)
+
+
+def transfers(
+    vessels: int, held: NDArray[np.int64], inside: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """Count particles that have come from one vessel into another, as `LiquidAccount.transfers`.
+
+    Args:
+        vessels: Number of vessels and bottles.
+        held: Which vessel each particle was in last, shape (n,); -1 none.
+        inside: Which vessel it is in, shape (n,); -1 none.
+    """
+    moves = np.zeros((vessels, vessels), int)
+    moved = (inside >= 0) & (held >= 0) & (inside != held)
+    np.add.at(moves, (held[moved], inside[moved]), 1)
+    return moves
+
+
+def mean_speeds(
+    vessels: int, velocities: NDArray[np.float64], inside: NDArray[np.int64]
+) -> NDArray[np.float64]:
+    """Return the mean speed of what is in each vessel [m/s], shape (vessels,).
+
+    Args:
+        vessels: Number of vessels and bottles.
+        velocities: Shape (n, 3), m/s.
+        inside: Which vessel each particle is in, shape (n,); -1 none.
+    """
+    held = inside >= 0
+    speeds = np.linalg.norm(velocities[held], axis=1)
+    total = np.bincount(inside[held], speeds, minlength=vessels)
+    mean: NDArray[np.float64] = total / np.maximum(np.bincount(inside[held], minlength=vessels), 1)
+    return mean

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.account import tally, whereabouts
+from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
 from labutopia_lerobot.liquids.compilation import tell_of_compiling
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import advance
@@ -256,19 +256,10 @@ class Liquid:
         for name, waiting in self._waiting.items():
             bottle = self.names.index(name)
             counts[bottle, bottle] += waiting
-        moves = np.zeros((count, count), int)
-        moved = (inside >= 0) & (self._last_held >= 0) & (inside != self._last_held)
-        np.add.at(moves, (self._last_held[moved], inside[moved]), 1)
+        moves = transfers(count, self._last_held, inside)
+        speeds = mean_speeds(count, self.velocities, inside)
         self._last_held = np.where(inside >= 0, inside, self._last_held)
-        return LiquidAccount(self.names, counts, moves, self._speeds(inside), self.volume)
-
-    def _speeds(self, inside: NDArray[np.int64]) -> FloatArray:
-        """Return the mean speed in each vessel [m/s], shape (names,), from who is where."""
-        held, count = inside >= 0, len(self.names)
-        speeds = np.linalg.norm(self.velocities[held], axis=1)
-        total = np.bincount(inside[held], speeds, minlength=count)
-        mean: FloatArray = total / np.maximum(np.bincount(inside[held], minlength=count), 1)
-        return mean
+        return LiquidAccount(self.names, counts, moves, speeds, self.volume)
 
     def state(self) -> FloatArray:
         """Return all that the next step depends on beside MuJoCo's state.
