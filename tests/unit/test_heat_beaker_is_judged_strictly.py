@@ -109,16 +109,16 @@ def test_a_beaker_that_overhangs_the_plate_is_not_on_it(env):
     assert info["substeps"]["placed"] == np.inf
 
 
-def test_a_beaker_struck_at_its_lip_is_knocked_over(env):
+def test_a_beaker_struck_at_its_lip_is_broken_or_knocked_over(env):
     beaker, heater = things(env)
     everything = frozenset({beaker.name, "bench"}) | heater.bodies
     pick, place, press = env.workcell.task.skills
     info = play(env, pick, place, press, Strike(beaker, everything))
     assert np.isfinite(info["substeps"]["pressed"])
-    assert info["outcome"] == "knocked_over"
+    assert info["outcome"] in {"broken", "knocked_over"}
 
 
-def test_a_hand_on_the_plate_has_collided(env):
+def test_a_hand_that_bows_onto_beaker_or_plate_is_no_success(env):
     beaker, heater = things(env)
 
     def bow(expert, action):
@@ -127,4 +127,4 @@ def test_a_hand_on_the_plate_has_collided(env):
 
     pick, *_ = env.workcell.task.skills
     info = play(env, pick, Place(beaker, OnTop(heater), retreat=0.03), spoil=bow)
-    assert info["outcome"] == "collided"
+    assert info["outcome"] in {"broken", "collided"}
