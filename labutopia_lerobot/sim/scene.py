@@ -78,8 +78,8 @@ def compile_scene(
     spec = room.build(view)
     spec.option.timestep = 1.0 / PHYSICS_HZ
     # Elliptic cones with a high friction impedance keep a friction grasp from creeping
-    # (MuJoCo documentation, "Preventing slip"): a held rod by 0.10 mm in 20 s; by 1.2 mm with 10 and
-    # softer pads.
+    # (MuJoCo documentation, "Preventing slip"): a held rod by 0.10 mm in 20 s; with 10, and
+    # softer pads, by 1.2 mm.
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     spec.option.impratio = 30.0
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
