@@ -36,8 +36,8 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     `obs="state"` `environment_state`, privileged object poses (see
     `features.environment_state_names`).
 
-    Actions: float32, absolute targets of the same numbers. What acted, after clipping to
-    position and velocity limits, is `info["applied_action"]`.
+    Actions: float32, absolute targets of the same numbers. What acted, kept within the
+    limits of the robot, is `info["applied_action"]`.
 
     Args:
         setting: What is played and observed.

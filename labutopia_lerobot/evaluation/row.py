@@ -43,7 +43,7 @@ class Row:
         ml_spilled: Liquid on something that can never move, as the bench [ml].
         ml_clinging: Liquid outside on a vessel, or on something that can move [ml].
         ml_in_flight: Liquid outside all vessels that touches nothing [ml].
-        clipped_actions: Actions beyond a limit of position or velocity.
+        clipped_actions: Actions beyond a limit of the robot.
         nonfinite_actions: Actions with an infinite or undefined element.
         prelude_failures: Starts that were drawn anew, because the expert could not bring about from
             them what the task begins with.

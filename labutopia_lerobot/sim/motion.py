@@ -2,8 +2,8 @@
 
 The paper moves its arm with RMPflow (section "Task-Rich Trajectory Collection"), a reactive policy
 that reaches a target while avoiding obstacles. This does the same job as a quadratic program, which
-mink solves at every control step: track the target frame, within joint position and velocity
-limits, without letting any pair of bodies come nearer than a margin.
+mink solves at every control step: track the target frame, within the limits of
+position, speed and acceleration, without letting any pair of bodies come nearer than a margin.
 """
 
 import itertools

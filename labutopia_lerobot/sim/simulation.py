@@ -142,10 +142,10 @@ class Simulation:
             mujoco.mj_step1(model, data)
             if self.liquid is not None and substep % (PHYSICS_HZ // self.liquid.hertz) == 0:
                 self.liquid.step()
-            if self._buttons:
-                self._work_buttons()
             if self.watch is not None:
                 self.watch()
+        if self._buttons:
+            self._work_buttons()
         self._light_lamps()
         self._squeeze_bottles()
         if self.liquid is not None:
@@ -162,7 +162,11 @@ class Simulation:
                 self.liquid.dispense(displacement.bottle, state[1], spout, 1.0 / CONTROL_HZ)
 
     def _work_buttons(self) -> None:
-        """Let the contacts behind the buttons click, and toggle the switches that do so."""
+        """Let the contacts behind the buttons click, and toggle the switches that do so.
+
+        Once per control period: a cap that springs back along a finger bounces for 20 ms, which any
+        instrument's input ignores.
+        """
         clicked = self._button_contacts.update(self.data, self._remembered(CONTACTS))
         if clicked.any():
             names = {self._buttons[index].name for index in np.flatnonzero(clicked)}

@@ -39,10 +39,10 @@ class Strike:
     def phases(self, world):
         lip = world.frame(f"{self.thing.name}_rim").position_w
         here = world.gripper
-        start = here.moved(z=lip[2] + 0.005 - here.position_w[2])
-        there = start.moved(*(1.3 * (lip - start.position_w) * (1, 1, 0)))
+        start = here.moved(z=lip[2] - 0.010 - here.position_w[2])
+        there = start.moved(*(1.8 * (lip - start.position_w) * (1, 1, 0)))
         yield Phase("rise", lambda w: start, 0.0, arrived(within=0.01), self.touches)
-        yield Phase("strike", lambda w: there, 0.0, waited(2.0), self.touches)
+        yield Phase("strike", lambda w: there, 0.0, waited(2.0), self.touches, speed=0.6)
 
 
 def things(env: LabEnv):
