@@ -149,12 +149,11 @@ def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> C
         demonstration = demonstrate(env, config.seed + index, film)
     candidate = _summary(env, config.seed + index, index, demonstration)
     if candidate.stored(config.keep):
-        colors = {
-            f"{COLORS}{camera}.{name}": values
-            for camera, video in videos.items()
-            for name, values in color_statistics(video.histogram, candidate.frames).items()
-        }
-        np.savez(folder / COLUMNS, **demonstration.columns, **colors)
+        arrays: dict[str, Any] = dict(demonstration.columns)
+        for camera, video in videos.items():
+            colors = color_statistics(video.histogram, candidate.frames)
+            arrays |= {f"{COLORS}{camera}.{name}": values for name, values in colors.items()}
+        np.savez(folder / COLUMNS, **arrays)
     else:
         for camera in cameras:
             (folder / f"{camera}.mp4").unlink()

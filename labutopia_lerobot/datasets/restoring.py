@@ -93,7 +93,7 @@ def _fill(
     statistics: dict[str, NDArray[np.float64]],
 ) -> None:
     """Put the frames of an episode into a folder, as whoever played it did."""
-    arrays = dict(columns)
+    arrays: dict[str, Any] = dict(columns)
     for key, feature in info["features"].items():
         if feature["dtype"] != "video":
             continue
