@@ -25,6 +25,7 @@ LAYERS = (
     "checks",
     "runtime",
     "evaluation datasets lerobot_plugin",
+    "hub",
     "cli",
 )
 """Rooms from the ground up: one may import what stands on its own line or above it, here."""
