@@ -25,6 +25,9 @@ _GENERATED = ("timestamp", "frame_index", "episode_index", "index", "task_index"
 
 _EXPERT = "expert"
 
+_NOT_TYPED = ("task", "repo_id", "root", "workers")
+"""Options that the command of a card names otherwise, or on which the dataset does not depend."""
+
 
 def card_of_dataset(
     facts: DatasetFacts, repo_id: str, results: Sequence[Summary] = (), strip: str | None = None
@@ -38,10 +41,10 @@ def card_of_dataset(
         strip: Address of its strip of pictures, or None.
     """
     config, info = facts.config, facts.info
-    task = config["task"]
     successes = sum(row["outcome"] == SUCCESS for row in facts.episodes)
     attempts = successes + len(facts.recording["failures"])
-    title = f"LabUtopia {task}"
+    several = len(facts.tasks) > 1
+    title = f"LabUtopia, {len(facts.tasks)} tasks" if several else f"LabUtopia {facts.tasks[0]}"
     seeds = [row["seed"] for row in facts.episodes]
     return dataset_card(
         "dataset.md.jinja",
@@ -59,9 +62,10 @@ def card_of_dataset(
         title=title,
         repo_id=repo_id,
         released=not repo_id.startswith(LOCAL),
-        root=f"outputs/datasets/{task}",
+        root=f"outputs/datasets/{'together' if several else facts.tasks[0]}",
         strip=strip,
-        task=task,
+        tasks=facts.tasks,
+        columns=facts.columns,
         instructions=sorted({told for row in facts.episodes for told in row["tasks"]}),
         config=config,
         info=info,
@@ -76,12 +80,14 @@ def card_of_dataset(
         attempts=rate(successes, attempts, wilson95(successes, attempts)),
         failures=facts.recording["failures"],
         expert=[
-            summary_row(line) for line in results if line.policy == _EXPERT and line.task == task
+            summary_row(line)
+            for line in results
+            if line.policy == _EXPERT and line.task in facts.tasks
         ],
         code=facts.recording["code"],
         versions={name: v for name, v in facts.recording["versions"].items() if v is not None},
         renderers=facts.recording["renderers"],
-        command=_command(config),
+        command=_command(facts),
     )
 
 
@@ -94,19 +100,21 @@ def size_category(frames: int) -> str:
     return f"{names[power]}<n<{names[power + 1]}"
 
 
-def _command(config: dict[str, Any]) -> str:
+def _command(facts: DatasetFacts) -> str:
     """Return what makes the dataset again: every option that is not the default."""
+    config = facts.config
     defaults = {
         option.name: option.default
         for option in fields(RecordingConfig)
-        if option.default is not MISSING and option.name not in ("repo_id", "root", "workers")
+        if option.default is not MISSING and option.name not in _NOT_TYPED
     }
     chosen = [
         f"{name}=[{','.join(config[name])}]" if isinstance(default, tuple) else f"{name}={value}"
         for name, default in defaults.items()
         if (value := config.get(name, default)) != default and value != list(_listed(default))
     ]
-    return " ".join([f"labutopia-record task={config['task']}", *chosen])
+    task = facts.tasks[0] if len(facts.tasks) == 1 else f"[{','.join(facts.tasks)}]"
+    return " ".join([f"labutopia-record task={task}", *chosen])
 
 
 def _listed(default: Any) -> tuple[Any, ...]:

@@ -33,6 +33,7 @@ class DatasetFacts:
         info: LeRobot's description of it: features, frame rate, totals.
         statistics: Feature -> statistic -> values.
         recording: How it was recorded: options, code, versions, failures.
+        columns: What the table of episodes has beyond LeRobot's own columns.
         episodes: Per episode its seed, length [frames], outcome and instructions.
         size_bytes: Of all of its files.
     """
@@ -40,6 +41,7 @@ class DatasetFacts:
     info: dict[str, Any]
     statistics: dict[str, dict[str, Any]]
     recording: dict[str, Any]
+    columns: list[str]
     episodes: list[dict[str, Any]]
     size_bytes: int
 
@@ -56,14 +58,15 @@ class DatasetFacts:
                 f"{root} has no {RECORDING}: labutopia-record did not make it, or a tool of "
                 "LeRobot has edited it. Publish it with LeRobot's push_to_hub"
             )
-        statistics = read_json(root, STATISTICS)
+        statistics, episodes = read_json(root, STATISTICS), read_episodes(root)
         return cls(
             info=read_json(root, INFO),
             statistics={
                 key: {name: values[name] for name in _TOLD} for key, values in statistics.items()
             },
             recording=read_json(root, RECORDING),
-            episodes=[_told(row) for row in read_episodes(root)],
+            columns=[name for name in episodes[0] if name.startswith("labutopia/")],
+            episodes=[_told(row) for row in episodes],
             size_bytes=sum(file.stat().st_size for file in dataset_files(root).values()),
         )
 
@@ -85,6 +88,12 @@ class DatasetFacts:
         """The options of the recording."""
         config: dict[str, Any] = self.recording["config"]
         return config
+
+    @property
+    def tasks(self) -> list[str]:
+        """Ids of the tasks."""
+        task = self.config["task"]
+        return [task] if isinstance(task, str) else list(task)
 
 
 def dataset_files(root: Path) -> dict[str, Path]:

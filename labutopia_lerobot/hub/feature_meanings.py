@@ -24,6 +24,14 @@ _OBJECTS = (
 _OBJECT_UNITS = "m, rad; axes 1"
 
 _MEANINGS = {
+    "commanded_action": Meaning("rad; gripper m", "targets as they were commanded"),
+    "next.reward": Meaning("1", "1 for the action that brings success, else 0"),
+    "next.done": Meaning("", "whether the episode is over after the action"),
+    "next.success": Meaning("", "whether it has succeeded after the action"),
+    "annotation.step": Meaning("", "step of the task that is being done"),
+    "annotation.milestone": Meaning("", "milestone that has latched last"),
+    "annotation.phase": Meaning("", "phase of the expert"),
+    "language_*": Meaning("", "LeRobot's language columns"),
     "action": Meaning(
         "rad; gripper m", "targets that acted, after clipping to position and velocity limits"
     ),

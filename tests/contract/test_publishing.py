@@ -5,6 +5,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from huggingface_hub import constants
@@ -13,6 +14,8 @@ from labutopia_lerobot.cli import publish as program
 from labutopia_lerobot.cli.record import parse
 from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.hub.dataset import dataset_repository
+from labutopia_lerobot.hub.envhub.env import make_env
+from labutopia_lerobot.hub.environment import environment_repository
 from labutopia_lerobot.hub.failures import HubError
 from labutopia_lerobot.hub.publish import OccupiedRepositoryError, RepoIdError, publish
 from labutopia_lerobot.hub.repository import CARD, Repository
@@ -248,3 +251,28 @@ def test_no_network_is_told(hub: LoopbackHub, monkeypatch: pytest.MonkeyPatch) -
 def test_an_impossible_name_is_refused(name: str) -> None:
     with pytest.raises(RepoIdError, match="--repo-id"):
         publish(SMALL, name, private=False, replace=False)
+
+
+MAKE = """
+from lerobot.envs import make_env
+
+suites = make_env("me/labutopia-env", n_envs=1, trust_remote_code=True)
+assert len(suites["level1"]) == 10, suites.keys()
+envs = suites["level1"]["press"]
+observation, info = envs.reset(seed=[7])
+assert observation["pixels"]["front"].shape == (1, 256, 256, 3)
+assert set(envs.call("task")) == {"Press the red button on the control panel and keep it pressed."}
+"""
+
+
+def test_lerobot_makes_our_environments_from_the_hub(hub: LoopbackHub, tmp_path: Path) -> None:
+    repository = environment_repository("me/labutopia-env")
+    publish(repository, "me/labutopia-env", private=False, replace=False)
+    made = run(hub, tmp_path, "-c", MAKE)
+    assert made.returncode == 0, made.stderr
+
+
+def test_the_environments_of_a_configuration_are_those_it_names() -> None:
+    suites = make_env(cfg=SimpleNamespace(task="level1/pick,level1/press", obs="pixels", width=64))
+    assert {level: list(envs) for level, envs in suites.items()} == {"level1": ["pick", "press"]}
+    assert suites["level1"]["pick"].single_observation_space["pixels"]["top"].shape == (256, 64, 3)
