@@ -109,16 +109,17 @@ def _command(facts: DatasetFacts) -> str:
         if option.default is not MISSING and option.name not in _NOT_TYPED
     }
     chosen = [
-        f"{name}=[{','.join(config[name])}]" if isinstance(default, tuple) else f"{name}={value}"
+        f"{name}={_typed(config[name])}"
         for name, default in defaults.items()
-        if (value := config.get(name, default)) != default and value != list(_listed(default))
+        if name in config and _typed(config[name]) != _typed(default)
     ]
-    task = facts.tasks[0] if len(facts.tasks) == 1 else f"[{','.join(facts.tasks)}]"
-    return " ".join([f"labutopia-record task={task}", *chosen])
+    task = facts.tasks if len(facts.tasks) > 1 else facts.tasks[0]
+    return " ".join([f"labutopia-record task={_typed(task)}", *chosen])
 
 
-def _listed(default: Any) -> tuple[Any, ...]:
-    return default if isinstance(default, tuple) else (None,)
+def _typed(value: Any) -> str:
+    """Return an option as it is typed on the command line."""
+    return f"[{','.join(value)}]" if isinstance(value, list | tuple) else str(value)
 
 
 def _feature_rows(features: dict[str, dict[str, Any]]) -> Iterator[dict[str, str]]:
