@@ -1,4 +1,4 @@
-"""`labutopia-record task=level1/pick episodes=100`: demonstrations as a LeRobotDataset."""
+"""`labutopia-record task=level1/pick episodes=100`: demonstrations as LeRobotDatasets."""
 
 import difflib
 import sys
@@ -18,6 +18,7 @@ from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
+from labutopia_lerobot.datasets.recording_folder import FinishedError
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.setting import as_lists
@@ -35,10 +36,23 @@ def main() -> None:
     if {"-h", "--help"} & set(arguments):
         console.print(_help(), markup=False)
         return
-    config = parse(arguments)
-    with RecordingBars(config.episodes, console) as bars:
-        candidates = record(config, bars)
-    console.print(_summary(config, candidates), markup=False)
+    datasets = list(parse(arguments).datasets())
+    for dataset in datasets:
+        dataset.check()
+    for dataset in datasets:
+        _record(dataset, len(datasets) > 1, console)
+
+
+def _record(config: RecordingConfig, one_of_several: bool, console: Console) -> None:
+    try:
+        with RecordingBars(len(config.tasks) * config.episodes, console) as bars:
+            candidates = record(config, bars)
+    except FinishedError:
+        if not one_of_several:
+            raise
+        console.print(f"{config.folder} is finished", markup=False)
+    else:
+        console.print(_summary(config, candidates), markup=False)
 
 
 def parse(overrides: Sequence[str]) -> RecordingConfig:
@@ -61,8 +75,11 @@ def parse(overrides: Sequence[str]) -> RecordingConfig:
         # The compose API makes neither an output folder nor a log file, as hydra.main would.
         with initialize(version_base=None, config_path=None):
             composed = compose("record", as_lists(overrides))
-        if OmegaConf.is_missing(composed, "task"):
-            raise OverrideError(f"Name a task, such as task=level1/pick: {', '.join(task_files())}")
+        if composed.task is None and composed.level is None:
+            raise OverrideError(
+                "Name a task, such as task=level1/pick, or a level, such as level=1. Tasks: "
+                + ", ".join(task_files())
+            )
         config = OmegaConf.to_object(composed)
     except (HydraException, OmegaConfBaseException) as error:
         reason = str(error.__cause__ or error).strip().splitlines()[0]
@@ -73,9 +90,11 @@ def parse(overrides: Sequence[str]) -> RecordingConfig:
 
 def _help() -> str:
     return (
-        "Usage: labutopia-record task=level1/pick [name=value ...]\n\n"
-        "Record demonstrations of a task's expert as a LeRobotDataset. A recording that was\n"
-        "interrupted goes on when the same command is given again.\n\n"
+        "Usage: labutopia-record task=level1/pick [name=value ...]\n"
+        "       labutopia-record level=1 [name=value ...]\n\n"
+        "Record demonstrations of the tasks' experts, one LeRobotDataset for each task. A\n"
+        "recording that was interrupted goes on when the same command is given again; one that is\n"
+        "finished is extended by the same command with more episodes.\n\n"
         f"Options, with their defaults:\n{option_list(RecordingConfig)}\n\n"
         f"Tasks: {', '.join(task_files())}"
     )
@@ -83,12 +102,13 @@ def _help() -> str:
 
 def _summary(config: RecordingConfig, candidates: Sequence[Candidate]) -> str:
     failures = [candidate for candidate in candidates if not candidate.success]
-    frames = sum(candidate.frames for candidate in candidates if candidate.success)
-    failed = "".join(f"\n  seed {failure.seed}: {failure.cause}" for failure in failures)
+    frames = sum(candidate.frames for candidate in candidates if candidate.stored(config.keep))
+    failed = "".join(f"\n  {f.task}, seed {f.seed}: {f.cause}" for f in failures)
+    stored = "are stored with their causes" if config.keep == "failures" else "are not stored"
     return (
-        f"Recorded {config.episodes} demonstrations of {config.task} ({frames} frames) "
-        f"in {config.folder}; {len(failures)} of {len(candidates)} episodes failed and are not "
-        f"stored{':' if failures else '.'}{failed}"
+        f"Recorded {config.episodes} demonstrations of {' and '.join(config.tasks)} ({frames} "
+        f"frames) in {config.folder}; {len(failures)} of {len(candidates)} episodes failed and "
+        f"{stored}{':' if failures else '.'}{failed}"
     )
 
 

@@ -1,6 +1,11 @@
-"""`labutopia-verify DATASET`: is every file of a dataset there, readable and consistent?"""
+"""`labutopia-verify DATASET`: is a dataset whole, and is it what the environment does?
+
+Exit status 1 for faults only: what could not be checked, such as after an edit with LeRobot's
+tools, is told and is no fault.
+"""
 
 import argparse
+import sys
 from pathlib import Path
 
 from rich.console import Console
@@ -8,7 +13,8 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.datasets.tables import INFO, read_json
-from labutopia_lerobot.datasets.verify import require_intact
+from labutopia_lerobot.datasets.verification.environment import ALL
+from labutopia_lerobot.datasets.verify import PICTURES, verify
 
 
 @clear_errors
@@ -16,16 +22,40 @@ def main() -> None:
     """Verify the dataset that the command line names."""
     parser = argparse.ArgumentParser(prog="labutopia-verify", description=__doc__)
     parser.add_argument("dataset", type=Path, help="folder of a LeRobotDataset v3")
-    root: Path = parser.parse_args().dataset
+    parser.add_argument(
+        "--pictures",
+        type=_pictures,
+        default=PICTURES,
+        metavar="N",
+        help="how many frames of each episode to draw again and compare, or 'all' "
+        f"(default: {PICTURES})",
+    )
+    arguments = parser.parse_args()
+    root: Path = arguments.dataset
     with doing(Console(stderr=True), f"Verifying {root}"):
-        require_intact(root)
+        verdict = verify(root, arguments.pictures)
+    console = Console(highlight=False, soft_wrap=True)
+    for text in verdict.faults:
+        console.print(f"Fault: {text}", markup=False)
+    for text in verdict.unchecked:
+        console.print(f"Not checked: {text}", markup=False)
+    if verdict.faults:
+        console.print(f"{root} has {len(verdict.faults)} faults", markup=False)
+        sys.exit(1)
     info = read_json(root, INFO)
     videos = sum(feature["dtype"] == "video" for feature in info["features"].values())
-    Console(highlight=False, soft_wrap=True).print(
+    console.print(
         f"{root} is intact: {info['total_episodes']} episodes, {info['total_frames']} frames, "
         f"{videos} cameras",
         markup=False,
     )
+
+
+def _pictures(text: str) -> int:
+    number = ALL if text == "all" else int(text)
+    if number < ALL or (number == ALL and text != "all"):
+        raise argparse.ArgumentTypeError(f"{text} is no number of frames: 0 or more, or 'all'")
+    return number
 
 
 if __name__ == "__main__":

@@ -5,9 +5,11 @@ that nothing depends on how many workers played.
 """
 
 import json
+import os
 import shutil
 import tempfile
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -19,23 +21,29 @@ from lerobot.datasets.dataset_metadata import LeRobotDatasetMetadata
 from lerobot.datasets.dataset_writer import DatasetWriter
 from numpy.typing import NDArray
 
-from labutopia_lerobot.datasets.candidate import COLUMNS, HISTOGRAM, Candidate, candidate_folder
+from labutopia_lerobot.datasets.annotations import annotations
+from labutopia_lerobot.datasets.candidate import COLORS, COLUMNS, Candidate, candidate_folder
 from labutopia_lerobot.datasets.declaration import IMAGES, dataset_features
+from labutopia_lerobot.datasets.frames import Columns
+from labutopia_lerobot.datasets.language import add_language_columns
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import began_with
-from labutopia_lerobot.datasets.tables import DRAWN, OUTCOME, PHASES, RECORDING, SEED
+from labutopia_lerobot.datasets.tables import RECORDING
 from labutopia_lerobot.runtime.video import (
     CODEC,
     KEYFRAME_INTERVAL,
     PIXEL_FORMAT,
     PRESET,
     QUALITY,
-    color_statistics,
+    TUNE,
 )
 from labutopia_lerobot.world import CONTROL_HZ
 
 _VIDEO_FILE_MB = 10
 """LeRobot appends an episode by copying the whole file: a small file keeps that cheap."""
+
+_DATA_FILE_MB = 20
+"""Files are read and rewritten whole, here and in `tables`: this bounds the memory."""
 
 
 class DatasetAssembler:
@@ -51,13 +59,15 @@ class DatasetAssembler:
         disable_progress_bars()  # LeRobot maps every episode through `datasets`, one bar each
         av.logging.set_libav_level(av.logging.ERROR)  # LeRobot lets FFmpeg chat on the terminal
         self._config, self._work, self._root = config, work, root
-        self._setting = setting = config.setting
+        setting = config.setting(config.tasks[0])
+        self._cameras = setting.cameras if setting.obs == "pixels" else ()
         self._meta = _AnnotatedMetadata.create(
             repo_id=config.repo_id,
             fps=CONTROL_HZ,
             features=dataset_features(setting),
             robot_type=setting.robot,
             root=root,
+            data_files_size_in_mb=_DATA_FILE_MB,
             video_files_size_in_mb=_VIDEO_FILE_MB,
         )
         self._videos = _EncodedVideos(root)
@@ -70,32 +80,25 @@ class DatasetAssembler:
                 preset=PRESET,
                 crf=QUALITY,
                 g=KEYFRAME_INTERVAL,
+                extra_options={"tune": TUNE},
             ),
             depth_encoder=None,
             encoder_threads=None,
             batch_encoding_size=1,
-            streaming_encoder=self._videos if setting.obs == "pixels" else None,
+            streaming_encoder=self._videos if self._cameras else None,
         )
 
     def add(self, candidate: Candidate) -> None:
-        """Append a successful candidate as the next episode."""
-        folder = candidate_folder(self._work, candidate.index)
+        """Append a candidate as the next episode."""
+        folder = candidate_folder(self._work, candidate.task, candidate.index)
         with np.load(folder / COLUMNS) as stored:
             columns = dict(stored)
-        cameras = self._setting.cameras if self._setting.obs == "pixels" else ()
         self._videos.next_episode = {
-            f"{IMAGES}{camera}": (
-                folder / f"{camera}.mp4",
-                color_statistics(columns.pop(f"{HISTOGRAM}{camera}"), candidate.frames),
-            )
-            for camera in cameras
+            f"{IMAGES}{camera}": (folder / f"{camera}.mp4", _take_colors(columns, camera))
+            for camera in self._cameras
         }
-        self._meta.next_annotations = {
-            SEED: candidate.seed,
-            OUTCOME: candidate.outcome,
-            PHASES: json.dumps(candidate.phases),
-            DRAWN: json.dumps(candidate.drawn),
-        }
+        setting = self._config.setting(candidate.task)
+        self._meta.next_annotations = annotations(candidate, setting)
         frame_index = np.arange(candidate.frames)
         filled_by_lerobot = {"index", "task_index"}
         self._writer.save_episode(
@@ -113,15 +116,33 @@ class DatasetAssembler:
     def finish(self, candidates: Sequence[Candidate]) -> None:
         """Close every file and write down how the recording was made, failures included."""
         self._writer.finalize()
-        failures = [candidate for candidate in candidates if not candidate.success]
+        if self._config.language:
+            add_language_columns(self._root)
         recording = began_with(self._work) | {
-            "renderers": sorted({c.renderer for c in candidates if c.renderer is not None}),
-            "failures": [
-                {"index": failure.index, "seed": failure.seed, "cause": failure.cause}
-                for failure in failures
-            ],
+            "machines": sorted({candidate.machine for candidate in candidates}),
+            "renderers": sorted({c.renderer for c in candidates} - {""}),
+            "failures": [asdict(candidate) for candidate in candidates if not candidate.success],
         }
         (self._root / RECORDING).write_text(json.dumps(recording, indent=2) + "\n")
+        _open_to_group(self._root)
+
+
+def _take_colors(columns: Columns, camera: str) -> Columns:
+    """Take the colour statistics of a camera out of what a candidate has stored."""
+    prefix = f"{COLORS}{camera}."
+    return {
+        key.removeprefix(prefix): columns.pop(key)
+        for key in list(columns)
+        if key.startswith(prefix)
+    }
+
+
+def _open_to_group(root: Path) -> None:
+    """Give all files the usual mode: LeRobot makes some of them for their owner alone."""
+    mask = os.umask(0)
+    os.umask(mask)
+    for path in (root, *root.rglob("*")):
+        path.chmod((0o777 if path.is_dir() else 0o666) & ~mask)
 
 
 class _AnnotatedMetadata(LeRobotDatasetMetadata):  # type: ignore[misc]  # LeRobot is untyped

@@ -15,7 +15,9 @@ import numpy as np
 from labutopia_lerobot.datasets.demonstration import Demonstration, Pictures, demonstrate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.runtime.video import VideoWriter
+from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.runtime.provenance import machine
+from labutopia_lerobot.runtime.video import VideoWriter, color_statistics
 from labutopia_lerobot.runtime.workers import become_worker
 from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
@@ -23,11 +25,14 @@ from labutopia_lerobot.task import SUCCESS
 
 SUMMARY = "candidate.json"
 COLUMNS = "columns.npz"
-HISTOGRAM = "histogram."
-"""Prefix of the colour histograms in `COLUMNS`; the camera follows."""
+COLORS = "colors."
+"""Prefix of the colour statistics in `COLUMNS`; camera and statistic follow."""
 
 UNFINISHED = ".tmp"
 """Suffix of the folder of a candidate that is still being played."""
+
+_FEWEST = 2
+"""Frames of an episode that is stored: LeRobot has no statistics of a single one."""
 
 
 @dataclass(frozen=True)
@@ -35,60 +40,82 @@ class Candidate:
     """What became of one candidate.
 
     Attributes:
-        index: Its place in the order of trial.
+        task: Id of its task.
+        index: Its place in the order of trial of its task.
         seed: What the environment was reset with.
         outcome: "success", another outcome of the environment, or "expert failed".
-        cause: Why it is no success, or None.
+        cause: Why it is no success; empty for a success.
         frames: Number of frames played.
-        phases: Label of each phase of the expert and the frame in which it began.
-        renderer: What drew the pictures, or None.
+        machine: What it was played on.
+        renderer: What drew the pictures; empty where there are none.
         drawn: Axis -> what the episode drew on it.
+        volumes: Where the liquid was at the end, as in the environment's `info` [ml].
         instruction: What was to be done, as the episode says it.
+        paraphrases: Other ways to say it.
+        privileged: What the elements of the privileged state are called.
     """
 
+    task: str
     index: int
     seed: int
     outcome: str
-    cause: str | None
+    cause: str
     frames: int
-    phases: tuple[tuple[str, int], ...]
-    renderer: str | None
+    machine: str
+    renderer: str
     drawn: dict[str, Value]
+    volumes: dict[str, float]
     instruction: str
+    paraphrases: tuple[str, ...]
+    privileged: tuple[str, ...]
 
     @property
     def success(self) -> bool:
-        """Whether its frames are stored."""
+        """Whether the demonstration succeeded."""
         return self.outcome == SUCCESS
 
+    def stored(self, keep: str) -> bool:
+        """Tell whether its frames are stored.
 
-def candidate_folder(work: Path, index: int) -> Path:
+        Args:
+            keep: Which candidates are (`RecordingConfig.keep`).
+        """
+        return self.success or (keep == "failures" and self.frames >= _FEWEST)
+
+
+def candidate_folder(work: Path, task: str, index: int) -> Path:
     """Return the folder of a candidate, which exists once it is finished."""
-    return work / f"candidate_{index:06d}"
+    return work / f"candidate_{task.replace('/', '_')}_{index:06d}"
 
 
 def finished_candidates(work: Path) -> list[Candidate]:
-    """Return every finished candidate, in index order; forget those that were being played."""
+    """Return every finished candidate; forget those that were being played."""
     for folder in work.glob(f"*{UNFINISHED}"):
         shutil.rmtree(folder)
-    found = [json.loads(path.read_text()) for path in work.glob(f"candidate_*/{SUMMARY}")]
-    phases = [tuple((label, start) for label, start in fields.pop("phases")) for fields in found]
-    candidates = [Candidate(**fields, phases=p) for fields, p in zip(found, phases, strict=True)]
-    return sorted(candidates, key=lambda candidate: candidate.index)
+    return [read_candidate(folder) for folder in sorted(work.glob("candidate_*"))]
 
 
-_environment: LabEnv
-"""The environment of this worker process: a scene is compiled once, not once per candidate."""
+def read_candidate(folder: Path) -> Candidate:
+    """Return the candidate that a folder holds."""
+    return candidate_of(json.loads((folder / SUMMARY).read_text()))
 
 
-def start_worker(config: RecordingConfig) -> None:
+def candidate_of(fields: dict[str, Any]) -> Candidate:
+    """Return the candidate that JSON describes."""
+    several = {name: tuple(fields[name]) for name in ("paraphrases", "privileged")}
+    return Candidate(**(fields | several))
+
+
+_environments: dict[str, LabEnv] = {}
+"""The environment of this worker process, by its task, compiled once; there is one at most."""
+
+
+def start_worker() -> None:
     """Prepare a worker process."""
-    global _environment
     become_worker(signal.SIG_IGN)
-    _environment = config.make_environment()
 
 
-def play_candidate(config: RecordingConfig, work: Path, index: int) -> Candidate:
+def play_candidate(config: RecordingConfig, work: Path, task: str, index: int) -> Candidate:
     """Play a candidate in a worker process; its folder appears whole or not at all.
 
     Raises:
@@ -96,21 +123,22 @@ def play_candidate(config: RecordingConfig, work: Path, index: int) -> Candidate
     """
     unfinished = Path(tempfile.mkdtemp(dir=work, suffix=UNFINISHED))
     try:
-        candidate = _play_into(unfinished, config, index)
+        candidate = play_into(unfinished, config, task, index)
     except av.FFmpegError as error:
         raise OSError(error.errno, error.strerror, str(unfinished)) from None
-    unfinished.rename(candidate_folder(work, index))
+    unfinished.rename(candidate_folder(work, task, index))
     return candidate
 
 
-def _play_into(folder: Path, config: RecordingConfig, index: int) -> Candidate:
-    env = _environment
+def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> Candidate:
+    """Play a candidate and put everything that is kept of it into a folder."""
+    env = _environment(config, task)
+    cameras = env.setting.cameras if env.setting.obs == "pixels" else ()
+    size = env.setting.width, env.setting.height
     with ExitStack() as stack:
         videos = {
-            camera: stack.enter_context(
-                VideoWriter(folder / f"{camera}.mp4", env.setting.width, env.setting.height)
-            )
-            for camera in (env.setting.cameras if env.setting.obs == "pixels" else ())
+            camera: stack.enter_context(VideoWriter(folder / f"{camera}.mp4", *size))
+            for camera in cameras
         }
 
         def film(pictures: Pictures) -> None:
@@ -118,27 +146,44 @@ def _play_into(folder: Path, config: RecordingConfig, index: int) -> Candidate:
                 video.add(pictures[camera])
 
         demonstration = demonstrate(env, config.seed + index, film)
-    if demonstration.outcome == SUCCESS:
-        arrays: dict[str, Any] = dict(demonstration.columns)
-        arrays |= {f"{HISTOGRAM}{camera}": video.histogram for camera, video in videos.items()}
-        np.savez(folder / COLUMNS, **arrays)
-    else:
-        for camera in videos:
-            (folder / f"{camera}.mp4").unlink()
     candidate = _summary(env, config.seed + index, index, demonstration)
+    if candidate.stored(config.keep):
+        colors = {
+            f"{COLORS}{camera}.{name}": values
+            for camera, video in videos.items()
+            for name, values in color_statistics(video.histogram, candidate.frames).items()
+        }
+        np.savez(folder / COLUMNS, **demonstration.columns, **colors)
+    else:
+        for camera in cameras:
+            (folder / f"{camera}.mp4").unlink()
     (folder / SUMMARY).write_text(json.dumps(asdict(candidate)))
     return candidate
 
 
+def _environment(config: RecordingConfig, task: str) -> LabEnv:
+    if task not in _environments:
+        for other in _environments.values():
+            other.close()
+        _environments.clear()
+        _environments[task] = LabEnv(config.setting(task))
+    return _environments[task]
+
+
 def _summary(env: LabEnv, seed: int, index: int, demonstration: Demonstration) -> Candidate:
+    info, played = demonstration.info, env.workcell.task
     return Candidate(
+        task=env.setting.task,
         index=index,
         seed=seed,
         outcome=demonstration.outcome,
         cause=demonstration.cause,
         frames=demonstration.frames,
-        phases=demonstration.phases,
-        renderer=opengl_renderer_name() if env.setting.obs == "pixels" else None,
-        drawn=demonstration.drawn,
+        machine=machine(),
+        renderer=opengl_renderer_name() if env.setting.obs == "pixels" else "",
+        drawn=info["drawn"],
+        volumes={name: value for name, value in info.items() if name.startswith("ml_")},
         instruction=env.task,
+        paraphrases=played.paraphrases,
+        privileged=environment_state_names(played),
     )

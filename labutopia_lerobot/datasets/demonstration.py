@@ -6,14 +6,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.datasets.declaration import state_keys
-from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import ACTION
-from labutopia_lerobot.scenario.draw import Value
+from labutopia_lerobot.datasets.frames import Columns, Frames
+from labutopia_lerobot.env import Info, LabEnv
 from labutopia_lerobot.task import SUCCESS
 
 Pictures = Mapping[str, NDArray[np.uint8]]
 """Camera -> picture, shape (height, width, 3)."""
+
+EXPERT_FAILED = "expert failed"
+"""Outcome where the expert gave up before the episode was over."""
 
 
 @dataclass(frozen=True)
@@ -22,23 +23,17 @@ class Demonstration:
 
     Attributes:
         outcome: The environment's outcome, or "expert failed".
-        cause: Why it is no success, or None.
-        columns: Feature key -> values, shape (frames, elements), float32. Row k holds the
-            observation before action k, and the action that acted.
-        phases: Label of each phase of the expert and the frame in which it began.
-        drawn: Axis -> what the episode drew on it.
+        cause: Why it is no success; empty for a success.
+        columns: Feature key -> values, one row per frame (see `Frames`).
+        frames: Number of frames.
+        info: The environment's last info.
     """
 
     outcome: str
-    cause: str | None
-    columns: dict[str, NDArray[np.float32]]
-    phases: tuple[tuple[str, int], ...]
-    drawn: dict[str, Value]
-
-    @property
-    def frames(self) -> int:
-        """Number of frames."""
-        return len(self.columns[ACTION])
+    cause: str
+    columns: Columns
+    frames: int
+    info: Info
 
 
 def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Demonstration:
@@ -49,33 +44,26 @@ def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Dem
         seed: The episode to play.
         film: Gets the pictures of each frame with `obs="pixels"`.
     """
-    keys = state_keys(env.setting.obs)
-    rows: dict[str, list[NDArray[np.float32]]] = {key: [] for key in keys.values()}
-    actions: list[NDArray[np.float32]] = []
-    phases: list[tuple[str, int]] = []
     observation, info = env.reset(seed=seed)
+    frames = Frames(env, env.setting.obs)
     expert = env.expert()
     expert.start()
     over = False
     while not over:
-        action = expert.act()
+        command = expert.act()
         if expert.failure is not None:
             break
-        if not phases or phases[-1][0] != expert.label:
-            phases.append((expert.label, len(actions)))
-        rows[keys["agent_pos"]].append(observation["agent_pos"])
-        rows[keys["environment_state"]].append(env.environment_state())
+        frames.begin(observation, expert.label)
         if env.setting.obs == "pixels":
             film(observation["pixels"])
-        observation, _, terminated, truncated, info = env.step(action)
-        actions.append(info["applied_action"])
+        observation, reward, terminated, truncated, info = env.step(command)
         over = terminated or truncated
-    rows[ACTION] = actions
-    outcome = "expert failed" if expert.failure else info["outcome"]
+        frames.end(command, reward, over, info)
+    outcome = EXPERT_FAILED if expert.failure else info["outcome"]
     return Demonstration(
         outcome=outcome,
-        cause=None if outcome == SUCCESS else expert.failure or outcome,
-        columns={key: np.array(values, dtype=np.float32) for key, values in rows.items()},
-        phases=tuple(phases),
-        drawn=info["drawn"],
+        cause="" if outcome == SUCCESS else expert.failure or outcome,
+        columns=frames.columns(),
+        frames=len(frames),
+        info=info,
     )

@@ -1,35 +1,18 @@
-"""Recording: worker processes play candidates until enough have succeeded.
+"""Recording: candidates are played until enough have succeeded, then put together."""
 
-Candidates are submitted in index order, and never more than could all be needed. Therefore exactly
-the candidates up to the last stored one are played, whatever the number of workers.
-"""
-
-import multiprocessing
 import shutil
-from collections import Counter
-from collections.abc import Collection, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from itertools import count, islice
+from collections.abc import Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from pathlib import Path
 from typing import Protocol
 
-from labutopia_lerobot.datasets.candidate import (
-    Candidate,
-    finished_candidates,
-    play_candidate,
-    start_worker,
-)
+from labutopia_lerobot.datasets.candidate import Candidate, finished_candidates
+from labutopia_lerobot.datasets.disk_space import require_space
+from labutopia_lerobot.datasets.launcher import Launcher, launcher
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import claim, publish
+from labutopia_lerobot.datasets.trials import Trials
 from labutopia_lerobot.datasets.verify import require_intact
-from labutopia_lerobot.errors import UserError
-
-_PATIENCE = 20
-"""Give up once failures outnumber successes by this many."""
-
-
-class HopelessExpertError(UserError):
-    """The expert fails so often that recording on is pointless; the message lists the causes."""
 
 
 class Watcher(Protocol):
@@ -44,18 +27,23 @@ class Watcher(Protocol):
         ...
 
     def assembled(self, candidate: Candidate) -> None:
-        """Take note that a successful candidate is in the dataset."""
+        """Take note that a candidate is in the dataset."""
         ...
 
 
 def record(config: RecordingConfig, watcher: Watcher) -> list[Candidate]:
-    """Record a dataset, or go on with an unfinished one.
+    """Record a dataset, go on with an unfinished one, or extend a finished one.
+
+    Args:
+        config: One of `RecordingConfig.datasets`.
+        watcher: Is told how it gets on.
 
     Returns:
-        Every candidate that was played, in index order.
+        Every candidate that was played, by task and in index order.
 
     Raises:
         HopelessExpertError: If the expert fails absurdly often.
+        NoSpaceError: If the disk is too small.
         RecordingFolderError: If the folder is in other use.
         UserError: If the configuration is impossible.
         OSError: If the disk is full; what is finished stays and can be gone on with.
@@ -71,41 +59,26 @@ def record(config: RecordingConfig, watcher: Watcher) -> list[Candidate]:
 
 def _play(config: RecordingConfig, work: Path, watcher: Watcher) -> list[Candidate]:
     before = finished_candidates(work)
+    by_task = {task: [c for c in before if c.task == task] for task in config.tasks}
+    trials = {task: Trials(task, config.episodes, by_task[task]) for task in by_task}
+    require_space(config, {task: trial.missing for task, trial in trials.items()}, before)
     watcher.resumed(before)
-    candidates = {candidate.index: candidate for candidate in before}
-    pending = (index for index in count() if index not in candidates)
-    pool = ProcessPoolExecutor(
-        config.workers,
-        mp_context=multiprocessing.get_context("spawn"),
-        initializer=start_worker,
-        initargs=(config,),
-    )
-    with pool:
-        running: set[Future[Candidate]] = set()
-        while (missing := _missing(config, candidates.values())) > 0:
-            for index in islice(pending, min(config.workers, missing) - len(running)):
-                running.add(pool.submit(play_candidate, config, work, index))
-            finished, running = wait(running, return_when=FIRST_COMPLETED)
-            for candidate in (future.result() for future in finished):
-                candidates[candidate.index] = candidate
-                watcher.played(candidate)
-    return sorted(candidates.values(), key=lambda candidate: candidate.index)
+    if any(trial.missing > 0 for trial in trials.values()):
+        with launcher(config, work) as started:
+            _play_missing(started, trials, watcher)
+    return [candidate for trial in trials.values() for candidate in trial.played]
 
 
-def _missing(config: RecordingConfig, candidates: Collection[Candidate]) -> int:
-    failures = [candidate for candidate in candidates if not candidate.success]
-    successes = sum(candidate.success for candidate in candidates)
-    if len(failures) > successes + _PATIENCE:
-        raise HopelessExpertError(
-            f"Gave up: the expert of {config.task} failed {len(failures)} times in "
-            f"{len(failures) + successes} episodes, mostly by: {_most_common_cause(failures)}. "
-            f"The candidates are in {config.folder}"
-        )
-    return config.episodes - successes
-
-
-def _most_common_cause(failures: Sequence[Candidate]) -> str | None:
-    return Counter(failure.cause for failure in failures).most_common(1)[0][0]
+def _play_missing(started: Launcher, trials: Mapping[str, Trials], watcher: Watcher) -> None:
+    running: set[Future[Candidate]] = set()
+    while any(trial.missing > 0 for trial in trials.values()):
+        for task, trial in trials.items():
+            while len(running) < started.at_once and (index := trial.next()) is not None:
+                running.add(started.play(task, index))
+        finished, running = wait(running, return_when=FIRST_COMPLETED)
+        for candidate in (future.result() for future in finished):
+            trials[candidate.task].note(candidate)
+            watcher.played(candidate)
 
 
 def _assemble(
@@ -119,7 +92,7 @@ def _assemble(
         shutil.rmtree(dataset)
     assembler = DatasetAssembler(config, work, dataset)
     for candidate in candidates:
-        if candidate.success:
+        if candidate.stored(config.keep):
             assembler.add(candidate)
             watcher.assembled(candidate)
     assembler.finish(candidates)

@@ -1,17 +1,24 @@
 """What to record: the schema and the defaults of `labutopia-record`."""
 
 import os
-from dataclasses import asdict, field
+from collections.abc import Iterator
+from dataclasses import asdict, field, replace
 from pathlib import Path
 from typing import Any
 
-from omegaconf import MISSING
-
+from labutopia_lerobot.datasets.declaration import same_features
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.registry import choose_tasks, levels_with_tasks
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.video import require_filmable
-from labutopia_lerobot.setting import Setting, setting_of, with_setting
+from labutopia_lerobot.setting import Setting, require_choices, setting_of, with_setting
+
+KEEP = ("successes", "failures")
+LAUNCHERS = ("local", "ray")
+
+_UNRECORDED = ("level", "workers", "launcher", "root")
+"""Options on which the dataset does not depend, or not once its tasks are listed."""
 
 
 class RecordingOptionError(UserError, ValueError):
@@ -23,59 +30,108 @@ class RecordingConfig:
     """Options of a recording; the fields of `Setting` are options too.
 
     Attributes:
-        task: Task id, such as `level1/pick`.
+        task: Task id such as `level1/pick`, the bare name of a task of the level, or a list.
+        level: 1 to 5, a list of these, or `all`.
+        together: Whether several tasks become one dataset, for which obs=pixels is needed.
         split: `train`, from which policies are to learn, or another for measurements.
-        episodes: How many successful demonstrations to store.
+        episodes: How many successful demonstrations of each task to store; more than a finished
+            recording has extend it.
+        keep: `successes`, or `failures`: those that fail on the way are stored beside.
+        language: Whether to write LeRobot's language columns too: paraphrases, steps, milestones
+            and phases.
         workers: Processes that play candidates; the dataset does not depend on it.
+        launcher: `local`, or `ray`: on every machine of a Ray cluster, whatever `workers` says.
         seed: Candidate i resets with `seed + i`.
-        root: Folder of the dataset; `outputs/datasets/<task>` when empty.
-        repo_id: Name of the dataset on the Hub; `local/<name of the task>` when empty.
+        root: Folder of the dataset, or of those of several tasks; `outputs/datasets/<task>` when
+            empty, and `outputs/datasets/level<level>` for several tasks together.
+        repo_id: Name of the dataset on the Hub; `local/<name of the task or level>` when empty.
     """
 
-    task: str = MISSING
+    task: Any = None
+    level: Any = None
+    together: bool = False
     split: str = "train"
     episodes: int = 100
+    keep: str = "successes"
+    language: bool = False
     workers: int = field(default_factory=lambda: len(os.sched_getaffinity(0)))
+    launcher: str = "local"
     seed: int = 0
     root: str = ""
     repo_id: str = ""
 
-    def __post_init__(self) -> None:
-        self.root = self.root or f"outputs/datasets/{self.task}"
-        self.repo_id = self.repo_id or f"local/{self.task.rpartition('/')[2]}"
-
     @property
-    def setting(self) -> Setting:
-        """What is played and observed.
+    def tasks(self) -> list[str]:
+        """Ids of the tasks to record.
+
+        Raises:
+            UnknownTaskError: If none is named, or one that does not exist.
+        """
+        folder = getattr(self, "tasks_dir", None)
+        levels = _listed(self.level) if self.level is not None else None
+        if levels == ["all"]:
+            levels = levels_with_tasks(folder)
+        named = [None] if self.task is None else _listed(self.task)
+        return list(dict.fromkeys(t for name in named for t in choose_tasks(name, levels, folder)))
+
+    def datasets(self) -> "Iterator[RecordingConfig]":
+        """Yield the options of each dataset, with its tasks, folder and name filled in.
+
+        Raises:
+            RecordingOptionError: If one folder or name is given for several datasets.
+            UnknownTaskError: If no task is named, or one that does not exist.
+        """
+        tasks = self.tasks
+        if len(tasks) == 1 or self.together:
+            task = tasks if len(tasks) > 1 else tasks[0]
+            name = "+".join(f"level{level}" for level in _listed(self.level)) if self.level else ""
+            name = tasks[0] if len(tasks) == 1 else name or "together"
+            yield self._one(task, self.root or f"outputs/datasets/{name}", name)
+            return
+        if self.repo_id:
+            raise RecordingOptionError(
+                f"repo_id={self.repo_id} names one dataset, but there are {len(tasks)} tasks: "
+                "leave it out, or record them with together=true"
+            )
+        for task in tasks:
+            yield self._one(task, f"{self.root or 'outputs/datasets'}/{task}", task)
+
+    def setting(self, task: str) -> Setting:
+        """Return what is played and observed of a task.
 
         Raises:
             UnknownOptionError: If a value is impossible.
             UnknownTaskError: If there is no such task.
         """
-        return setting_of(self)
+        return setting_of(self, task=task)
 
     def check(self) -> None:
         """Check every value.
 
         Raises:
-            RecordingOptionError: If a number is out of its range.
-            UserError: If the task cannot be played in this setting.
+            RecordingOptionError: If a number is out of its range, or tasks cannot be together.
+            UserError: If a task cannot be played in this setting.
         """
         for name, least in {"episodes": 1, "workers": 1, "seed": 0}.items():
             if getattr(self, name) < least:
                 raise RecordingOptionError(
                     f"{name}={getattr(self, name)} is too small: {name} is at least {least}"
                 )
+        require_choices("keep", [self.keep], KEEP)
+        require_choices("launcher", [self.launcher], LAUNCHERS)
         if self.repo_id.count("/") != 1:
             raise RecordingOptionError(
                 f"repo_id={self.repo_id} must have one slash, such as local/pick"
             )
-        require_filmable(self.setting.width, self.setting.height)
-        self.make_environment()
-
-    def make_environment(self) -> LabEnv:
-        """Return the environment to record in; nothing is compiled yet."""
-        return LabEnv(self.setting)
+        settings = [self.setting(task) for task in self.tasks]
+        for setting in settings:
+            require_filmable(setting.width, setting.height)
+            LabEnv(setting)  # compiles nothing
+        if not same_features(settings):
+            raise RecordingOptionError(
+                "obs=state cannot be recorded together: every task has another "
+                "observation.environment_state. Use obs=pixels, or leave together=true out"
+            )
 
     @property
     def folder(self) -> Path:
@@ -90,9 +146,18 @@ class RecordingConfig:
             UnknownTaskError: If there is no such task.
         """
         options = asdict(self)
-        del options["workers"], options["root"]
+        for name in _UNRECORDED:
+            del options[name]
         return {
             "config": options,
-            "code": provenance.code([self.task], self.setting.tasks_dir),
+            "code": provenance.code(self.tasks, getattr(self, "tasks_dir", None)),
             "versions": provenance.versions(),
         }
+
+    def _one(self, task: Any, root: str, name: str) -> "RecordingConfig":
+        repo_id = self.repo_id or f"local/{name.rpartition('/')[2]}"
+        return replace(self, task=task, level=None, root=root, repo_id=repo_id)
+
+
+def _listed(value: Any) -> list[Any]:
+    return list(value) if isinstance(value, list) else [value]

@@ -24,9 +24,13 @@ class RecordingFolderError(UserError):
     """A folder that this recording cannot use; the message says why."""
 
 
+class FinishedError(RecordingFolderError):
+    """A folder that holds this very recording, finished."""
+
+
 @contextmanager
 def claim(root: Path, provenance: dict[str, dict[str, Any]]) -> Iterator[Path]:
-    """Make or resume a recording in a folder, which is locked for this process meanwhile.
+    """Make, resume or extend a recording in a folder, which is locked for this process meanwhile.
 
     Args:
         root: Folder of the dataset.
@@ -52,8 +56,8 @@ def began_with(work: Path) -> dict[str, Any]:
 def publish(root: Path, assembled: Path) -> None:
     """Move an assembled dataset to its place, and then delete everything unfinished."""
     for part in sorted(assembled.iterdir(), key=lambda path: path.name == "meta"):
-        if (root / part.name).exists():  # a part of the same dataset, moved before a kill
-            shutil.rmtree(root / part.name)
+        if (root / part.name).exists():  # a part of the same dataset moved before a kill, or of
+            shutil.rmtree(root / part.name)  # the shorter one that this one extends
         part.rename(root / part.name)
     (root / _WORK).rename(root / _DISCARDED)
     shutil.rmtree(root / _DISCARDED)
@@ -69,11 +73,8 @@ def _work_folder(root: Path, provenance: dict[str, dict[str, Any]]) -> Path:
         return work
     strangers = sorted(path.name for path in root.iterdir() if path != work)
     if (root / RECORDING).exists():
-        _refuse_other(root, read_json(root, RECORDING), provenance)
-        raise RecordingFolderError(
-            f"{root} already holds this recording, finished. Choose another root=, or delete it"
-        )
-    if strangers:
+        _extend(root, work, provenance)
+    elif strangers:
         raise RecordingFolderError(
             f"{root} holds something that is no recording of ours: {', '.join(strangers[:5])}. "
             "Choose another root="
@@ -81,6 +82,26 @@ def _work_folder(root: Path, provenance: dict[str, dict[str, Any]]) -> Path:
     work.mkdir(exist_ok=True)
     write_whole(manifest, provenance)
     return work
+
+
+def _extend(root: Path, work: Path, provenance: dict[str, dict[str, Any]]) -> None:
+    """Take a finished recording apart again, if this one has more episodes and differs in no more.
+
+    The finished dataset stays where it is until the longer one takes its place.
+    """
+    there = read_json(root, RECORDING)
+    recorded, wanted = there["config"].get("episodes"), provenance["config"]["episodes"]
+    shorter = there | {"config": there["config"] | {"episodes": wanted}}
+    _refuse_other(root, shorter if recorded < wanted else there, provenance)
+    if recorded == wanted:
+        raise FinishedError(
+            f"{root} already holds this recording, finished. Choose another root=, delete it, or "
+            f"extend it with episodes= above {recorded}"
+        )
+    from labutopia_lerobot.datasets.restoring import restore_candidates
+
+    work.mkdir(exist_ok=True)
+    restore_candidates(root, work)
 
 
 def _refuse_other(

@@ -1,9 +1,13 @@
 """Where things are in a dataset of ours, beyond what every LeRobotDataset v3 has; reading tables.
 
-Reads the files directly, so that a look at a dataset costs neither torch nor a cache folder.
+Reads the files directly, so that a look at a dataset costs neither torch nor a cache folder, and
+one file at a time, so that memory does not grow with the dataset.
 """
 
 import json
+from collections.abc import Iterator, Mapping
+from dataclasses import fields
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -13,20 +17,33 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.setting import Setting
 
 RECORDING = "meta/labutopia.json"
-"""Configuration, versions, renderers and failures of the recording."""
+"""Configuration, code, versions, machines, renderers and failures of the recording."""
 
 INFO = "meta/info.json"
 TASKS = "meta/tasks.parquet"
 STATISTICS = "meta/stats.json"
+EPISODES = "meta/episodes"
 
+SETTING = "labutopia/setting"
 SEED = "labutopia/seed"
 OUTCOME = "labutopia/outcome"
-PHASES = "labutopia/phases"
+CAUSE = "labutopia/cause"
 DRAWN = "labutopia/drawn"
-"""Columns of the episode table: seed, outcome, JSON of [label, first frame] of each phase, JSON of
-axis -> what the episode drew on it."""
+VOLUMES = "labutopia/volumes"
+PARAPHRASES = "labutopia/paraphrases"
+PRIVILEGED = "labutopia/privileged"
+MACHINE = "labutopia/machine"
+RENDERER = "labutopia/renderer"
+"""Columns of the episode table. JSON: every field of `Setting`; axis -> what was drawn on it; where
+the liquid was at the end [ml]; other ways to say the instruction; what the elements of the
+privileged state are called. Plain: seed, outcome, cause of a failure (empty for a success), what it
+was played on, what drew the pictures (empty where there are none)."""
+
+Row = dict[str, Any]
+"""An episode: column of the episode table -> value."""
 
 
 class DamagedDatasetError(UserError):
@@ -46,20 +63,36 @@ def read_json(root: Path, name: str) -> dict[str, Any]:
     return content
 
 
-def read_episodes(root: Path) -> list[dict[str, Any]]:
+def read_episodes(root: Path) -> list[Row]:
     """Return the rows of the episode table, without the statistics.
+
+    What a row does not have, such as one that LeRobot appended, is None.
 
     Raises:
         DamagedDatasetError: If a file is missing or cannot be read.
     """
-    table = _read_tables(root, "meta/episodes")
+    table = _read_tables(root, EPISODES)
     plain = [name for name in table.column_names if not name.startswith("stats/")]
-    rows: list[dict[str, Any]] = table.select(plain).to_pylist()
+    rows: list[Row] = table.select(plain).to_pylist()
     return rows
 
 
+def read_episode_statistics(root: Path) -> dict[str, NDArray[np.float64]]:
+    """Return the statistics of every episode, `feature/statistic` -> shape (episodes, elements).
+
+    Raises:
+        DamagedDatasetError: If a file is missing or cannot be read.
+    """
+    table = _read_tables(root, EPISODES)
+    return {
+        name.removeprefix("stats/"): _numbers(table[name])
+        for name in table.column_names
+        if name.startswith("stats/") and not table[name].null_count
+    }
+
+
 def read_frames(root: Path) -> pa.Table:
-    """Return the table of frames.
+    """Return the table of all frames.
 
     Raises:
         DamagedDatasetError: If a file is missing or cannot be read.
@@ -67,22 +100,81 @@ def read_frames(root: Path) -> pa.Table:
     return _read_tables(root, "data")
 
 
-def column(table: pa.Table, key: str) -> NDArray[np.float32]:
-    """Return a column of vectors, shape (frames, elements)."""
-    values = table[key].combine_chunks()
-    flat = values.flatten().to_numpy(zero_copy_only=False)
-    shaped: NDArray[np.float32] = flat.reshape(len(values), -1)
-    return shaped
+def frames_of_episodes(
+    root: Path, info: Mapping[str, Any], episodes: list[Row]
+) -> Iterator[tuple[Row, pa.Table]]:
+    """Yield episodes with the table of their frames, one file in memory at a time.
+
+    Args:
+        root: Folder of the dataset.
+        info: Its `meta/info.json`.
+        episodes: Rows of the episode table, in their order.
+
+    Raises:
+        DamagedDatasetError: If a file is missing, cannot be read, or lacks frames.
+    """
+    for (chunk, file), rows in groupby(
+        episodes, lambda row: (row["data/chunk_index"], row["data/file_index"])
+    ):
+        path = root / info["data_path"].format(chunk_index=chunk, file_index=file)
+        table = _read_table(path)
+        before = table["index"][0].as_py() if table.num_rows else 0
+        for row in rows:
+            frames = table.slice(max(row["dataset_from_index"] - before, 0), row["length"])
+            if frames.num_rows < row["length"]:
+                raise DamagedDatasetError(
+                    f"{path} has {frames.num_rows} frames of episode {row['episode_index']}, not "
+                    f"{row['length']}"
+                )
+            yield row, frames
+
+
+def column(table: pa.Table, key: str) -> NDArray[Any]:
+    """Return a column, shape (frames, elements); of strings shape (frames,).
+
+    A feature of one element may be stored as numbers or as lists of one.
+    """
+    values = table[key]
+    if pa.types.is_string(values.type) or pa.types.is_large_string(values.type):
+        return np.array(values.to_pylist())
+    return _numbers(values)
+
+
+def episode_setting(row: Row) -> Setting | None:
+    """Return the setting that an episode was recorded in, None where that is not known.
+
+    Options that are new since then have their defaults.
+
+    Raises:
+        UnknownTaskError: If its task is no longer there.
+    """
+    if row.get(SETTING) is None:
+        return None
+    stored = json.loads(row[SETTING])
+    known = {option.name for option in fields(Setting)}
+    return Setting(**{name: value for name, value in stored.items() if name in known})
+
+
+def _numbers(values: pa.ChunkedArray) -> NDArray[Any]:
+    flat = values.combine_chunks()
+    while pa.types.is_list(flat.type) or pa.types.is_fixed_size_list(flat.type):
+        flat = flat.flatten()
+    return np.asarray(flat.to_numpy(zero_copy_only=False)).reshape(len(values), -1)
 
 
 def _read_tables(root: Path, folder: str) -> pa.Table:
     paths = sorted((root / folder).glob("chunk-*/file-*.parquet"))
     if not paths:
         raise DamagedDatasetError(f"{root / folder} holds no chunk-*/file-*.parquet")
-    tables = []
-    for path in paths:
-        try:
-            tables.append(pq.read_table(path, partitioning=None))
-        except (OSError, pa.ArrowException) as error:
-            raise DamagedDatasetError(f"{path} cannot be read: {error}") from None
-    return pa.concat_tables(tables)
+    tables = [_read_table(path) for path in paths]
+    try:
+        return pa.concat_tables(tables, promote_options="permissive")
+    except pa.ArrowException as error:
+        raise DamagedDatasetError(f"{root / folder}: files that do not fit: {error}") from None
+
+
+def _read_table(path: Path) -> pa.Table:
+    try:
+        return pq.read_table(path, partitioning=None)
+    except (OSError, pa.ArrowException) as error:
+        raise DamagedDatasetError(f"{path} cannot be read: {error}") from None

@@ -1,6 +1,6 @@
-"""H.264 in MP4: encoding frame by frame, exact colour statistics, counting frames."""
+"""H.264 in MP4: encoding frame by frame, exact colour statistics, counting and reading frames."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 from fractions import Fraction
 from pathlib import Path
 from types import TracebackType
@@ -22,6 +22,9 @@ KEYFRAME_INTERVAL = 2
 
 QUALITY = 23
 """Constant rate factor: x264's default."""
+
+TUNE = "fastdecode"
+"""x264's settings for fast decoding (no CABAC, no deblocking filter): training reads often."""
 
 QUANTILES = (0.01, 0.10, 0.50, 0.90, 0.99)
 """Those that LeRobot stores, as q01 ... q99."""
@@ -66,6 +69,7 @@ class VideoWriter:
             CONTROL_HZ,
             options={
                 "preset": PRESET,
+                "tune": TUNE,
                 "crf": str(QUALITY),
                 "g": str(KEYFRAME_INTERVAL),
                 "threads": "1",
@@ -152,3 +156,65 @@ def video_size_and_frames(path: Path) -> tuple[int, int, int]:
             packet.size > 0 and not packet.is_corrupt for packet in container.demux(stream)
         )
     return stream.width, stream.height, intact
+
+
+def read_frames(
+    path: Path, first: int, wanted: Collection[int]
+) -> Iterator[tuple[int, NDArray[np.uint8]]]:
+    """Yield some frames of a video, in their order, each of shape (height, width, 3).
+
+    Args:
+        path: The video, at the control rate and with a key frame every `KEYFRAME_INTERVAL`.
+        first: The frame of the video that counts as number 0.
+        wanted: Numbers of the frames.
+
+    Raises:
+        OSError: If the file is missing.
+        ValueError: If the file is no video that can be read.
+    """
+    with av.open(str(path)) as container:
+        stream = container.streams.video[0]
+        ticks = _ticks(stream)
+        reached = -1
+        for number in sorted(wanted):
+            if reached < 0 or number > reached + KEYFRAME_INTERVAL:
+                container.seek((first + number) * ticks, stream=stream)
+            for frame in container.decode(stream):
+                reached = round(frame.time * CONTROL_HZ) - first
+                if reached >= number:
+                    break
+            if reached == number:
+                picture: NDArray[np.uint8] = frame.to_ndarray(format="rgb24").astype(np.uint8)
+                yield number, picture
+
+
+def copy_frames(path: Path, copy: Path, first: int, frames: int) -> None:
+    """Copy frames of a video into one of their own, without encoding them anew.
+
+    Args:
+        path: The video, which has a key frame at the first of them.
+        copy: File to write.
+        first: Number of the first frame.
+        frames: How many.
+    """
+    with (
+        av.open(str(path)) as source,
+        av.open(str(copy), "w", options={"movflags": "faststart"}) as container,
+    ):
+        stream = source.streams.video[0]
+        target = container.add_stream_from_template(stream, opaque=True)
+        target.time_base = stream.time_base
+        ticks = _ticks(stream)
+        for packet in source.demux(stream):
+            if packet.pts is None or packet.dts is None:
+                continue
+            if 0 <= packet.pts // ticks - first < frames:
+                packet.pts, packet.dts = packet.pts - first * ticks, packet.dts - first * ticks
+                packet.stream = target
+                container.mux(packet)
+
+
+def _ticks(stream: av.VideoStream) -> int:
+    """Return how many units of its own clock a video spends on a frame."""
+    assert stream.time_base is not None  # of a file that has pictures
+    return round(1 / (CONTROL_HZ * stream.time_base))

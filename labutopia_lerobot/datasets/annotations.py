@@ -1,0 +1,65 @@
+"""What a dataset tells of each episode, beyond what every LeRobotDataset does."""
+
+import json
+from dataclasses import asdict
+from typing import Any
+
+from labutopia_lerobot.datasets.candidate import Candidate, candidate_of
+from labutopia_lerobot.datasets.tables import (
+    CAUSE,
+    DRAWN,
+    MACHINE,
+    OUTCOME,
+    PARAPHRASES,
+    PRIVILEGED,
+    RENDERER,
+    SEED,
+    SETTING,
+    VOLUMES,
+    Row,
+)
+from labutopia_lerobot.setting import Setting
+
+_PLAIN = {
+    SEED: "seed",
+    OUTCOME: "outcome",
+    CAUSE: "cause",
+    MACHINE: "machine",
+    RENDERER: "renderer",
+}
+_JSON = {
+    DRAWN: "drawn",
+    VOLUMES: "volumes",
+    PARAPHRASES: "paraphrases",
+    PRIVILEGED: "privileged",
+}
+
+
+def annotations(candidate: Candidate, setting: Setting) -> dict[str, int | str]:
+    """Return the columns of our own in the episode table, for one episode."""
+    values = asdict(candidate)
+    return {
+        SETTING: json.dumps(asdict(setting)),
+        **{column: values[name] for column, name in _PLAIN.items()},
+        **{column: json.dumps(values[name]) for column, name in _JSON.items()},
+    }
+
+
+def annotated_candidate(row: Row, first_seed: int) -> Candidate:
+    """Return the candidate that an episode was.
+
+    Args:
+        row: Its row of the episode table.
+        first_seed: The seed of candidate 0.
+    """
+    fields: dict[str, Any] = {name: row[column] for column, name in _PLAIN.items()}
+    fields |= {name: json.loads(row[column]) for column, name in _JSON.items()}
+    return candidate_of(
+        fields
+        | {
+            "task": json.loads(row[SETTING])["task"],
+            "index": row[SEED] - first_seed,
+            "frames": row["length"],
+            "instruction": row["tasks"][0],
+        }
+    )

@@ -1,0 +1,70 @@
+"""How much room a recording takes, checked before anything is played."""
+
+import shutil
+from collections.abc import Mapping, Sequence
+
+from labutopia_lerobot.datasets.candidate import Candidate
+from labutopia_lerobot.datasets.recording_config import RecordingConfig
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.world import CONTROL_HZ
+
+_BYTES_PER_PIXEL = 0.06
+"""Of a video, per pixel and frame: PLACEHOLDER."""
+
+_BYTES_PER_FRAME = 600
+"""Of the tables, per frame, as they are put aside: about 150 numbers of four bytes."""
+
+_SHARE_OF_LIMIT = 0.6
+"""How long a demonstration is, as a share of its time limit."""
+
+_COPIES = 2
+"""While a dataset is put together, everything is there twice."""
+
+
+class NoSpaceError(UserError):
+    """The disk is too small for the recording; the message tells what it takes."""
+
+
+def needed_bytes(config: RecordingConfig, missing: Mapping[str, int]) -> int:
+    """Return about how many bytes a recording takes on the disk at its peak.
+
+    Args:
+        config: What is recorded.
+        missing: Task -> how many demonstrations are still to be played.
+    """
+    total = 0.0
+    for task, episodes in missing.items():
+        setting = config.setting(task)
+        seconds = _SHARE_OF_LIMIT * canonical_task(setting).time_limit_s
+        pixels = setting.width * setting.height * len(setting.cameras) * (setting.obs == "pixels")
+        a_frame = _BYTES_PER_PIXEL * pixels + _BYTES_PER_FRAME
+        total += _COPIES * max(episodes, 0) * seconds * CONTROL_HZ * a_frame
+    return int(total)
+
+
+def require_space(
+    config: RecordingConfig, missing: Mapping[str, int], played: Sequence[Candidate]
+) -> None:
+    """Make sure that a recording has room.
+
+    Args:
+        config: What is recorded.
+        missing: Task -> how many demonstrations are still to be played.
+        played: What a previous run has played, which is still to be copied.
+
+    Raises:
+        NoSpaceError: If there is too little.
+    """
+    folder = next(path for path in (config.folder, *config.folder.parents) if path.exists())
+    free = shutil.disk_usage(folder).free
+    needed = needed_bytes(config, missing)
+    if needed > free:
+        raise NoSpaceError(
+            f"The recording takes about {_told(needed)}, but {folder} has {_told(free)} free. Make "
+            "room, choose another root=, or record fewer episodes=, cameras= or pixels"
+        )
+
+
+def _told(size: float) -> str:
+    return f"{size / 1e9:.1f} GB" if size >= 1e8 else f"{size / 1e6:.0f} MB"

@@ -1,0 +1,133 @@
+"""Playing a recorded episode again from its seed and commands; comparing what comes of it."""
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from labutopia_lerobot.datasets.declaration import COMMAND, PHASE
+from labutopia_lerobot.datasets.frames import Columns, Frames
+from labutopia_lerobot.datasets.tables import SEED, Row, column, episode_setting
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.features import ACTION
+from labutopia_lerobot.setting import Setting
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Where a replayed episode first leaves the recorded one.
+
+    Attributes:
+        frame: The first frame that differs.
+        key: A feature that differs there.
+        largest: Greatest absolute difference of a number in any frame; nan where only words, or
+            the numbers of frames, differ.
+    """
+
+    frame: int
+    key: str
+    largest: float
+
+
+@dataclass(frozen=True)
+class Playback:
+    """A recorded episode, played again.
+
+    Attributes:
+        instruction: What the environment says is to be done.
+        drawn: What it draws, as JSON gives it back.
+        volumes: Where the liquid is at the end [ml], likewise.
+        outcome: Outcome, "running" if the commands ended before the episode.
+        difference: Where the frames differ, or None: they are the same, bit for bit.
+    """
+
+    instruction: str
+    drawn: Any
+    volumes: Any
+    outcome: str
+    difference: Difference | None
+
+
+class Player:
+    """Plays recorded episodes; the environment is kept while their setting is the same."""
+
+    def __init__(self) -> None:
+        self._env: LabEnv | None = None
+
+    def play(
+        self, row: Row, frames: pa.Table, look: Callable[[int, LabEnv], None] = lambda *_: None
+    ) -> Playback | None:
+        """Play an episode again; None if its seed or setting is not known.
+
+        Args:
+            row: Its row of the episode table.
+            frames: The table of its frames.
+            look: Is shown every frame before its command: number, environment.
+
+        Raises:
+            UnknownTaskError: If its task is no longer there.
+        """
+        setting = episode_setting(row)
+        if setting is None or row.get(SEED) is None:
+            return None
+        env = self._environment(setting)
+        commands = column(frames, COMMAND if COMMAND in frames.column_names else ACTION)
+        observation, info = env.reset(seed=row[SEED])
+        drawn = info["drawn"]
+        replayed = Frames(env, setting.obs)
+        for number, command in enumerate(commands):
+            look(number, env)
+            replayed.begin(observation)
+            observation, reward, terminated, truncated, info = env.step(command)
+            replayed.end(command, reward, terminated or truncated, info)
+            if terminated or truncated:
+                break
+        volumes = {name: value for name, value in info.items() if name.startswith("ml_")}
+        return Playback(
+            instruction=env.task,
+            drawn=json.loads(json.dumps(drawn)),
+            volumes=json.loads(json.dumps(volumes)),
+            outcome=info["outcome"],
+            difference=_difference(frames, replayed.columns()),
+        )
+
+    def close(self) -> None:
+        """Give the OpenGL context back."""
+        if self._env is not None:
+            self._env.close()
+
+    def _environment(self, setting: Setting) -> LabEnv:
+        setting = replace(setting, obs="state")  # pictures are drawn where somebody looks
+        if self._env is None or self._env.setting != setting:
+            self.close()
+            self._env = LabEnv(setting)
+        return self._env
+
+
+def _difference(frames: pa.Table, replayed: Columns) -> Difference | None:
+    """Compare what is recorded with what was replayed; the expert's phases are not replayed."""
+    found = []
+    for key in replayed.keys() & set(frames.column_names) - {PHASE}:
+        there, here = column(frames, key), replayed[key]
+        there, here = there.reshape(len(there), -1), here.reshape(len(here), -1)
+        both = min(len(there), len(here))
+        different = np.flatnonzero((there[:both] != here[:both]).any(axis=1))
+        if different.size:
+            found.append(Difference(int(different[0]), key, _largest(there[:both], here[:both])))
+        elif len(there) != len(here):
+            found.append(Difference(both, key, np.nan))
+    if not found:
+        return None
+    first = min(found, key=lambda difference: (difference.frame, difference.key))
+    largest = [d.largest for d in found if not np.isnan(d.largest)]
+    return replace(first, largest=max(largest, default=np.nan))
+
+
+def _largest(there: NDArray[Any], here: NDArray[Any]) -> float:
+    if there.dtype.kind != "f" or here.dtype.kind != "f":
+        return float("nan")
+    return float(np.abs(there - here).max())

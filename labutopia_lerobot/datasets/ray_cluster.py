@@ -1,0 +1,109 @@
+"""Candidates on the machines of a Ray cluster: what is played there comes back as files.
+
+No folder needs to be shared. A candidate is a pure function of its seed, so that Ray may play it
+again elsewhere when a machine is lost, and the dataset is the same.
+"""
+
+import os
+import tempfile
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future
+from contextlib import contextmanager
+from pathlib import Path
+
+from labutopia_lerobot.datasets.candidate import (
+    UNFINISHED,
+    Candidate,
+    candidate_folder,
+    play_into,
+    read_candidate,
+)
+from labutopia_lerobot.datasets.recording_config import RecordingConfig
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.runtime.claim import differences
+
+Played = dict[str, bytes]
+"""The files of a candidate's folder, by name."""
+
+
+class RayError(UserError):
+    """Ray is not there, or a machine of its cluster cannot be used; the message says why."""
+
+
+@contextmanager
+def ray_cluster(
+    config: RecordingConfig, work: Path
+) -> Iterator[tuple[int, Callable[[str, int], Future[Candidate]]]]:
+    """Join the cluster at `RAY_ADDRESS`, or start one of this machine.
+
+    Args:
+        config: What is recorded.
+        work: Folder of the candidates.
+
+    Yields:
+        How many candidates are played at once, and what plays one (task, index).
+
+    Raises:
+        RayError: If Ray is not installed, or no cluster answers.
+    """
+    try:
+        import ray
+    except ImportError:
+        raise RayError("launcher=ray needs Ray: pip install 'lerobot_env_labutopia[ray]'") from None
+    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # Ray would tell its makers
+    try:
+        context = ray.init(log_to_driver=False, ignore_reinit_error=True)
+    except (ConnectionError, ValueError) as error:
+        raise RayError(
+            f"launcher=ray: no cluster at {os.environ['RAY_ADDRESS']}: {error}"
+        ) from None
+    remote = ray.remote(num_cpus=1, max_retries=-1)(_play_there)
+    expected = config.provenance
+
+    def play(task: str, index: int) -> Future[Candidate]:
+        there: Future[Played] = remote.remote(config, expected, task, index).future()
+        here: Future[Candidate] = Future()
+        there.add_done_callback(
+            lambda done: _settle(done, here, candidate_folder(work, task, index))
+        )
+        return here
+
+    try:
+        yield int(ray.cluster_resources().get("CPU", 1)), play
+    finally:
+        context.disconnect()
+
+
+def _play_there(
+    config: RecordingConfig, expected: dict[str, dict[str, object]], task: str, index: int
+) -> Played:
+    """Play a candidate on whatever machine this is.
+
+    Raises:
+        RayError: If the machine has other code or versions than the one that records.
+    """
+    os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software renderer: a process per core
+    different = differences(expected, config.provenance)
+    if different:
+        raise RayError(
+            f"The machine {os.uname().nodename} would record something else:\n"
+            + "\n".join(different)
+            + "\nInstall the same there"
+        )
+    with tempfile.TemporaryDirectory() as folder:
+        play_into(Path(folder), config, task, index)
+        return {path.name: path.read_bytes() for path in Path(folder).iterdir()}
+
+
+def _settle(done: Future[Played], settled: Future[Candidate], folder: Path) -> None:
+    """Put the files of a candidate into its folder, which appears whole or not at all."""
+    try:
+        files = done.result()
+        unfinished = Path(tempfile.mkdtemp(dir=folder.parent, suffix=UNFINISHED))
+        for name, content in files.items():
+            (unfinished / name).write_bytes(content)
+        unfinished.rename(folder)
+        settled.set_result(read_candidate(folder))
+    except BaseException as error:
+        cause = getattr(error, "cause", None)
+        settled.set_exception(cause if isinstance(cause, UserError) else error)

@@ -1,0 +1,1 @@
+"""What `labutopia-verify` checks, one module for each kind of question."""

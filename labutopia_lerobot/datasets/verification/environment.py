@@ -1,0 +1,153 @@
+"""Is it what the environment does? Features, instructions, draws, states and pictures.
+
+Every episode is reset from its seed and given its commands. On the build and machine that recorded
+it, everything is the same bit for bit, or the dataset is wrong. On another, rounding may differ:
+unless some episode is the same there too, only by how much is told.
+"""
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from labutopia_lerobot.datasets.declaration import dataset_features
+from labutopia_lerobot.datasets.demonstration import EXPERT_FAILED
+from labutopia_lerobot.datasets.playback import Playback, Player
+from labutopia_lerobot.datasets.tables import (
+    DRAWN,
+    INFO,
+    MACHINE,
+    OUTCOME,
+    VOLUMES,
+    DamagedDatasetError,
+    Row,
+    episode_setting,
+    frames_of_episodes,
+)
+from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
+from labutopia_lerobot.datasets.verification.pictures import TOLERANCE, PictureCheck
+from labutopia_lerobot.datasets.verification.subject import Subject
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.runtime import provenance
+from labutopia_lerobot.runtime.claim import differences
+from labutopia_lerobot.task import RUNNING
+
+ALL = -1
+"""As a number of frames: every frame of an episode."""
+
+
+def check_features(subject: Subject) -> Iterator[Finding]:
+    """Yield where the features are not those that the environment declares."""
+    settings = {}
+    for row in subject.episodes:
+        try:
+            setting = episode_setting(row)
+        except UserError as error:
+            yield Unchecked(f"features, replay and pictures of some episodes: {error}")
+            return
+        if setting is not None:
+            settings[setting] = row["episode_index"]
+    for setting, episode in settings.items():
+        for key, declared in dataset_features(setting).items():
+            if key not in subject.features:
+                lacking = f"{INFO}: no feature {key}, which {setting.task} has"
+                yield Unchecked(lacking) if subject.edited else Fault(lacking)
+                continue
+            there = subject.features[key]
+            for part in ("dtype", "shape", "names"):
+                if _plain(there.get(part)) != _plain(declared[part]):
+                    yield Fault(
+                        f"{INFO}: {part} of {key} is {there.get(part)}, but the environment of "
+                        f"episode {episode} has {declared[part]}"
+                    )
+
+
+def check_replay(subject: Subject, pictures: int) -> Iterator[Finding]:
+    """Yield where an episode, played again from its seed and commands, is another one.
+
+    Args:
+        subject: The dataset.
+        pictures: How many frames of each episode to draw again; `ALL` for every frame.
+    """
+    player, wrong, played, unknown = Player(), dict[int, list[str]](), 0, 0
+    rng = np.random.default_rng(0)
+    try:
+        for row, frames in frames_of_episodes(subject.root, subject.info, subject.episodes):
+            every = np.arange(row["length"])
+            wanted = every if pictures == ALL else rng.permutation(every)[:pictures]
+            check = PictureCheck(subject, row, wanted.tolist())
+            playback = player.play(row, frames, check.look)
+            if playback is None:
+                unknown += 1
+                continue
+            played += 1
+            texts = [*_compare(row, playback), *_compare_pictures(check)]
+            if texts:
+                wrong[row["episode_index"]] = texts
+    except (DamagedDatasetError, UserError) as error:
+        yield Unchecked(f"replay: {error}")
+        return
+    finally:
+        player.close()
+    if unknown:
+        yield Unchecked(f"replay, draws and pictures of {unknown} episodes: {subject.edited}")
+    other = _other_build(subject)
+    if wrong and len(wrong) == played and other:
+        episode, texts = next(iter(wrong.items()))
+        yield Unchecked(
+            f"bit-identical replay: this is another build than the one that recorded ({other}). "
+            f"Here {len(wrong)} of {played} episodes differ; episode {episode}: {'; '.join(texts)}"
+        )
+        return
+    for episode, texts in wrong.items():
+        for text in texts:
+            yield Fault(f"episode {episode}: {text}")
+
+
+def _compare(row: Row, playback: Playback) -> Iterator[str]:
+    if row["tasks"] != [playback.instruction]:
+        yield f"it is told {row['tasks']}, but the environment says {playback.instruction!r}"
+    for name, column, here in (
+        ("drew", DRAWN, playback.drawn),
+        ("ends with the volumes", VOLUMES, playback.volumes),
+    ):
+        there = json.loads(row[column]) if row.get(column) is not None else here
+        if there != here:
+            yield f"{column} is {there}, but the environment {name} {here}"
+    outcome = RUNNING if row[OUTCOME] == EXPERT_FAILED else row[OUTCOME]
+    if playback.outcome != outcome:
+        yield f"{OUTCOME} is {row[OUTCOME]}, but replayed it is {playback.outcome}"
+    if playback.difference is not None:
+        first = playback.difference
+        yield (
+            f"replayed it differs from frame {first.frame} on, first in {first.key}; by at most "
+            f"{first.largest:.3g} in all"
+        )
+
+
+def _compare_pictures(check: PictureCheck) -> Iterator[str]:
+    for key, (frame, off) in check.worst.items():
+        if off > TOLERANCE:
+            yield (
+                f"frame {frame} of {key} is not what the camera sees: off by {off:.0f} levels, "
+                f"where {TOLERANCE:g} are allowed"
+            )
+
+
+def _other_build(subject: Subject) -> str | None:
+    """Return in what this build differs from the one that recorded, None if in nothing."""
+    if subject.recording is None:
+        return "which one is not known"
+    there = {name: subject.recording.get(name, {}) for name in ("code", "versions")}
+    here: dict[str, Any] = {"code": provenance.code([]), "versions": provenance.versions()}
+    for build in (there, here):
+        build["code"] = {"sources": build["code"].get("sources")}
+    different = [line.strip() for line in differences(there, here)]
+    machines = {row.get(MACHINE) for row in subject.episodes} - {None, provenance.machine()}
+    different += [f"machine: {machine}" for machine in sorted(map(str, machines))]
+    return "; ".join(different) or None
+
+
+def _plain(value: Any) -> Any:
+    return list(value) if isinstance(value, tuple | list) else value
