@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from labutopia_lerobot.datasets.verify import require_intact
+from labutopia_lerobot.datasets.tables import DamagedDatasetError
+from labutopia_lerobot.datasets.verify import verify
 from labutopia_lerobot.evaluation.statistics import Summary
 from labutopia_lerobot.hub.dataset_card import card_of_dataset
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts, dataset_files
@@ -25,7 +26,10 @@ def dataset_repository(root: Path, repo_id: str, results: Sequence[Summary]) -> 
         DamagedDatasetError: If anything is wrong with it.
         UntoldDatasetError: If it does not say how it was recorded.
     """
-    require_intact(root)
+    faults = verify(root).faults
+    if faults:
+        listed = "\n".join(f"  {fault}" for fault in faults)
+        raise DamagedDatasetError(f"{root} has faults and is not published:\n{listed}")
     facts = DatasetFacts.read(root)
     files: dict[str, Path | bytes] = {**dataset_files(root)}
     strip = picture_strip(root, facts.info)

@@ -4,12 +4,12 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-import av
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
 from labutopia_lerobot.datasets.tables import read_episodes
+from labutopia_lerobot.runtime.video import read_frames
 
 STRIP = "assets/strip.jpg"
 """Where it lies in a repository."""
@@ -28,31 +28,20 @@ def picture_strip(root: Path, info: dict[str, Any]) -> bytes | None:
     """
     frames = read_episodes(root)[0]["length"]
     wanted = np.linspace(0, frames - 1, _PICTURES).round().astype(int).tolist()
-    rows = [
-        np.hstack(
-            _pictures(
-                root / info["video_path"].format(video_key=key, chunk_index=0, file_index=0), wanted
-            )
-        )
+    videos = [
+        root / info["video_path"].format(video_key=key, chunk_index=0, file_index=0)
         for key, feature in info["features"].items()
         if feature["dtype"] == "video"
     ]
-    if not rows:
+    if not videos:
         return None
+    rows = [[_small(picture) for _, picture in read_frames(v, 0, wanted)] for v in videos]
     strip = BytesIO()
-    Image.fromarray(np.vstack(rows)).save(strip, "JPEG", quality=85)
+    Image.fromarray(np.vstack([np.hstack(row) for row in rows])).save(strip, "JPEG", quality=85)
     return strip.getvalue()
 
 
-def _pictures(video: Path, wanted: list[int]) -> list[NDArray[np.uint8]]:
-    """Return some of the first frames of a video, shape (128, width, 3) each."""
-    pictures = []
-    with av.open(str(video)) as container:
-        for index, frame in enumerate(container.decode(video=0)):
-            if index in wanted:
-                image = Image.fromarray(frame.to_ndarray(format="rgb24"))
-                width = round(image.width * _HEIGHT / image.height)
-                pictures.append(np.asarray(image.resize((width, _HEIGHT))))
-            if index == wanted[-1]:
-                break
-    return pictures
+def _small(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    height, width, _ = picture.shape
+    size = round(width * _HEIGHT / height), _HEIGHT
+    return np.asarray(Image.fromarray(picture).resize(size))

@@ -40,7 +40,8 @@ def filmed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A recording with pictures."""
     root = tmp_path_factory.mktemp("filmed") / "dataset"
     options = ["task=level1/press", "episodes=2", "width=64", "height=64", "cameras=[front,wrist]"]
-    record(parse([*options, f"root={root}", "workers=1"]), Silent())
+    (config,) = parse([*options, f"root={root}", "workers=1"]).datasets()
+    record(config, Silent())
     return root
 
 
@@ -49,7 +50,8 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A recording without pictures."""
     root = tmp_path_factory.mktemp("told") / "dataset"
     options = ["task=level1/press", "episodes=1", "obs=state"]
-    record(parse([*options, f"root={root}", "workers=1"]), Silent())
+    (config,) = parse([*options, f"root={root}", "workers=1"]).datasets()
+    record(config, Silent())
     return root
 
 
