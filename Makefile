@@ -4,7 +4,7 @@ PYTHON ?= python3.12
 VENV := .venv
 BIN := $(VENV)/bin
 PACKAGES := $(VENV)/.packages-installed
-OPENGL := $(VENV)/.opengl-works
+LIBRARIES := $(VENV)/.system-libraries-work
 # Tests that share fixtures, such as recorded datasets, stay in one process (tests/conftest.py).
 PYTEST := $(BIN)/pytest --numprocesses=auto --maxprocesses=4 --dist=loadgroup
 
@@ -21,7 +21,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 help:  ## List the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-setup: $(PACKAGES) $(OPENGL)  ## Create .venv with the pinned packages; make headless OpenGL work
+setup: $(PACKAGES) $(LIBRARIES)  ## Create .venv with the pinned packages; OpenGL, FFmpeg
 
 # The main job in small, with the commands that a user types.
 demo: setup  ## Record, train and evaluate a small policy on a CPU, and print its table
@@ -69,6 +69,6 @@ $(PACKAGES): pyproject.toml constraints.txt
 	@$(BIN)/python -m pip install --quiet --progress-bar off -c constraints.txt -e '.[dev]'
 	@touch $@
 
-$(OPENGL): $(PACKAGES) scripts/install_opengl.sh
-	@scripts/install_opengl.sh $(BIN)/python
+$(LIBRARIES): $(PACKAGES) scripts/install_system_libraries.sh
+	@scripts/install_system_libraries.sh $(BIN)/python
 	@touch $@

@@ -1,9 +1,13 @@
+import shutil
+from pathlib import Path
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.setting import Setting
+from recordings import FILM, PICK, recording
 
 
 @pytest.fixture(scope="session")
@@ -20,3 +24,21 @@ def solution() -> list[NDArray[np.float32]]:
         _, _, terminated, truncated, _ = env.step(actions[-1])
         over = terminated or truncated
     return actions
+
+
+@pytest.fixture(scope="session")
+def picked(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A finished recording without pictures."""
+    return recording(tmp_path_factory.mktemp("picked") / "dataset", *PICK)
+
+
+@pytest.fixture(scope="session")
+def filmed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A finished recording with pictures."""
+    return recording(tmp_path_factory.mktemp("filmed") / "dataset", *FILM)
+
+
+@pytest.fixture
+def copied(filmed: Path, tmp_path: Path) -> Path:
+    """A copy of the recording with pictures, to be damaged."""
+    return Path(shutil.copytree(filmed, tmp_path / "copy"))

@@ -11,34 +11,32 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
-import pyarrow as pa
-import pyarrow.parquet as pq
 import pytest
 from lerobot.datasets.lerobot_dataset import LeRobotDataset
 
 from labutopia_lerobot.cli.record import parse
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.declaration import dataset_features
-from labutopia_lerobot.datasets.recorder import HopelessExpertError, record
+from labutopia_lerobot.datasets.disk_space import NoSpaceError
+from labutopia_lerobot.datasets.frames import Frames
 from labutopia_lerobot.datasets.recording_folder import RecordingFolderError
-from labutopia_lerobot.datasets.replay import ForeignDatasetError, replay
 from labutopia_lerobot.datasets.tables import (
-    PHASES,
+    CAUSE,
+    OUTCOME,
     RECORDING,
     SEED,
-    DamagedDatasetError,
+    column,
     read_episodes,
     read_frames,
     read_json,
 )
-from labutopia_lerobot.datasets.verify import find_problems, require_intact
+from labutopia_lerobot.datasets.trials import HopelessExpertError
+from labutopia_lerobot.datasets.verify import find_problems, verify
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
-
-PICK = ["task=level1/pick", "obs=state", "episodes=3", "seed=20"]
-FILM = ["task=level1/pick", "episodes=2", "width=64", "height=48", "cameras=[wrist,front]"]
+from recordings import FILM, PICK, StoppedError, Watch, assert_same_dataset, recording
 
 MOODY_TASK = """
 import dataclasses
@@ -57,71 +55,6 @@ def moody():
         pick(), steps=(dataclasses.replace(step, skills=(Sulk(), *step.skills)),)
     )
 """
-
-
-class StoppedError(Exception):
-    """Stops a recording."""
-
-
-class Watch:
-    """Watches a recording; stops it after so many candidates or episodes."""
-
-    def __init__(self, played: int = -1, assembled: int = -1) -> None:
-        self.left = {"played": played, "assembled": assembled}
-        self.indices: list[int] = []
-
-    def resumed(self, candidates: Sequence[Candidate]) -> None:
-        self.indices += [candidate.index for candidate in candidates]
-
-    def played(self, candidate: Candidate) -> None:
-        self.indices.append(candidate.index)
-        self._count("played")
-
-    def assembled(self, candidate: Candidate) -> None:
-        self._count("assembled")
-
-    def _count(self, event: str) -> None:
-        self.left[event] -= 1
-        if self.left[event] == 0:
-            raise StoppedError
-
-
-def recording(root: Path, *overrides: str, workers: int = 2, watch: Watch | None = None) -> Path:
-    record(parse([*overrides, f"root={root}", f"workers={workers}"]), watch or Watch())
-    return root
-
-
-def assert_same_dataset(first: Path, second: Path) -> None:
-    assert read_frames(first).equals(read_frames(second))
-    assert read_episodes(first) == read_episodes(second)
-    for name in ("meta/stats.json", "meta/info.json", RECORDING):
-        assert read_json(first, name) == read_json(second, name)
-    files = [
-        {path.relative_to(root): path for path in root.rglob("*") if path.is_file()}
-        for root in (first, second)
-    ]
-    assert files[0].keys() == files[1].keys()
-    for name in files[0]:
-        if name.suffix == ".mp4":
-            assert files[0][name].read_bytes() == files[1][name].read_bytes()
-
-
-@pytest.fixture(scope="module")
-def picked(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A finished recording without pictures."""
-    return recording(tmp_path_factory.mktemp("picked") / "dataset", *PICK)
-
-
-@pytest.fixture(scope="module")
-def filmed(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A finished recording with pictures."""
-    return recording(tmp_path_factory.mktemp("filmed") / "dataset", *FILM)
-
-
-@pytest.fixture
-def copied(filmed: Path, tmp_path: Path) -> Path:
-    """A copy of the recording with pictures, to be damaged."""
-    return Path(shutil.copytree(filmed, tmp_path / "copy"))
 
 
 @pytest.mark.parametrize(("fixture", "obs"), [("picked", "state"), ("filmed", "pixels")])
@@ -146,13 +79,6 @@ def test_lerobot_loads_it_with_the_declared_features(
 def test_exactly_the_wanted_successes_are_stored(picked: Path) -> None:
     rows = read_episodes(picked)
     assert [row[SEED] for row in rows] == [20, 21, 22]
-    phases = json.loads(rows[0][PHASES])
-    labels = ["hover", "lower", "reach", "settle", "close", "lift", "hold"]
-    assert [label for label, _ in phases] == [f"pick/{label}" for label in labels]
-    starts = [start for _, start in phases]
-    assert starts[0] == 0
-    assert starts == sorted(set(starts))
-    assert starts[-1] < rows[0]["length"]
     assert not (picked / ".recording").exists()
 
 
@@ -270,8 +196,8 @@ def test_another_recording_is_refused_with_the_difference(
 ) -> None:
     root = request.getfixturevalue(fixture)
     with pytest.raises(RecordingFolderError) as refusal:
-        recording(root, "task=level1/pick", "obs=state", "episodes=5", "seed=20")
-    assert f"episodes: {3 if fixture == 'picked' else 2} there, 5 here" in str(refusal.value)
+        recording(root, "task=level1/pick", "obs=state", "episodes=1", "seed=20")
+    assert f"episodes: {3 if fixture == 'picked' else 2} there, 1 here" in str(refusal.value)
     assert ("obs: 'pixels' there, 'state' here" in str(refusal.value)) == (fixture == "stopped")
 
 
@@ -320,6 +246,107 @@ def test_a_folder_being_recorded_is_refused(tmp_path: Path) -> None:
         recording(tmp_path / "dataset", *PICK, watch=Second())
 
 
+def test_a_finished_recording_is_extended_to_the_one_that_is_longer(
+    filmed: Path, tmp_path: Path
+) -> None:
+    longer = [*FILM, "episodes=3"]
+    root, watch = Path(shutil.copytree(filmed, tmp_path / "dataset")), Watch()
+    recording(root, *longer, watch=watch)
+    assert watch.new == [2]
+    assert_same_dataset(recording(tmp_path / "at_once", *longer), root)
+
+
+def test_an_extension_that_is_stopped_leaves_the_dataset_and_goes_on(
+    picked: Path, tmp_path: Path
+) -> None:
+    longer = [*PICK, "episodes=4"]
+    root = Path(shutil.copytree(picked, tmp_path / "dataset"))
+    with pytest.raises(StoppedError):
+        recording(root, *longer, watch=Watch(assembled=1))
+    assert find_problems(root) == []
+    assert len(read_episodes(root)) == 3
+    watch = Watch()
+    recording(root, *longer, watch=watch)
+    assert watch.new == []
+    assert [row[SEED] for row in read_episodes(root)] == [20, 21, 22, 23]
+
+
+def test_a_full_disk_is_told_before_anything_is_played(tmp_path: Path) -> None:
+    root, watch = tmp_path / "dataset", Watch()
+    with pytest.raises(NoSpaceError, match=r"takes about \d+\.\d GB, but .* GB free"):
+        recording(root, "task=level1/pick", "episodes=100000000", watch=watch)
+    assert watch.indices == []
+
+
+def test_failures_are_kept_with_their_causes(tmp_path: Path) -> None:
+    (tmp_path / "level1").mkdir()
+    (tmp_path / "level1" / "moody.py").write_text(MOODY_TASK.format(limit=0.0))
+    overrides = ["task=level1/moody", f"tasks_dir={tmp_path}", "obs=state", "episodes=2"]
+    root = recording(tmp_path / "dataset", *overrides, "keep=failures")
+    rows = read_episodes(root)
+    causes = {row[OUTCOME]: row[CAUSE] for row in rows}
+    assert causes == {"success": "", "expert failed": "sulk/sulk not done after 0.1 s"}
+    assert [row[SEED] for row in rows] == list(range(len(rows)))
+    assert sum(row[OUTCOME] == "success" for row in rows) == 2
+    assert verify(root).faults == []
+
+
+def test_every_frame_tells_what_came_of_it_and_what_was_being_done(picked: Path) -> None:
+    frames, (row, *_) = read_frames(picked), read_episodes(picked)
+    last = row["length"] - 1
+    for key in ("next.reward", "next.done", "next.success"):
+        values = column(frames, key)[: last + 1, 0]
+        assert np.flatnonzero(values).tolist() == [last]
+    steps = column(frames, "annotation.step")[: last + 1].tolist()
+    milestones = column(frames, "annotation.milestone")[: last + 1].tolist()
+    phases = column(frames, "annotation.phase")[: last + 1].tolist()
+    assert list(dict.fromkeys(steps)) == ["pick", ""]
+    assert list(dict.fromkeys(milestones)) == ["", "gripped", "lifted"]
+    assert steps.index("") == milestones.index("lifted")
+    labels = ["hover", "lower", "reach", "settle", "close", "lift", "hold"]
+    assert list(dict.fromkeys(phases)) == [f"pick/{label}" for label in labels]
+
+
+def test_a_command_beyond_the_limits_stands_beside_what_acted() -> None:
+    env = LabEnv(Setting("level1/pick", obs="state"))
+    observation, _ = env.reset(seed=0)
+    frames, wild = Frames(env, "pixels"), np.full(8, 9.0, dtype=np.float32)
+    frames.begin(observation)
+    _, reward, terminated, truncated, info = env.step(wild)
+    frames.end(wild, reward, terminated or truncated, info)
+    columns = frames.columns()
+    np.testing.assert_array_equal(columns["commanded_action"], [wild])
+    np.testing.assert_array_equal(columns["action"], [info["applied_action"]])
+    assert (columns["action"] < 9.0).all()
+
+
+@pytest.mark.slow
+def test_killed_at_ten_moments_it_ends_in_the_same_bytes(tmp_path: Path) -> None:
+    options = [*FILM, "episodes=4"]
+    whole = recording(tmp_path / "whole", *options)
+    root, rng = tmp_path / "dataset", np.random.default_rng(0)
+    command = [sys.executable, "-m", "labutopia_lerobot.cli.record", *options, f"root={root}"]
+    kills = 0
+    while not (root / RECORDING).exists() or (root / ".recording").exists():
+        before = time.monotonic()
+        process = subprocess.Popen(
+            [*command, "workers=2"], start_new_session=True, stderr=subprocess.DEVNULL
+        )
+        if kills == 10:
+            assert process.wait() == 0
+            break
+        # At any moment: before, while candidates are played, while they are put together.
+        patience = rng.uniform(0.0, 30.0)
+        while process.poll() is None and time.monotonic() - before < patience:
+            time.sleep(0.05)
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+            kills += 1
+    assert kills > 0
+    assert_same_dataset(whole, root)
+
+
 @pytest.mark.parametrize("workers", [1, 3])
 def test_failures_are_listed_and_the_lowest_successes_stored(workers: int, tmp_path: Path) -> None:
     (tmp_path / "level1").mkdir()
@@ -349,71 +376,10 @@ def test_a_hopeless_expert_ends_the_recording(tmp_path: Path) -> None:
         recording(tmp_path / "dataset", *overrides)
 
 
-def test_a_finished_dataset_is_intact(picked: Path, filmed: Path) -> None:
-    assert find_problems(picked) == []
-    assert find_problems(filmed) == []
-
-
-@pytest.mark.parametrize("kept", [0.0, 0.5, 0.999])
-def test_a_video_cut_short_is_found(kept: float, copied: Path) -> None:
-    video = next(copied.glob("videos/observation.images.front/*/*.mp4"))
-    os.truncate(video, int(kept * video.stat().st_size))
-    with pytest.raises(DamagedDatasetError, match=r"observation\.images\.front/.*mp4"):
-        require_intact(copied)
-
-
-@pytest.mark.parametrize("pattern", ["videos/*/*/*.mp4", "data/*/*", "meta/*", "meta/episodes/*/*"])
-def test_a_missing_file_is_found(pattern: str, copied: Path) -> None:
-    files = [path for path in copied.glob(pattern) if path.is_file()]
-    for path in files:
-        if path.name == "labutopia.json":
-            continue
-        content = path.read_bytes()
-        path.unlink()
-        assert find_problems(copied)
-        path.write_bytes(content)
-    assert files
-    assert find_problems(copied) == []
-
-
-def test_lost_rows_are_found(copied: Path) -> None:
-    path = next(copied.glob("data/*/*.parquet"))
-    pq.write_table(pq.read_table(path).slice(1), path)
-    assert any(problem.startswith("data") for problem in find_problems(copied))
-
-
-@pytest.mark.parametrize("fixture", ["picked", "filmed"])
-def test_replayed_it_succeeds_through_identical_states(
-    fixture: str, request: pytest.FixtureRequest
-) -> None:
-    replays = list(replay(request.getfixturevalue(fixture)))
-    assert len(replays) == (3 if fixture == "picked" else 2)
-    assert all(played.faithful for played in replays)
-
-
-def test_a_changed_action_is_seen_in_the_replay(copied: Path) -> None:
-    path = next(copied.glob("data/*/*.parquet"))
-    table = pq.read_table(path)
-    actions = table["action"].to_pylist()
-    actions[50][0] += 0.01
-    column = table.column_names.index("action")
-    changed = pa.array(actions, type=table.schema.field(column).type)
-    pq.write_table(table.set_column(column, table.schema.field(column), changed), path)
-    first, second = replay(copied)
-    assert first.first_difference == 51
-    assert second.faithful
-
-
-def test_a_foreign_dataset_cannot_be_replayed(copied: Path) -> None:
-    (copied / RECORDING).unlink()
-    with pytest.raises(ForeignDatasetError):
-        list(replay(copied))
-
-
 @pytest.mark.parametrize(
     ("overrides", "message"),
     [
-        ([], "Name a task"),
+        ([], "Name a task, such as task=level1/pick, or a level"),
         (["task=level1/pick", "episods=3"], "Did you mean 'episodes='?"),
         (["task=level1/pick", "episodes=many"], "'many'"),
         (["task=level1/pick", "+liquid=on"], "is no option"),

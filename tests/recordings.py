@@ -1,0 +1,63 @@
+"""Recordings for tests: small, watched, compared."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from labutopia_lerobot.cli.record import parse
+from labutopia_lerobot.datasets.candidate import Candidate
+from labutopia_lerobot.datasets.recorder import record
+from labutopia_lerobot.datasets.tables import RECORDING, read_episodes, read_frames, read_json
+
+PICK = ["task=level1/pick", "obs=state", "episodes=3", "seed=20"]
+FILM = ["task=level1/pick", "episodes=2", "width=64", "height=48", "cameras=[wrist,front]"]
+
+
+class StoppedError(Exception):
+    """Stops a recording."""
+
+
+class Watch:
+    """Watches a recording; stops it after so many candidates or episodes."""
+
+    def __init__(self, played: int = -1, assembled: int = -1) -> None:
+        self.left = {"played": played, "assembled": assembled}
+        self.indices: list[int] = []
+        self.new: list[int] = []
+
+    def resumed(self, candidates: Sequence[Candidate]) -> None:
+        self.indices += [candidate.index for candidate in candidates]
+
+    def played(self, candidate: Candidate) -> None:
+        self.indices.append(candidate.index)
+        self.new.append(candidate.index)
+        self._count("played")
+
+    def assembled(self, candidate: Candidate) -> None:
+        self._count("assembled")
+
+    def _count(self, event: str) -> None:
+        self.left[event] -= 1
+        if self.left[event] == 0:
+            raise StoppedError
+
+
+def recording(root: Path, *overrides: str, workers: int = 2, watch: Watch | None = None) -> Path:
+    """Record one dataset."""
+    (config,) = parse([*overrides, f"root={root}", f"workers={workers}"]).datasets()
+    record(config, watch or Watch())
+    return root
+
+
+def assert_same_dataset(first: Path, second: Path) -> None:
+    assert read_frames(first).equals(read_frames(second))
+    assert read_episodes(first) == read_episodes(second)
+    for name in ("meta/stats.json", "meta/info.json", RECORDING):
+        assert read_json(first, name) == read_json(second, name)
+    files = [
+        {path.relative_to(root): path for path in root.rglob("*") if path.is_file()}
+        for root in (first, second)
+    ]
+    assert files[0].keys() == files[1].keys()
+    for name in files[0]:
+        if name.suffix == ".mp4":
+            assert files[0][name].read_bytes() == files[1][name].read_bytes()
