@@ -130,8 +130,8 @@ def _draw_all(
             with _Drawing(unfinished, config) as drawing:
                 played = player.play(drawn_with(row, **chosen), frames, drawing)
             _require_faithful(root, row, played)
-            columns = _columns(source / place.name / COLUMNS)
-            np.savez(unfinished / COLUMNS, **columns, **drawing.colors(before.frames))
+            arrays: dict[str, Any] = _columns(source / place.name / COLUMNS)
+            np.savez(unfinished / COLUMNS, **(arrays | drawing.colors(before.frames)))
             candidate = replace(before, machine=machine(), renderer=opengl_renderer_name())
             (unfinished / SUMMARY).write_text(json.dumps(asdict(candidate)))
             unfinished.rename(place)

@@ -30,7 +30,9 @@ def fill(group: "h5py.Group", frames: int = FRAMES, told: str = "Pick up the bea
     for number, camera in enumerate(CAMERAS):
         pictures = np.zeros((frames, 3, 32, 48), np.uint8)
         pictures[:, number] = np.linspace(0, 255, frames).astype(np.uint8)[:, None, None]
-        group.create_dataset(camera, data=pictures, chunks=(64, 3, 32, 48), compression="gzip")
+        group.create_dataset(
+            camera, data=pictures, chunks=(min(frames, 64), 3, 32, 48), compression="gzip"
+        )
     group["agent_pose"] = poses(frames)
     group["actions"] = poses(frames + 1)[1:]
     group["language_instruction"] = told

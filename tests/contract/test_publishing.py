@@ -11,8 +11,6 @@ import pytest
 from huggingface_hub import constants
 
 from labutopia_lerobot.cli import publish as program
-from labutopia_lerobot.cli.record import parse
-from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.hub.dataset import dataset_repository
 from labutopia_lerobot.hub.envhub.env import make_env
 from labutopia_lerobot.hub.environment import environment_repository
@@ -25,34 +23,6 @@ SMALL = Repository(
     "model", {CARD: b"---\nlicense: mit\n---\n", "a.safetensors": b"a", "b.safetensors": b"b"}, "v1"
 )
 ME = "me/thing"
-
-
-class Silent:
-    def resumed(self, candidates: object) -> None: ...
-
-    def played(self, candidate: object) -> None: ...
-
-    def assembled(self, candidate: object) -> None: ...
-
-
-@pytest.fixture(scope="module")
-def filmed(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A recording with pictures."""
-    root = tmp_path_factory.mktemp("filmed") / "dataset"
-    options = ["task=level1/press", "episodes=2", "width=64", "height=64", "cameras=[front,wrist]"]
-    (config,) = parse([*options, f"root={root}", "workers=1"]).datasets()
-    record(config, Silent())
-    return root
-
-
-@pytest.fixture(scope="module")
-def told(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A recording without pictures."""
-    root = tmp_path_factory.mktemp("told") / "dataset"
-    options = ["task=level1/press", "episodes=1", "obs=state"]
-    (config,) = parse([*options, f"root={root}", "workers=1"]).datasets()
-    record(config, Silent())
-    return root
 
 
 @pytest.fixture
@@ -86,15 +56,15 @@ import datasets, torch
 from lerobot.datasets.lerobot_dataset import LeRobotDataset
 from lerobot.datasets.streaming_dataset import StreamingLeRobotDataset
 
-here = LeRobotDataset("local/press", root=sys.argv[1], video_backend="pyav")
-there = LeRobotDataset("me/press", video_backend="pyav")
+here = LeRobotDataset("local/pick", root=sys.argv[1], video_backend="pyav")
+there = LeRobotDataset("me/pick", video_backend="pyav")
 assert there.root != here.root and len(there) == len(here)
 for index in (0, len(here) // 2, len(here) - 1):
     for key, value in here[index].items():
         same = torch.equal(value, there[index][key]) if torch.is_tensor(value) else (
             value == there[index][key])
         assert same, key
-table = datasets.load_dataset("me/press", split="train")
+table = datasets.load_dataset("me/pick", split="train")
 assert table.num_rows == len(here) and table[0]["action"] == here[0]["action"].tolist()
 told = LeRobotDataset("me/told")  # LeRobot needs FFmpeg's libraries to stream pictures
 streamed = next(iter(StreamingLeRobotDataset("me/told", shuffle=False)))
@@ -105,22 +75,24 @@ assert torch.equal(streamed["observation.environment_state"],
 
 def test_a_published_dataset_is_read_back_from_the_hub(
     filmed: Path,
-    told: Path,
+    picked: Path,
     tmp_path: Path,
     hub: LoopbackHub,
     monkeypatch: pytest.MonkeyPatch,
     capsys,
 ) -> None:
-    monkeypatch.setattr(sys, "argv", ["labutopia-publish", str(filmed), "--repo-id", "me/press"])
+    monkeypatch.setattr(sys, "argv", ["labutopia-publish", str(filmed), "--repo-id", "me/pick"])
     program.main()
-    assert f"{hub.endpoint}/datasets/me/press/commit/" in capsys.readouterr().out
-    repo = hub.repos["datasets", "me/press"]
+    assert f"{hub.endpoint}/datasets/me/pick/commit/" in capsys.readouterr().out
+    repo = hub.repos["datasets", "me/pick"]
     here = {str(p.relative_to(filmed)): p for p in filmed.rglob("*") if p.is_file()}
     assert repo.files.keys() - here.keys() == {".gitattributes", CARD, "assets/strip.jpg"}
     assert all(repo.files[path].data == file.read_bytes() for path, file in here.items())
     assert repo.tags == {"v3.0": repo.refs["main"]}
     assert not repo.private
-    program.publish(dataset_repository(told, "me/told", ()), "me/told", private=True, replace=False)
+    program.publish(
+        dataset_repository(picked, "me/told", ()), "me/told", private=True, replace=False
+    )
     read = run(hub, tmp_path, "-c", READ_BACK, str(filmed))
     assert read.returncode == 0, read.stderr
 
