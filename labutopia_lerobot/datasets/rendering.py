@@ -89,7 +89,8 @@ def render(root: Path, out: Path, watcher: Watcher, **chosen: Any) -> list[Candi
         watcher.resumed(finished_candidates(work))
         _draw_all(root, source, work, config, watcher, chosen)
         shutil.rmtree(source)
-        candidates = sorted(finished_candidates(work), key=lambda c: (c.task, c.index))
+        order = {task: number for number, task in enumerate(config.tasks)}
+        candidates = sorted(finished_candidates(work), key=lambda c: (order[c.task], c.index))
         dataset = assemble(config, work, candidates, watcher)
         require_intact(dataset)
         publish(out, dataset)

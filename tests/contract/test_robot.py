@@ -122,7 +122,6 @@ def test_lerobot_records_a_person_with_the_features_of_our_datasets(
                 episode_time_s=2,
                 reset_time_s=0,
                 push_to_hub=False,
-                stamp_repo_id=False,
             ),
             play_sounds=False,
         )
