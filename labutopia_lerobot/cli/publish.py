@@ -3,7 +3,6 @@
 import argparse
 from pathlib import Path
 
-from huggingface_hub.utils.tqdm import disable_progress_bars
 from rich.console import Console
 from rich.filesize import decimal
 
@@ -65,11 +64,11 @@ def main() -> None:
     if arguments.dry_run:
         console.print(_list(repository, arguments.repo_id, arguments.private), markup=False)
         return
-    with doing(busy, f"Sending {_amount(repository)} to {arguments.repo_id}"):
-        disable_progress_bars()
-        url = publish(
-            repository, arguments.repo_id, private=arguments.private, replace=arguments.replace
-        )
+    # No spinner: huggingface_hub draws bars of its own.
+    busy.print(f"Sending {_amount(repository)} to {arguments.repo_id}", markup=False)
+    url = publish(
+        repository, arguments.repo_id, private=arguments.private, replace=arguments.replace
+    )
     console.print(f"Published: {url}", markup=False)
 
 
@@ -101,7 +100,7 @@ def _list(repository: Repository, repo_id: str, private: bool) -> str:
 
 
 def _amount(repository: Repository) -> str:
-    return f"{len(repository.files)} files, {decimal(sum(repository.sizes.values()))},"
+    return f"{len(repository.files)} files ({decimal(sum(repository.sizes.values()))})"
 
 
 if __name__ == "__main__":
