@@ -1,5 +1,6 @@
-"""What LeRobot imports when it looks for plugins: registers `--env.type=labutopia`."""
+"""What LeRobot imports when it looks for plugins: registers our environment and robot."""
 
+import labutopia_lerobot.devices
 import labutopia_lerobot.lerobot_plugin
 
 __all__ = ["labutopia_lerobot"]

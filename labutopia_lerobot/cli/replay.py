@@ -1,14 +1,34 @@
-"""`labutopia-replay DATASET`: play recorded actions again and compare the states."""
+"""`labutopia-replay DATASET --episode 3`: look at a recorded episode, played from its seed.
+
+In a window, as an MP4 (`--out FILE.mp4`) or as a Rerun recording (`--out FILE.rrd`) with states,
+actions, facts and liquid. Without `--episode` nothing is shown: every episode is played again and
+its frames are compared with the recorded ones.
+"""
 
 import argparse
 import sys
+from contextlib import AbstractContextManager
 from pathlib import Path
+from types import TracebackType
+from typing import Self
 
+import pyarrow as pa
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.datasets.looking import Film, Look, find_episode, look_at
+from labutopia_lerobot.datasets.playback import Playback
 from labutopia_lerobot.datasets.replay import Replay, replay
+from labutopia_lerobot.datasets.rerun_recording import RerunRecording
+from labutopia_lerobot.datasets.tables import SEED
+from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.setting import CAMERAS, require_choices
+from labutopia_lerobot.sim.viewer import Viewer, has_display
+
+_SIZE = 512
+"""Width and height of a picture by default [pixels]: more than policies see."""
 
 
 class ReplayOptionError(UserError):
@@ -17,18 +37,93 @@ class ReplayOptionError(UserError):
 
 @clear_errors
 def main() -> None:
-    """Replay the dataset that the command line names; exit with 1 if anything differs."""
-    parser = argparse.ArgumentParser(prog="labutopia-replay", description=__doc__)
+    """Show an episode, or compare them all; exit with 1 if anything differs."""
+    parser = argparse.ArgumentParser(
+        prog="labutopia-replay",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("dataset", type=Path, help="folder that labutopia-record made")
+    parser.add_argument("--episode", type=int, metavar="N", help="number of the episode to show")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="FILE.mp4 or FILE.rrd to write")
     parser.add_argument(
-        "--episodes", type=int, metavar="N", help="only the first N episodes (default: all)"
+        "--cameras", nargs="+", default=list(CAMERAS), help="which are drawn into the file"
+    )
+    parser.add_argument("--width", type=int, default=_SIZE, help=f"of a picture (default: {_SIZE})")
+    parser.add_argument("--height", type=int, default=_SIZE, help=f"likewise (default: {_SIZE})")
+    parser.add_argument(
+        "--episodes", type=int, metavar="N", help="compare only the first N (default: all)"
     )
     arguments = parser.parse_args()
+    if arguments.episode is not None:
+        _show(arguments)
+        return
     if arguments.episodes is not None and arguments.episodes < 1:
         raise ReplayOptionError(f"--episodes {arguments.episodes} is too small: at least 1")
+    _compare(arguments.dataset, arguments.episodes)
+
+
+def _show(arguments: argparse.Namespace) -> None:
+    require_choices("cameras", arguments.cameras, CAMERAS)
+    row, frames = find_episode(arguments.dataset, arguments.episode)
+    what = f"episode {arguments.episode}, seed {row[SEED]}"
+    with _look(arguments, frames) as look, doing(Console(stderr=True), f"Playing {what}"):
+        played = look_at(row, frames, look, arguments.width, arguments.height)
+    wrote = f". Wrote {arguments.out}" if arguments.out else ""
+    Console(highlight=False, soft_wrap=True).print(
+        f"{what}: {played.outcome}, {_difference(played)}{wrote}", markup=False
+    )
+
+
+def _look(arguments: argparse.Namespace, frames: pa.Table) -> AbstractContextManager[Look]:
+    out: Path | None = arguments.out
+    if out is None:
+        if not has_display():
+            raise ReplayOptionError("There is no display here: give --out FILE.mp4 or FILE.rrd")
+        return Window()
+    if out.suffix == ".mp4":
+        return Film(out, arguments.cameras, arguments.width, arguments.height)
+    if out.suffix == ".rrd":
+        return RerunRecording(out, frames, arguments.cameras)
+    raise ReplayOptionError(f"--out {out} is neither FILE.mp4 nor FILE.rrd")
+
+
+class Window:
+    """A `Look` through MuJoCo's window, at real time; a context manager that closes it."""
+
+    def __init__(self) -> None:
+        self._viewer: Viewer | None = None
+
+    def __call__(self, number: int, env: LabEnv) -> None:
+        """Show a frame, unless somebody has closed the window."""
+        if self._viewer is None:
+            self._viewer = Viewer(env.workcell.simulation, env.workcell.world.bench_height)
+        if self._viewer.is_open:
+            self._viewer.show()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._viewer is not None:
+            self._viewer.__exit__(kind, error, trace)
+
+
+def _difference(played: Playback) -> str:
+    if played.difference is None:
+        return "bit-identical to the recording"
+    return f"differs from frame {played.difference.frame} in {played.difference.key}"
+
+
+def _compare(root: Path, episodes: int | None) -> None:
     console = Console(highlight=False, soft_wrap=True)
     replays = []
-    for played in replay(arguments.dataset, arguments.episodes):
+    for played in replay(root, episodes):
         console.print(_line(played), markup=False)
         replays.append(played)
     faithful = sum(played.faithful for played in replays)

@@ -1,8 +1,6 @@
 """`labutopia-view TASK`: look at the expert doing a task, in MuJoCo's viewer or as files."""
 
 import argparse
-import os
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +14,7 @@ from labutopia_lerobot.cli.setting_flags import add_setting_flags, setting_of_fl
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.video import require_filmable, write_video
-from labutopia_lerobot.sim.viewer import Viewer
+from labutopia_lerobot.sim.viewer import Viewer, has_display
 from labutopia_lerobot.skills.expert import Expert
 
 _SIZE = 512
@@ -39,7 +37,7 @@ def main() -> None:
     parser.add_argument("--headless", action="store_true", help="write files even with a display")
     add_setting_flags(parser, width=_SIZE, height=_SIZE)
     arguments = parser.parse_args()
-    headless = arguments.headless or not _has_display()
+    headless = arguments.headless or not has_display()
     obs = "pixels" if headless else "state"
     setting = setting_of_flags(arguments, arguments.task, obs=obs)
     require_filmable(setting.width, setting.height)
@@ -50,12 +48,6 @@ def main() -> None:
         _write_files(env, arguments.seed, arguments.out)
     else:
         _open_viewer(env, arguments.seed)
-
-
-def _has_display() -> bool:
-    return sys.platform != "linux" or any(
-        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY")
-    )
 
 
 def _write_files(env: LabEnv, seed: int, folder: Path) -> None:

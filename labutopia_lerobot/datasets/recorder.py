@@ -51,7 +51,7 @@ def record(config: RecordingConfig, watcher: Watcher) -> list[Candidate]:
     config.check()
     with claim(config.folder, config.provenance) as work:
         candidates = _play(config, work, watcher)
-        dataset = _assemble(config, work, candidates, watcher)
+        dataset = assemble(config, work, candidates, watcher)
         require_intact(dataset)
         publish(config.folder, dataset)
     return candidates
@@ -81,9 +81,10 @@ def _play_missing(started: Launcher, trials: Mapping[str, Trials], watcher: Watc
             watcher.played(candidate)
 
 
-def _assemble(
+def assemble(
     config: RecordingConfig, work: Path, candidates: Sequence[Candidate], watcher: Watcher
 ) -> Path:
+    """Put the stored candidates of a recording together, and return the folder of the dataset."""
     # Imported late: LeRobot brings torch, which takes seconds and which no worker needs.
     from labutopia_lerobot.datasets.assemble import DatasetAssembler
 

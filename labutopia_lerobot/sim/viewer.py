@@ -1,5 +1,7 @@
 """MuJoCo's window onto a simulation, with its liquid."""
 
+import os
+import sys
 import time
 from types import TracebackType
 from typing import Self
@@ -8,6 +10,13 @@ import mujoco.viewer
 
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.world import CONTROL_HZ
+
+
+def has_display() -> bool:
+    """Tell whether a window can be opened here."""
+    return sys.platform != "linux" or any(
+        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY")
+    )
 
 
 class Viewer:

@@ -73,7 +73,10 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
     ("program", "options"),
     [
         ("verify", ["dataset"]),
-        ("replay", ["dataset", "--episodes"]),
+        ("convert", ["source", "out", "--repo-id", "--instruction"]),
+        ("render", ["dataset", "out", "--cameras", "--width", "--height"]),
+        ("replay", ["dataset", "--episode", "--out", "--cameras", "--episodes"]),
+        ("publish", ["what", "--repo-id", "--results", "--private", "--replace", "--dry-run"]),
         ("bench", ["tasks", "--json", "--seconds", "--episodes"]),
         ("check", ["folder", "--task"]),
         ("view", ["task", "--seed", "--out", "--headless", "--split", "--robot", "--tasks-dir"]),
@@ -92,7 +95,17 @@ def test_help_of_the_other_programs_explains_every_option(monkeypatch, capsys, p
 def test_every_installed_program_is_there():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     names = {entry.partition(":")[0].rpartition(".")[2] for entry in project["scripts"].values()}
-    assert names == {"bench", "check", "record", "replay", "verify", "view"}
+    assert names == {
+        "bench",
+        "check",
+        "convert",
+        "publish",
+        "record",
+        "render",
+        "replay",
+        "verify",
+        "view",
+    }
     for entry in project["scripts"].values():
         module, _, function = entry.partition(":")
         assert callable(getattr(import_module(module), function))

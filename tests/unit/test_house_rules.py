@@ -24,7 +24,8 @@ LAYERS = (
     "features env vector gymnasium_ids",
     "checks",
     "runtime",
-    "evaluation datasets lerobot_plugin",
+    "evaluation datasets devices lerobot_plugin",
+    "hub",
     "cli",
 )
 """Rooms from the ground up: one may import what stands on its own line or above it, here."""
@@ -32,7 +33,7 @@ LAYERS = (
 HEIGHT = {room: height for height, line in enumerate(LAYERS) for room in line.split()}
 
 MUJOCO = {"labware", "robots", "scenes", "liquids", "sim"}
-LEROBOT = {"datasets", "evaluation", "lerobot_plugin"}
+LEROBOT = {"datasets", "devices", "evaluation", "lerobot_plugin"}
 
 
 def room(path: Path) -> str:

@@ -1,0 +1,107 @@
+"""`labutopia-publish DATASET --repo-id me/pick`: a dataset, policy or environment to the Hub."""
+
+import argparse
+from pathlib import Path
+
+from rich.console import Console
+from rich.filesize import decimal
+
+from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.datasets.tables import INFO
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.found import find_results
+from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.hub.dataset import dataset_repository
+from labutopia_lerobot.hub.environment import environment_repository
+from labutopia_lerobot.hub.policy import find_policy, policy_repository
+from labutopia_lerobot.hub.publish import publish, require_repo_id
+from labutopia_lerobot.hub.repository import Repository
+
+ENVIRONMENT = "environment"
+
+
+class UnpublishableError(UserError):
+    """A folder that holds neither a dataset nor a policy."""
+
+
+@clear_errors
+def main() -> None:
+    """Publish what the command line names."""
+    parser = argparse.ArgumentParser(prog="labutopia-publish", description=__doc__)
+    parser.add_argument(
+        "what", help=f"folder of a dataset or of a trained policy, or the word `{ENVIRONMENT}`"
+    )
+    parser.add_argument("--repo-id", required=True, help="owner and name, such as me/pick")
+    parser.add_argument(
+        "--results",
+        type=Path,
+        nargs="+",
+        default=[],
+        metavar="DIR",
+        help="results of eval/run.py, for the card",
+    )
+    parser.add_argument(
+        "--private", action="store_true", help="only the owner sees it (default: everybody)"
+    )
+    parser.add_argument(
+        "--replace", action="store_true", help="take the place of anything else that lies there"
+    )
+    parser.add_argument(
+        "--dry-run", action="store_true", help="list what would be sent, and send nothing"
+    )
+    arguments = parser.parse_args()
+    require_repo_id(arguments.repo_id)
+    summaries = [
+        line
+        for folder in arguments.results
+        for found in find_results(folder)
+        for line in found.summaries
+    ]
+    busy, console = Console(stderr=True), Console(highlight=False, soft_wrap=True)
+    with doing(busy, f"Verifying {arguments.what}"):
+        repository = _repository(arguments.what, arguments.repo_id, summaries)
+    if arguments.dry_run:
+        console.print(_list(repository, arguments.repo_id, arguments.private), markup=False)
+        return
+    # No spinner: huggingface_hub draws bars of its own.
+    busy.print(f"Sending {_amount(repository)} to {arguments.repo_id}", markup=False)
+    url = publish(
+        repository, arguments.repo_id, private=arguments.private, replace=arguments.replace
+    )
+    console.print(f"Published: {url}", markup=False)
+
+
+def _repository(what: str, repo_id: str, results: list[Summary]) -> Repository:
+    if what == ENVIRONMENT:
+        return environment_repository(repo_id)
+    if (Path(what) / INFO).exists():
+        return dataset_repository(Path(what), repo_id, results)
+    policy = find_policy(Path(what))
+    if policy is None:
+        raise UnpublishableError(
+            f"{what} holds neither a dataset ({INFO}) nor a trained policy (config.json). "
+            f"Name the folder of one, or the word {ENVIRONMENT}"
+        )
+    return policy_repository(policy, repo_id, results)
+
+
+def _list(repository: Repository, repo_id: str, private: bool) -> str:
+    lines = [f"{size:>14,}  {path}" for path, size in repository.sizes.items()]
+    seen = "private" if private else "public"
+    tag = f", tag {repository.tag}" if repository.tag else ""
+    return "\n".join(
+        [
+            *lines,
+            f"{_amount(repository)} to the {repository.kind} {repo_id} ({seen}){tag}. "
+            "Nothing was sent",
+        ]
+    )
+
+
+def _amount(repository: Repository) -> str:
+    return f"{len(repository.files)} files ({decimal(sum(repository.sizes.values()))})"
+
+
+if __name__ == "__main__":
+    main()

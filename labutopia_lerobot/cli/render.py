@@ -1,0 +1,45 @@
+"""`labutopia-render DATASET OUT --width 512`: a dataset drawn anew, with other cameras or sizes.
+
+The episodes stay what they are: each is played again from its seed and commands, without its
+expert.
+"""
+
+import argparse
+from dataclasses import fields
+from pathlib import Path
+
+from rich.console import Console
+
+from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.recording_bars import RecordingBars
+from labutopia_lerobot.cli.setting_flags import add_setting_flags
+from labutopia_lerobot.datasets.rendering import render
+from labutopia_lerobot.datasets.tables import INFO, read_json
+from labutopia_lerobot.setting import Setting
+
+_DRAWING = ("cameras", "width", "height")
+"""Fields of `Setting` on which pictures depend, and nothing else."""
+
+
+@clear_errors
+def main() -> None:
+    """Render what the command line names."""
+    parser = argparse.ArgumentParser(
+        prog="labutopia-render",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("dataset", type=Path, help="folder that labutopia-record made")
+    parser.add_argument("out", type=Path, help="folder of the new dataset")
+    add_setting_flags(parser, but=[o.name for o in fields(Setting) if o.name not in _DRAWING])
+    arguments = parser.parse_args()
+    chosen = {name: getattr(arguments, name) for name in _DRAWING}
+    episodes = read_json(arguments.dataset, INFO)["total_episodes"]
+    console = Console(stderr=True, highlight=False, soft_wrap=True)
+    with RecordingBars(episodes, console) as bars:
+        render(arguments.dataset, arguments.out, bars, **chosen)
+    console.print(f"Rendered {episodes} episodes into {arguments.out}", markup=False)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,170 @@
+"""Writing a LeRobotDataset whose videos are encoded already, with LeRobot's own writer.
+
+LeRobot makes every table, statistic and index, in one process and in one order.
+"""
+
+import shutil
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import av
+import numpy as np
+from datasets import disable_progress_bars
+from lerobot.configs import RGBEncoderConfig
+from lerobot.datasets.dataset_metadata import LeRobotDatasetMetadata
+from lerobot.datasets.dataset_writer import DatasetWriter
+from numpy.typing import NDArray
+
+from labutopia_lerobot.runtime.video import (
+    CODEC,
+    KEYFRAME_INTERVAL,
+    PIXEL_FORMAT,
+    PRESET,
+    QUALITY,
+    TUNE,
+)
+from labutopia_lerobot.world import CONTROL_HZ
+
+_VIDEO_FILE_MB = 10
+"""LeRobot appends an episode by copying the whole file: a small file keeps that cheap."""
+
+_DATA_FILE_MB = 20
+"""Files are read and rewritten whole, here and in `tables`: this bounds the memory."""
+
+Video = tuple[Path, dict[str, NDArray[Any]]]
+"""A file and its colour statistics."""
+
+
+class EncodedDatasetWriter:
+    """Writes a LeRobotDataset, an episode at a time.
+
+    Args:
+        repo_id: Its name on the Hub.
+        features: LeRobot's declaration: key -> dtype, shape and names.
+        robot: What played.
+        root: Folder of the dataset; must not exist.
+    """
+
+    def __init__(
+        self, repo_id: str, features: dict[str, dict[str, Any]], robot: str, root: Path
+    ) -> None:
+        disable_progress_bars()  # LeRobot maps every episode through `datasets`, one bar each
+        av.logging.set_libav_level(av.logging.ERROR)  # LeRobot lets FFmpeg chat on the terminal
+        self._meta = _AnnotatedMetadata.create(
+            repo_id=repo_id,
+            fps=CONTROL_HZ,
+            features=features,
+            robot_type=robot,
+            root=root,
+            data_files_size_in_mb=_DATA_FILE_MB,
+            video_files_size_in_mb=_VIDEO_FILE_MB,
+        )
+        self._videos = _EncodedVideos(root)
+        filmed = any(feature["dtype"] == "video" for feature in features.values())
+        self._writer = DatasetWriter(
+            meta=self._meta,
+            root=root,
+            rgb_encoder=RGBEncoderConfig(
+                vcodec=CODEC,
+                pix_fmt=PIXEL_FORMAT,
+                preset=PRESET,
+                crf=QUALITY,
+                g=KEYFRAME_INTERVAL,
+                extra_options={"tune": TUNE},
+            ),
+            depth_encoder=None,
+            encoder_threads=None,
+            batch_encoding_size=1,
+            streaming_encoder=self._videos if filmed else None,
+        )
+
+    def add(
+        self,
+        instruction: str,
+        columns: Mapping[str, NDArray[Any]],
+        videos: Mapping[str, Video],
+        annotations: Mapping[str, int | str],
+    ) -> None:
+        """Append an episode.
+
+        Args:
+            instruction: What was to be done.
+            columns: Feature key -> values, as many as there are frames.
+            videos: Feature key -> its video, which is left where it is.
+            annotations: Columns of our own in the table of episodes.
+        """
+        frames = len(next(iter(columns.values())))
+        frame_index = np.arange(frames)
+        self._videos.next_episode = dict(videos)
+        self._meta.next_annotations = dict(annotations)
+        filled_by_lerobot = {"index", "task_index"}
+        self._writer.save_episode(
+            {
+                **dict.fromkeys([*videos, *filled_by_lerobot]),
+                **columns,
+                "frame_index": frame_index,
+                "timestamp": frame_index / CONTROL_HZ,
+                "episode_index": self._meta.total_episodes,
+                "task": [instruction] * frames,
+                "size": frames,
+            }
+        )
+
+    def finish(self) -> None:
+        """Close every file."""
+        self._writer.finalize()
+
+
+class _AnnotatedMetadata(LeRobotDatasetMetadata):  # type: ignore[misc]  # LeRobot is untyped
+    """Episode table with columns of our own, for which LeRobot has no public way in.
+
+    Attributes:
+        next_annotations: Column -> value for the next episode.
+    """
+
+    next_annotations: dict[str, int | str]
+
+    def save_episode(
+        self,
+        episode_index: int,
+        episode_length: int,
+        episode_tasks: list[str],
+        episode_stats: dict[str, dict[str, NDArray[Any]]],
+        episode_metadata: dict[str, Any],
+    ) -> None:
+        """Add the columns to the row of the episode."""
+        super().save_episode(
+            episode_index,
+            episode_length,
+            episode_tasks,
+            episode_stats,
+            episode_metadata | self.next_annotations,
+        )
+
+
+class _EncodedVideos:
+    """Takes the place of LeRobot's streaming encoder: the videos are there already.
+
+    Attributes:
+        next_episode: Feature key -> file and colour statistics, for the next episode.
+
+    Args:
+        root: Folder of the dataset.
+    """
+
+    def __init__(self, root: Path) -> None:
+        self._root = root
+        self.next_episode: dict[str, Video] = {}
+
+    def finish_episode(self) -> dict[str, Video]:
+        """Return copies of the videos, which the caller consumes with the folder around them."""
+        copies = {}
+        for key, (path, statistics) in self.next_episode.items():
+            copy = Path(tempfile.mkdtemp(dir=self._root)) / path.name
+            copies[key] = (Path(shutil.copyfile(path, copy)), statistics)
+        return copies
+
+    def close(self) -> None:
+        """Release nothing: no encoder runs."""

@@ -1,0 +1,48 @@
+"""`--robot.type=labutopia` for LeRobot's programs; imports no mujoco."""
+
+from draccus.utils import DecodingError
+from lerobot.robots import RobotConfig
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.setting import OBSERVATION_KINDS, Setting, setting_of, with_setting
+
+
+class InvalidRobotError(UserError, DecodingError):
+    """A flag of `--robot.*` that is wrong; LeRobot's programs print the message and stop."""
+
+
+@RobotConfig.register_subclass("labutopia")
+@with_setting
+class LabUtopiaRobotConfig(RobotConfig):
+    """What is played and observed; the fields of `Setting` are fields of this too.
+
+    Attributes:
+        task: Task id.
+        split: `train`, for demonstrations, or another for measurements.
+        seed: Seed of the first episode; the next one has the next seed.
+
+    Raises:
+        InvalidRobotError: If a field is not one of its choices.
+    """
+
+    task: str = "level1/pick"
+    split: str = "train"
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        try:
+            setting = self.setting
+        except UserError as error:
+            raise InvalidRobotError((), str(error)) from error
+        if setting.obs != OBSERVATION_KINDS[0]:
+            raise InvalidRobotError((), f"obs={setting.obs!r}: a robot has cameras, obs=pixels")
+
+    @property
+    def setting(self) -> Setting:
+        """What is played and observed.
+
+        Raises:
+            UnknownOptionError: If a value is impossible.
+            UnknownTaskError: If there is no such task.
+        """
+        return setting_of(self)

@@ -1,0 +1,1 @@
+"""Publishing on the Hugging Face Hub: datasets, policies and the environment, with cards."""

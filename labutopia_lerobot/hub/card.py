@@ -1,0 +1,77 @@
+"""Filling in a card: metadata that the Hub reads, and a page for people."""
+
+from typing import Any
+
+from huggingface_hub import DatasetCard, DatasetCardData, ModelCard, ModelCardData
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from labutopia_lerobot.evaluation.statistics import Summary
+
+CITATION = """\
+@misc{li2025labutopia,
+  title = {{LabUtopia}: High-Fidelity Simulation and Hierarchical Benchmark for Scientific Embodied
+           Agents},
+  author = {Li, Rui and Hu, Zixuan and Qu, Wenxi and Zhang, Jinouwen and Yin, Zhenfei and
+            Zhang, Sha and Huang, Xuantuo and Wang, Hanqing and Wang, Tai and Pang, Jiangmiao and
+            Ouyang, Wanli and Bai, Lei and Zuo, Wangmeng and Duan, Ling-Yu and Zhou, Dongzhan and
+            Tang, Shixiang},
+  year = {2025},
+}"""
+"""The paper, as its title page has it."""
+
+TAGS = ("LeRobot", "labutopia", "laboratory", "mujoco", "robotics", "simulation")
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("labutopia_lerobot.hub"),
+    undefined=StrictUndefined,
+    autoescape=False,  # Markdown, not HTML
+    trim_blocks=True,
+    lstrip_blocks=True,
+    keep_trailing_newline=True,
+)
+
+
+def dataset_card(template: str, metadata: DatasetCardData, **content: Any) -> str:
+    """Return a card for a dataset, in Markdown.
+
+    Args:
+        template: Name of a file in `templates`.
+        metadata: What the Hub reads.
+        **content: What the template asks for.
+
+    Raises:
+        ValueError: If huggingface_hub cannot read the metadata back.
+    """
+    text = _filled(template, metadata.to_yaml(), content)
+    DatasetCard(text)
+    return text
+
+
+def model_card(template: str, metadata: ModelCardData, **content: Any) -> str:
+    """Return a card for a policy or an environment, which the Hub calls models; see above."""
+    text = _filled(template, metadata.to_yaml(), content)
+    ModelCard(text)
+    return text
+
+
+def rate(successes: int, n: int, interval: tuple[float, float]) -> str:
+    """Return a rate in words, such as `99 of 100 (95 %: 95 to 100 %)`."""
+    low, high = interval
+    return f"{successes} of {n} (95 %: {100 * low:.0f} to {100 * high:.0f} %)"
+
+
+def summary_row(summary: Summary) -> dict[str, str]:
+    """Return what a table of results tells of one policy in one task and split."""
+    seconds = summary.mean_seconds_to_success
+    return {
+        "task": summary.task,
+        "split": summary.split,
+        "obs": summary.obs,
+        "liquid": summary.liquid or "none",
+        "success": rate(summary.successes, summary.n, summary.wilson95),
+        "seconds": "-" if seconds is None else f"{seconds:.1f}",
+    }
+
+
+def _filled(template: str, metadata: str, content: dict[str, Any]) -> str:
+    return _TEMPLATES.get_template(template).render(metadata=metadata, citation=CITATION, **content)

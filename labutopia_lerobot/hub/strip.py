@@ -1,0 +1,47 @@
+"""A strip of pictures: the first episode at a glance, a row per camera."""
+
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from labutopia_lerobot.datasets.tables import read_episodes
+from labutopia_lerobot.runtime.video import read_frames
+
+STRIP = "assets/strip.jpg"
+"""Where it lies in a repository."""
+
+_PICTURES = 6
+_HEIGHT = 128
+"""Of a picture in the strip [pixels]."""
+
+
+def picture_strip(root: Path, info: dict[str, Any]) -> bytes | None:
+    """Return pictures of the first episode at equal times as a JPEG, or None without cameras.
+
+    Args:
+        root: Folder of the dataset.
+        info: LeRobot's description of it.
+    """
+    frames = read_episodes(root)[0]["length"]
+    wanted = np.linspace(0, frames - 1, _PICTURES).round().astype(int).tolist()
+    videos = [
+        root / info["video_path"].format(video_key=key, chunk_index=0, file_index=0)
+        for key, feature in info["features"].items()
+        if feature["dtype"] == "video"
+    ]
+    if not videos:
+        return None
+    rows = [[_small(picture) for _, picture in read_frames(v, 0, wanted)] for v in videos]
+    strip = BytesIO()
+    Image.fromarray(np.vstack([np.hstack(row) for row in rows])).save(strip, "JPEG", quality=85)
+    return strip.getvalue()
+
+
+def _small(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    height, width, _ = picture.shape
+    size = round(width * _HEIGHT / height), _HEIGHT
+    return np.asarray(Image.fromarray(picture).resize(size))

@@ -1,0 +1,137 @@
+"""The environment as a LeRobot `Robot`: found, driven and recorded by LeRobot's own programs."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+import pytest
+from lerobot.configs.dataset import DatasetRecordConfig
+from lerobot.datasets.lerobot_dataset import LeRobotDataset
+from lerobot.robots import RobotConfig
+from lerobot.robots.utils import make_robot_from_config
+from lerobot.scripts import lerobot_record
+from lerobot.teleoperators import Teleoperator, TeleoperatorConfig
+
+import lerobot_env_labutopia  # noqa: F401  (what LeRobot imports)
+from labutopia_lerobot.datasets.declaration import dataset_features
+from labutopia_lerobot.devices import LabUtopiaRobot, LabUtopiaRobotConfig
+from labutopia_lerobot.devices.config_robot import InvalidRobotError
+from labutopia_lerobot.devices.robot import NEXT_EPISODE
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import Setting
+
+SMALL = {"cameras": ("front",), "width": 64, "height": 48}
+
+
+@TeleoperatorConfig.register_subclass("scripted")
+@dataclass
+class ScriptedConfig(TeleoperatorConfig):
+    """A person who types the expert's commands."""
+
+
+class Scripted(Teleoperator):
+    config_class = ScriptedConfig
+    name = "scripted"
+    commands: ClassVar[list[np.ndarray]] = []
+    is_connected = is_calibrated = True
+    feedback_features: ClassVar[dict[str, type]] = {}
+    action_features: ClassVar[dict[str, type]] = {}
+
+    def __init__(self, config: ScriptedConfig) -> None:
+        super().__init__(config)
+        self._left: Iterator[np.ndarray] = iter(self.commands)
+
+    def get_action(self) -> dict[str, float]:
+        names = LabUtopiaRobot(LabUtopiaRobotConfig()).action_features
+        return dict(zip(names, next(self._left).tolist(), strict=True))
+
+    def connect(self, calibrate: bool = True) -> None: ...
+    def calibrate(self) -> None: ...
+    def configure(self) -> None: ...
+    def send_feedback(self, feedback: dict[str, Any]) -> None: ...
+    def disconnect(self) -> None: ...
+
+
+@pytest.fixture
+def robot() -> Iterator[LabUtopiaRobot]:
+    robot = LabUtopiaRobot(LabUtopiaRobotConfig(**SMALL))
+    robot.connect()
+    yield robot
+    robot.disconnect()
+
+
+def test_lerobot_finds_it_by_its_type() -> None:
+    config = RobotConfig.get_choice_class("labutopia")(task="level1/press", **SMALL)
+    assert isinstance(make_robot_from_config(config), LabUtopiaRobot)
+
+
+@pytest.mark.parametrize(
+    ("option", "told"),
+    [
+        ({"task": "level1/pik"}, "Did you mean 'level1/pick'"),
+        ({"obs": "state"}, "a robot has cameras"),
+        ({"width": 0}, "from 1 to"),
+    ],
+)
+def test_a_wrong_flag_is_told(option: dict[str, Any], told: str) -> None:
+    with pytest.raises(InvalidRobotError, match=told):
+        LabUtopiaRobotConfig(**option)
+
+
+def test_it_does_what_the_environment_does(robot: LabUtopiaRobot, solution) -> None:
+    env = LabEnv(Setting("level1/pick", split="train", **SMALL))
+    seen, _ = env.reset(seed=0)
+    for command in solution[:5]:
+        told = robot.get_observation()
+        assert [told[name] for name in robot.action_features] == seen["agent_pos"].tolist()
+        assert np.array_equal(told["front"], seen["pixels"]["front"])
+        seen, *_, info = env.step(command)
+        acted = robot.send_action(dict(zip(robot.action_features, command, strict=True)))
+        assert list(acted.values()) == info["applied_action"].tolist()
+    env.close()
+
+
+def test_the_next_episode_begins_when_it_is_asked_for(robot: LabUtopiaRobot) -> None:
+    first = robot.get_observation()
+    still = {name: first[name] for name in robot.action_features}
+    robot.send_action(still)
+    robot.send_action({**still, NEXT_EPISODE: True})
+    env = LabEnv(Setting("level1/pick", split="train", **SMALL))
+    env.reset(seed=1)
+    second, *_ = env.step(np.array(list(still.values()), np.float32))
+    env.close()
+    assert np.array_equal(robot.get_observation()["front"], second["pixels"]["front"])
+
+
+def test_lerobot_records_a_person_with_the_features_of_our_datasets(
+    tmp_path: Path, solution, monkeypatch
+) -> None:
+    monkeypatch.setattr(Scripted, "commands", solution * 100)
+    monkeypatch.setattr(lerobot_record, "make_teleoperator_from_config", Scripted)
+    lerobot_record.record(
+        lerobot_record.RecordConfig(
+            robot=LabUtopiaRobotConfig(**SMALL),
+            teleop=ScriptedConfig(),
+            dataset=DatasetRecordConfig(
+                repo_id="local/person",
+                root=tmp_path / "person",
+                single_task="Pick up the conical flask from the bench.",
+                num_episodes=1,
+                episode_time_s=2,
+                reset_time_s=0,
+                push_to_hub=False,
+            ),
+            play_sounds=False,
+        )
+    )
+    dataset = LeRobotDataset("local/person", root=tmp_path / "person", video_backend="pyav")
+    declared = dataset_features(Setting("level1/pick", **SMALL))
+    for key in ("observation.state", "action", "observation.images.front"):
+        for part in ("dtype", "shape", "names"):
+            assert list(dataset.features[key][part]) == list(declared[key][part])
+    assert dataset.fps == 30
+    assert len(dataset) > 2
+    for number in range(len(dataset)):
+        assert dataset[number]["action"].tolist() == solution[number].tolist()
