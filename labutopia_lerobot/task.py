@@ -22,7 +22,10 @@ DIVERGED = "diverged"
 INTERRUPTED = "interrupted"
 """Outcome of an episode in which a milestone's `keeping` broke."""
 
-_RESERVED = {RUNNING, SUCCESS, TIMEOUT, DIVERGED, INTERRUPTED}
+POLICY_UNREACHABLE = "policy_unreachable"
+"""Outcome of an episode whose policy runs elsewhere and could not be asked any more."""
+
+_RESERVED = {RUNNING, SUCCESS, TIMEOUT, DIVERGED, INTERRUPTED, POLICY_UNREACHABLE}
 
 
 class TaskError(UserError, ValueError):
