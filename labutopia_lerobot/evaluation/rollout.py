@@ -44,13 +44,12 @@ class Episode:
     Attributes:
         pairing: What was played.
         row: What became of it.
-        actions: Everything that the policy commanded, shape (steps, elements); None if it was
-            played in an earlier run, which kept the row only.
+        actions: Everything that the policy commanded, shape (steps, elements).
     """
 
     pairing: Pairing
     row: Row
-    actions: NDArray[np.float32] | None
+    actions: NDArray[np.float32]
 
 
 def play(pairing: Pairing, seed: int) -> Episode:
@@ -94,7 +93,9 @@ def _play(pairing: Pairing, seed: int) -> Episode:
         device=getattr(policy, "device", None),
         renderer=opengl_renderer_name() if pairing.setting.obs == "pixels" else None,
     )
-    return Episode(pairing, row, np.array(actions, dtype=np.float32))
+    elements = env.workcell.simulation.command.size
+    commanded = np.array(actions, dtype=np.float32).reshape(len(actions), elements)
+    return Episode(pairing, row, commanded)
 
 
 @lru_cache(maxsize=1)
