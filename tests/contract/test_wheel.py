@@ -62,8 +62,9 @@ def test_evaluating_from_an_empty_folder_takes_configurations_and_recipes_from_t
 ):
     code = (
         "import sys; from labutopia_lerobot.cli.evaluate import main\n"
-        "from labutopia_lerobot.cli.recipe import _recipe\n"
-        f"assert str(_recipe('act', 'train.json')).startswith({str(site)!r})\n"
+        "from labutopia_lerobot.runtime.shipped import shipped\n"
+        "recipe = shipped('policies') / 'act' / 'train.json'\n"
+        f"assert recipe.is_file() and str(recipe).startswith({str(site)!r})\n"
         "sys.argv = ['labutopia-eval', 'task=level1/pick', 'policy=expert', 'episodes=1',"
         " 'workers=1', 'videos=0', 'out=result']\n"
         "if __name__ == '__main__': main()"

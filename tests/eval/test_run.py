@@ -6,6 +6,8 @@ from pathlib import Path
 import av
 import pytest
 
+from labutopia_lerobot.cli.evaluate import main
+
 from .conftest import Program, Saver
 
 
@@ -33,15 +35,21 @@ from .conftest import Program, Saver
         ),
     ],
 )
-def test_a_mistake_is_told_in_one_message(
-    evaluate_program: Program, overrides: list[str], names: list[str]
+def test_a_mistake_is_told_in_one_message_and_leaves_nothing(
+    overrides: list[str],
+    names: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    done = evaluate_program(*overrides)
-    assert done.returncode != 0
-    assert "Traceback" not in done.stderr
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "argv", ["labutopia-eval", *overrides])
+    with pytest.raises(SystemExit, match="2"):
+        main()
+    told = capsys.readouterr().err
     for name in names:
-        assert name in done.stderr
-    assert not list(tmp_path.iterdir()), "a start that failed leaves nothing"
+        assert name in told
+    assert not list(tmp_path.iterdir())
 
 
 def test_evaluating_the_expert_imports_no_torch() -> None:
