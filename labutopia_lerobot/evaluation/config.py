@@ -130,7 +130,7 @@ def require_known_options(arguments: Sequence[str]) -> None:
     options += [f"policy.{option.name}" for option in fields(PolicyConfig)]
     for argument in arguments:
         name, equals, _ = argument.partition("=")
-        if not equals or (name not in options and not name.startswith("policy.rename.")):
+        if not equals or name not in options:
             near = difflib.get_close_matches(name, options, n=1)
             hint = f" Did you mean '{near[0]}='?" if near else ""
             raise EvaluationOptionError(
