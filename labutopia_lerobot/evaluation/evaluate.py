@@ -69,6 +69,8 @@ def _pairing(config: EvaluationConfig, task: str, split: str) -> Pairing:
         checkpoint = open_checkpoint(path, policy.name, setting, config.obs, policy.device, rename)
         return Pairing(checkpoint.setting, checkpoint.type, checkpoint)
     if policy != PolicyConfig(policy.name):
-        raise EvaluationOptionError(f"policy={policy.name} takes no options of its own: policy.*")
+        raise EvaluationOptionError(
+            f"policy={policy.name} takes no option of its own, such as policy.path"
+        )
     canonical_task(setting)  # so that impossible axes are told at once
     return Pairing(setting, policy.name, REFERENCE_POLICIES[policy.name])
