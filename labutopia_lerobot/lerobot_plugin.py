@@ -40,6 +40,8 @@ class LabUtopiaEnvConfig(EnvConfig):
         task: A task id, a level such as `level1` for all of its tasks, or several of either,
             separated by commas.
         fps: Control rate, which cannot be changed.
+        max_parallel_tasks: 1: LeRobot would let tasks that it plays at a time share one policy and
+            its queue of actions (huggingface/lerobot#4327).
 
     `features` and `features_map` follow from these; what they are given is not used.
 
@@ -53,6 +55,7 @@ class LabUtopiaEnvConfig(EnvConfig):
     def __post_init__(self) -> None:
         try:
             require_choices("fps", [self.fps], [CONTROL_HZ])
+            self._require_one_task_at_a_time()
             observed = self._observed()
         except UserError as error:
             raise InvalidEnvError((), str(error)) from error
@@ -103,6 +106,15 @@ class LabUtopiaEnvConfig(EnvConfig):
             envs = LabVectorEnv(setting, n_envs, asynchronous)
             suites.setdefault(level, {})[name] = envs
         return suites
+
+    def _require_one_task_at_a_time(self) -> None:
+        if self.max_parallel_tasks > 1:
+            raise UnknownOptionError(
+                f"max_parallel_tasks={self.max_parallel_tasks} is refused: LeRobot lets tasks that "
+                "it plays at a time share one policy and its queue of actions, so that each plays "
+                "the other's. Leave it out; `eval.batch_size` and `eval.use_async_envs` play "
+                "several episodes of a task at a time"
+            )
 
     def _observed(self) -> dict[str, Feature]:
         """Declare what is observed, which must be the same in every task."""

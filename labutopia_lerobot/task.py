@@ -26,7 +26,19 @@ BROKEN = "broken"
 COLLIDED = "collided"
 """Outcome of an episode in which the robot ran into what no step lets it touch."""
 
-_RESERVED = {RUNNING, SUCCESS, TIMEOUT, DIVERGED, INTERRUPTED, BROKEN, COLLIDED}
+POLICY_UNREACHABLE = "policy_unreachable"
+"""Outcome of an episode whose policy runs elsewhere and could not be asked any more."""
+
+_RESERVED = {
+    RUNNING,
+    SUCCESS,
+    TIMEOUT,
+    DIVERGED,
+    INTERRUPTED,
+    BROKEN,
+    COLLIDED,
+    POLICY_UNREACHABLE,
+}
 
 
 class TaskError(UserError, ValueError):

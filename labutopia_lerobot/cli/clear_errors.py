@@ -22,7 +22,8 @@ def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
         try:
             main(*args, **kwargs)
         except UserError as error:
-            _tell(f"Error: {error}", status=2)
+            notes = getattr(error, "__notes__", ())
+            _tell("\n".join((f"Error: {error}", *notes)), status=2)
         except OSError as error:
             if error.errno != errno.ENOSPC:
                 raise

@@ -1,36 +1,39 @@
-"""Checkpoints of LeRobot: where they are, what they observe, whether they fit a task.
+"""Checkpoints of LeRobot: what they observe, whether they fit a task.
 
 Reads only the JSON beside the weights, so that a mistake is told before torch is imported.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
-from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.policies import Policy
-from labutopia_lerobot.evaluation.processors import (
-    POSTPROCESSOR,
+from labutopia_lerobot.evaluation.checkpoint_folder import (
+    adapted,
+    checkpoint_files,
+    find_checkpoint,
+)
+from labutopia_lerobot.evaluation.harmless import (
+    CONFIG,
     PREPROCESSOR,
     CheckpointError,
     read_steps,
     require_harmless,
+    require_harmless_model,
 )
+from labutopia_lerobot.evaluation.json_object import read_json_object
+from labutopia_lerobot.evaluation.policies import Policy
 from labutopia_lerobot.evaluation.trained_on import element_names
 from labutopia_lerobot.features import ACTION, environment_state_names
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import CAMERAS, IMAGE_SIZE, Setting
 
-_CONFIG = "config.json"
-FILES = (_CONFIG, "model.safetensors", PREPROCESSOR, POSTPROCESSOR)
-_PICKLES = {".bin", ".ckpt", ".pkl", ".pt", ".pth"}
 _STATE = "observation.state"
 _PRIVILEGED = "observation.environment_state"
 _IMAGES = "observation.images."
-_EMPTY_SLOT = "empty_camera"
-"""LeRobot's name for cameras that a vision-language-action model can do without."""
+_RENAMING = "rename_observations_processor"
 
 
 @dataclass(frozen=True)
@@ -40,12 +43,19 @@ class Checkpoint:
     Attributes:
         folder: LeRobot's `pretrained_model` folder, with links such as `last` followed: what is
             told of it stays true, and every worker loads the same, whatever training does.
+        base: Folder of the policy that `folder` adapts, if that is a LoRA adapter.
+        type: LeRobot's name of the policy.
         device: Device of torch, or None for CUDA where there is one.
+        rename: Pairs of a key of ours and what the policy calls it, or None for those that the
+            checkpoint was trained with.
         setting: What it plays and observes.
     """
 
     folder: Path
+    base: Path | None
+    type: str
     device: str | None
+    rename: tuple[tuple[str, str], ...] | None
     setting: Setting
 
     def __call__(self) -> Policy:
@@ -53,11 +63,17 @@ class Checkpoint:
         # Here: torch takes seconds to import, and only the workers need it.
         from labutopia_lerobot.evaluation.learned import LearnedPolicy
 
-        return LearnedPolicy(self.folder, self.device)
+        rename = None if self.rename is None else dict(self.rename)
+        return LearnedPolicy(self.folder, self.device, self.base, rename)
 
 
 def open_checkpoint(
-    path: Path, policy: str, setting: Setting, obs: str | None = None, device: str | None = None
+    path: Path | str,
+    policy: str | None,
+    setting: Setting,
+    obs: str | None = None,
+    device: str | None = None,
+    rename: Mapping[str, str] | None = None,
 ) -> Checkpoint:
     """Find the checkpoint for a task and make sure that it can play it.
 
@@ -66,21 +82,25 @@ def open_checkpoint(
     another task with as many elements is not noticed.
 
     Args:
-        path: A `pretrained_model` folder, an `output_dir` of `lerobot-train`, or a folder that
-            holds either of them per task, such as `level1/pick`.
-        policy: LeRobot's name of the policy, such as `act`.
+        path: See `find_checkpoint`.
+        policy: LeRobot's name of the policy, such as `act`, or None for whatever it is.
         setting: What to play; observed is what the checkpoint was trained on.
         obs: What it must have been trained on, `pixels` or `state`, or None for either.
         device: Device of torch, or None for CUDA where there is one.
+        rename: Our key -> what the policy calls it; None or empty for the checkpoint's own.
 
     Raises:
         CheckpointError: If there is none, or it cannot play the task.
     """
-    folder = _find(path, policy, setting.task, obs).resolve()
-    _require_files(folder)
+    folder = find_checkpoint(str(path), policy, setting.task, obs)
+    checkpoint_files(folder)
     require_harmless(folder)
-    config = read_json_object(folder / _CONFIG, CheckpointError)
-    _require_type(folder, config, policy)
+    base = adapted(folder)
+    if base is not None:
+        require_harmless_model(base)
+    config = read_json_object(folder / CONFIG, CheckpointError)
+    kind = _type(folder, config, policy)
+    renamed = dict(rename) if rename else _trained_rename(folder)
     inputs = _shapes(folder, config, "input_features")
     outputs = _shapes(folder, config, "output_features")
     elements = len(load_robot(setting.robot).elements)
@@ -88,63 +108,37 @@ def open_checkpoint(
     # Models that pad the state also scale the pictures, and keep the sizes of their base model.
     adapts = "max_state_dim" in config
     if not adapts:
-        _require_size(folder, _STATE, inputs.get(_STATE), elements)
+        _require_size(folder, _STATE, inputs.get(renamed.get(_STATE, _STATE)), elements)
     pictures = {key: shape for key, shape in inputs.items() if key.startswith(_IMAGES)}
     _require_obs(folder, "pixels" if pictures else "state", obs)
-    if not pictures:
-        names = environment_state_names(canonical_task(setting))
-        _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
-        _require_names(folder, setting.task, names)
-        return Checkpoint(folder, device, replace(setting, obs="state"))
-    if _PRIVILEGED in inputs:
+    if pictures and _PRIVILEGED in inputs:
         raise CheckpointError(
             f"{folder} wants both pictures and {_PRIVILEGED}, but obs=pixels and obs=state offer "
             "one of them. Train on one"
         )
-    cameras = _cameras(folder, pictures)
-    height, width = (IMAGE_SIZE, IMAGE_SIZE) if adapts else _picture_size(folder, pictures)
-    seen = replace(setting, obs="pixels", cameras=cameras, width=width, height=height)
-    return Checkpoint(folder, device, seen)
+    if pictures:
+        cameras = _cameras(folder, pictures, renamed, adapts)
+        height, width = (IMAGE_SIZE, IMAGE_SIZE) if adapts else _picture_size(folder, pictures)
+        seen = replace(setting, obs="pixels", cameras=cameras, width=width, height=height)
+    else:
+        names = environment_state_names(canonical_task(setting))
+        _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
+        _require_names(folder, setting.task, names)
+        seen = replace(setting, obs="state")
+    chosen = tuple(sorted(rename.items())) if rename else None
+    return Checkpoint(folder, base, kind, device, chosen, seen)
 
 
-def _find(path: Path, policy: str, task_id: str, obs: str | None) -> Path:
-    for folder in (path / task_id, path):
-        for inner in ("", "pretrained_model", "checkpoints/last/pretrained_model"):
-            if (folder / inner / _CONFIG).is_file():
-                return folder / inner
-    name = task_id.rpartition("/")[2]
-    recorded, recipe = (" obs=state", "train_state") if obs == "state" else ("", "train")
-    raise CheckpointError(
-        f"No checkpoint for {task_id} at policy.path={path}: it has neither {_CONFIG}, nor "
-        f"checkpoints/last/pretrained_model, nor {task_id}. Make one:\n"
-        f"  labutopia-record task={task_id}{recorded}\n"
-        f"  lerobot-train --config_path=policies/{policy}/{recipe}.json "
-        f"--dataset.repo_id=local/{name} "
-        f"--dataset.root=outputs/datasets/{task_id} --output_dir={path / task_id}"
-    )
-
-
-def _require_files(folder: Path) -> None:
-    missing = [name for name in FILES if not (folder / name).is_file()]
-    if not missing:
-        return
-    pickles = sorted(file.name for file in folder.iterdir() if file.suffix in _PICKLES)
-    pickled = (
-        f" It holds {', '.join(pickles)}, but pickles can run any code: save the policy with "
-        "LeRobot's save_pretrained"
-        if pickles
-        else " It must be whole, as lerobot-train saves it"
-    )
-    raise CheckpointError(f"{folder} lacks {', '.join(missing)}.{pickled}")
-
-
-def _require_type(folder: Path, config: dict[str, Any], policy: str) -> None:
+def _type(folder: Path, config: dict[str, Any], policy: str | None) -> str:
     found = config.get("type")
-    if found != policy:
+    if not isinstance(found, str):
+        raise CheckpointError(f"{folder / CONFIG} does not tell the type of the policy")
+    if policy not in (None, found):
         raise CheckpointError(
             f"policy={policy} cannot play {folder}, which holds a policy of type '{found}'. "
-            "Choose the policy of that type, or another policy.path="
+            "Leave policy= out, or choose another policy.path="
         )
+    return found
 
 
 def _require_obs(folder: Path, trained_on: str, obs: str | None) -> None:
@@ -159,7 +153,7 @@ def _shapes(folder: Path, config: dict[str, Any], kind: str) -> dict[str, tuple[
     try:
         return {key: tuple(feature["shape"]) for key, feature in config[kind].items()}
     except (AttributeError, KeyError, TypeError):
-        raise CheckpointError(f"{folder / _CONFIG} declares no {kind}") from None
+        raise CheckpointError(f"{folder / CONFIG} declares no {kind}") from None
 
 
 def _require_size(folder: Path, key: str, shape: tuple[int, ...] | None, size: int) -> None:
@@ -184,24 +178,38 @@ def _require_names(folder: Path, task: str, names: tuple[str, ...]) -> None:
     )
 
 
-def _cameras(folder: Path, pictures: dict[str, tuple[int, ...]]) -> tuple[str, ...]:
-    renamed = {
-        after: before
+def _trained_rename(folder: Path) -> dict[str, str]:
+    return {
+        before: after
         for step in read_steps(folder / PREPROCESSOR)
-        if step["registry_name"] == "rename_observations_processor"
+        if step["registry_name"] == _RENAMING
         for before, after in step["config"].get("rename_map", {}).items()
     }
-    seen = [renamed.get(key, key) for key in pictures if _EMPTY_SLOT not in key]
-    unknown = [key for key in seen if key.removeprefix(_IMAGES) not in CAMERAS]
-    if unknown:
+
+
+def _cameras(
+    folder: Path,
+    pictures: Mapping[str, tuple[int, ...]],
+    renamed: Mapping[str, str],
+    may_miss: bool,
+) -> tuple[str, ...]:
+    """Return our cameras, in the policy's order.
+
+    Vision-language-action models have slots for cameras: one that none of ours is called by stays
+    empty, as it was in training. Every other policy needs all of its pictures.
+    """
+    ours = {renamed.get(_IMAGES + camera, _IMAGES + camera): camera for camera in CAMERAS}
+    unknown = [key for key in pictures if key not in ours]
+    if not any(key in ours for key in pictures) or (unknown and not may_miss):
         raise CheckpointError(
             f"{folder} looks through {', '.join(unknown)}, which do not exist here. "
-            f"Cameras: {', '.join(_IMAGES + camera for camera in CAMERAS)}"
+            f"Cameras: {', '.join(_IMAGES + camera for camera in CAMERAS)}. If one of these is "
+            f"meant: 'policy.rename={{{_IMAGES}{CAMERAS[0]}: {unknown[0]}}}'"
         )
-    return tuple(key.removeprefix(_IMAGES) for key in seen)
+    return tuple(ours[key] for key in pictures if key in ours)
 
 
-def _picture_size(folder: Path, pictures: dict[str, tuple[int, ...]]) -> tuple[int, int]:
+def _picture_size(folder: Path, pictures: Mapping[str, tuple[int, ...]]) -> tuple[int, int]:
     sizes = {shape[-2:] for shape in pictures.values()}
     if len(sizes) > 1:
         raise CheckpointError(f"{folder} wants pictures of several sizes: {sorted(sizes)}")

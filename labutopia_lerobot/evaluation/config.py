@@ -22,14 +22,36 @@ class PolicyConfig:
     """Which policy plays.
 
     Attributes:
-        name: `expert`, `random`, `still`, or LeRobot's name of a learned policy.
-        path: Checkpoint of a learned policy, or a folder with one per task.
+        name: `expert`, `random`, `still`, `remote`, LeRobot's name of a learned policy, or null for
+            whatever type the checkpoint is.
+        path: Checkpoint of a learned policy: a folder, one with a checkpoint per task, or a Hub id
+            such as `org/name` or `org/name@revision`. With `remote`, where LeRobot's server finds
+            it.
         device: Device of torch for a learned policy; CUDA where there is one when null.
+        rename: Our key -> what the policy calls it, such as
+            {observation.images.front: observation.images.camera1}; a checkpoint knows its own.
+        address: `remote`: host and port of the server, such as localhost:8080.
+        protocol: `remote`: `lerobot` (its policy server) or `openpi` (websocket).
+        type: `remote` over `lerobot`: LeRobot's name of the policy; read from the checkpoint when
+            null.
+        actions: `remote`: how many actions of an answer are played before the next is asked for;
+            all of them when null.
+        patience: `remote`: for how long the simulation stands still for an answer [s]; after that
+            time passes, and the robot holds its position.
+        timeout: `remote`: after how long without an answer an episode ends as
+            `policy_unreachable` [s].
     """
 
-    name: str = MISSING
+    name: str | None = None
     path: str | None = None
     device: str | None = None
+    rename: dict[str, str] = field(default_factory=dict)
+    address: str | None = None
+    protocol: str | None = None
+    type: str | None = None
+    actions: int | None = None
+    patience: float = 1.0
+    timeout: float = 30.0
 
 
 @with_setting
@@ -97,10 +119,9 @@ class EvaluationConfig:
 
 
 def require_known_options(arguments: Sequence[str]) -> None:
-    """Make sure that every override (`name=value`) of the command line names an option.
+    """Make sure that every argument is an override (`name=value`) that names an option.
 
-    Hydra refuses unknown names too, but does not say which there are. Its own flags, `hydra.*` and
-    what is no override at all are left to it.
+    Hydra refuses unknown names too, but does not say which there are.
 
     Raises:
         EvaluationOptionError: If one does not; the message lists the options.
@@ -109,12 +130,7 @@ def require_known_options(arguments: Sequence[str]) -> None:
     options += [f"policy.{option.name}" for option in fields(PolicyConfig)]
     for argument in arguments:
         name, equals, _ = argument.partition("=")
-        if (
-            equals
-            and (not name or name[:1].isalpha())
-            and name not in options
-            and not name.startswith("hydra")
-        ):
+        if not equals or name not in options:
             near = difflib.get_close_matches(name, options, n=1)
             hint = f" Did you mean '{near[0]}='?" if near else ""
             raise EvaluationOptionError(

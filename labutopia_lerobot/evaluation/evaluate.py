@@ -1,11 +1,16 @@
 """An evaluation, from pairings of policies and tasks to episodes."""
 
 from collections.abc import Collection, Iterator, Sequence
-from pathlib import Path
+from dataclasses import replace
 
 from labutopia_lerobot.evaluation.checkpoint import open_checkpoint
-from labutopia_lerobot.evaluation.config import EvaluationConfig, EvaluationOptionError
+from labutopia_lerobot.evaluation.config import (
+    EvaluationConfig,
+    EvaluationOptionError,
+    PolicyConfig,
+)
 from labutopia_lerobot.evaluation.policies import REFERENCE_POLICIES
+from labutopia_lerobot.evaluation.remote.reach import REMOTE, reach
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
 from labutopia_lerobot.runtime.workers import in_processes
 from labutopia_lerobot.scenario import canonical_task
@@ -55,13 +60,17 @@ def in_order(episodes: Sequence[Episode], pairings: Sequence[Pairing]) -> list[E
 def _pairing(config: EvaluationConfig, task: str, split: str) -> Pairing:
     policy = config.policy
     setting = setting_of(config, task=task, split=split, obs=config.obs or "state")
+    if policy.name == REMOTE:
+        remote = reach(policy, replace(setting, obs=config.obs or "pixels"), config.workers)
+        return Pairing(remote.setting, REMOTE, remote)
     if policy.name not in REFERENCE_POLICIES:
-        path = Path(policy.path or f"outputs/train/{policy.name}")
-        checkpoint = open_checkpoint(path, policy.name, setting, config.obs, policy.device)
-        return Pairing(checkpoint.setting, policy.name, checkpoint)
-    if policy.path is not None or policy.device is not None:
+        path = policy.path or f"outputs/train/{policy.name}"
+        rename = policy.rename
+        checkpoint = open_checkpoint(path, policy.name, setting, config.obs, policy.device, rename)
+        return Pairing(checkpoint.setting, checkpoint.type, checkpoint)
+    if policy != PolicyConfig(policy.name):
         raise EvaluationOptionError(
-            f"policy={policy.name} takes neither policy.path nor policy.device"
+            f"policy={policy.name} takes no option of its own, such as policy.path"
         )
     canonical_task(setting)  # so that impossible axes are told at once
     return Pairing(setting, policy.name, REFERENCE_POLICIES[policy.name])

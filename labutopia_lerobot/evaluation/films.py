@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
+from labutopia_lerobot.evaluation.rollout import Episode, Pairing
 from labutopia_lerobot.runtime.video import write_video
 from labutopia_lerobot.setting import IMAGE_SIZE
 from labutopia_lerobot.sim.renderer import NoOpenGLError, require_opengl
+from labutopia_lerobot.task import POLICY_UNREACHABLE, RUNNING
 
 _CAMERA = "front"
 
@@ -44,41 +45,30 @@ def choose(episodes: Sequence[Episode], count: int, folder: Path) -> list[tuple[
     ]
 
 
-def film(episode: Episode, file: Path) -> str | None:
+def film(episode: Episode, file: Path) -> None:
     """Play the actions of an episode again, in front of a camera.
 
     The policy is not asked, so that filming can change nothing of what it sees, and only the
-    episodes that are shown are drawn. Of an episode that an earlier run played no actions are kept:
-    the policy plays it once more, and then those actions are filmed.
-
-    Returns:
-        None, or why there is no film: the policy played the episode otherwise than in the earlier
-        run, as one on a GPU may.
+    episodes that are shown are drawn.
 
     Raises:
         RuntimeError: If the same actions end otherwise than before.
     """
-    row, actions = episode.row, episode.actions
-    if actions is None:
-        again = play(episode.pairing, row.seed)
-        if (again.row.outcome, again.row.steps) != (row.outcome, row.steps):
-            return f"Not filmed, since it went otherwise when it was played again: {file.name}"
-        actions = again.actions
-        assert actions is not None
+    row = episode.row
     env = _env(episode.pairing)
     observation, info = env.reset(seed=row.seed)
     frames = [observation["pixels"][_CAMERA]]
-    for action in actions:
+    for action in episode.actions:
         observation, *_, info = env.step(action)
         frames.append(observation["pixels"][_CAMERA])
     env.close()
-    if info["outcome"] != row.outcome:
+    # Where nobody answered any more, the actions end before the episode does.
+    if info["outcome"] != (RUNNING if row.outcome == POLICY_UNREACHABLE else row.outcome):
         raise RuntimeError(
             f"{row.task}, seed {row.seed}: the same actions ended in {info['outcome']} while "
             f"being filmed, and in {row.outcome} before"
         )
     write_video(file, frames)
-    return None
 
 
 def _env(pairing: Pairing) -> LabEnv:

@@ -1,18 +1,21 @@
 """A policy that LeRobot trained, played as `lerobot-eval` plays it. Imports torch."""
 
+from collections.abc import Mapping
 from contextlib import nullcontext, redirect_stdout
 from pathlib import Path
 
 import torch
+from draccus.utils import DecodingError
 from lerobot.configs import PreTrainedConfig
 from lerobot.envs import preprocess_observation
 from lerobot.policies import PreTrainedPolicy, make_pre_post_processors
 from lerobot.policies.factory import get_policy_class
+from lerobot.utils.import_utils import register_third_party_plugins, require_package
 
 from labutopia_lerobot.env import LabEnv, Observation
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.harmless import require_harmless, require_harmless_model
 from labutopia_lerobot.evaluation.policies import Action
-from labutopia_lerobot.evaluation.processors import require_harmless
 
 
 class UnusableWeightsError(UserError):
@@ -28,30 +31,43 @@ class LearnedPolicy:
     Args:
         folder: A `pretrained_model` folder of LeRobot.
         device: `cpu`, `cuda` or another device of torch; None for CUDA where there is one.
+        base: Folder of the policy that `folder` adapts, if that is a LoRA adapter.
+        rename: Our key -> what the policy calls it, or None for those of its training.
 
     Attributes:
         device: The device that it runs on.
 
     Raises:
-        CheckpointError: If the processors could run code.
+        CheckpointError: If the checkpoint could run code.
         UnusableWeightsError: If the weights do not fit the configuration, or there is no such
             device.
     """
 
-    def __init__(self, folder: Path, device: str | None) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        device: str | None,
+        base: Path | None = None,
+        rename: Mapping[str, str] | None = None,
+    ) -> None:
         require_harmless(folder)  # here too: whoever loads a policy comes through here
+        if base is not None:
+            require_harmless_model(base)
         torch.set_num_threads(1)
-        config = PreTrainedConfig.from_pretrained(folder)
+        config = _config(folder)
         self.device = config.device = _require_device(device)
         config.pretrained_path = folder
         if hasattr(config, "pretrained_backbone_weights"):
             # They would be downloaded, only to be overwritten by those of the checkpoint.
             config.pretrained_backbone_weights = None
-        self._policy = _load(folder, config)
+        self._policy = _load(folder, base, config)
+        overrides = {"device_processor": {"device": config.device}}
+        if rename is not None:
+            overrides["rename_observations_processor"] = {"rename_map": dict(rename)}
         self._preprocessor, self._postprocessor = make_pre_post_processors(
             config,
             pretrained_path=str(folder),
-            preprocessor_overrides={"device_processor": {"device": config.device}},
+            preprocessor_overrides=overrides,
         )
         self._precision = (
             torch.autocast(torch.device(config.device).type) if config.use_amp else nullcontext()
@@ -85,9 +101,27 @@ def _require_device(device: str | None) -> str:
     return device
 
 
-def _load(folder: Path, config: PreTrainedConfig) -> PreTrainedPolicy:
+def _config(folder: Path) -> PreTrainedConfig:
+    register_third_party_plugins()  # as LeRobot's programs do: `lerobot_policy_*` packages
+    try:
+        return PreTrainedConfig.from_pretrained(folder)
+    except (ValueError, ImportError, DecodingError) as error:
+        raise UnusableWeightsError(f"{folder} cannot be loaded: {error}") from None
+
+
+def _load(folder: Path, base: Path | None, config: PreTrainedConfig) -> PreTrainedPolicy:
     try:
         with redirect_stdout(None):  # LeRobot prints a line, which would cut the progress bar
-            return get_policy_class(config.type).from_pretrained(folder, config=config, strict=True)
-    except (RuntimeError, ImportError) as error:
+            kind = get_policy_class(config.type)
+            policy = kind.from_pretrained(base or folder, config=config, strict=True)
+            return policy if base is None else _adapt(policy, folder)
+    except (RuntimeError, ImportError, OSError, ValueError) as error:
         raise UnusableWeightsError(f"{folder} cannot be loaded: {error}") from None
+
+
+def _adapt(policy: PreTrainedPolicy, folder: Path) -> PreTrainedPolicy:
+    """Return a policy with a LoRA adapter around it; everything else is passed through to it."""
+    require_package("peft", extra="peft")
+    from peft import PeftModel
+
+    return PeftModel.from_pretrained(policy, folder).eval()

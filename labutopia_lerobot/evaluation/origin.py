@@ -5,10 +5,11 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from labutopia_lerobot.evaluation.checkpoint import FILES, Checkpoint
+from labutopia_lerobot.evaluation.checkpoint import Checkpoint
+from labutopia_lerobot.evaluation.checkpoint_folder import WEIGHTS, checkpoint_files
 from labutopia_lerobot.evaluation.config import EvaluationConfig
+from labutopia_lerobot.evaluation.harmless import CONFIG, CheckpointError
 from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.processors import CheckpointError
 from labutopia_lerobot.evaluation.rollout import Pairing
 from labutopia_lerobot.evaluation.row import Row
 from labutopia_lerobot.runtime import provenance
@@ -35,7 +36,7 @@ def origin(config: EvaluationConfig, pairings: Sequence[Pairing]) -> dict[str, A
         "code": provenance.code(policies, tasks_dir),
         "versions": provenance.versions(),
         "checkpoints": {
-            task: _weights(policy.folder)
+            task: _weights(policy)
             for task, policy in policies.items()
             if isinstance(policy, Checkpoint)
         },
@@ -63,13 +64,25 @@ def full_provenance(
     }
 
 
-def _weights(folder: Path) -> dict[str, Any]:
+def _weights(checkpoint: Checkpoint) -> dict[str, Any]:
     """Return which weights a checkpoint has: its real folder, its training step, its hashes."""
+    folder, base = checkpoint.folder, checkpoint.base
+    told = {
+        "folder": str(folder),
+        "type": checkpoint.type,
+        "step": _training_step(folder),
+        "sha256": _hashes(folder, checkpoint_files(folder)),
+    }
+    if base is None:
+        return told
+    return {**told, "base": {"folder": str(base), "sha256": _hashes(base, (CONFIG, WEIGHTS))}}
+
+
+def _hashes(folder: Path, names: Iterable[str]) -> dict[str, str]:
     try:
-        hashes = {name: provenance.sha256(folder / name) for name in FILES}
+        return {name: provenance.sha256(folder / name) for name in names}
     except OSError as error:
         raise CheckpointError(f"{folder} cannot be read: {error}") from None
-    return {"folder": str(folder), "step": _training_step(folder), "sha256": hashes}
 
 
 def _training_step(folder: Path) -> int | None:

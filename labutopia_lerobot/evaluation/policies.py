@@ -14,6 +14,10 @@ Action = NDArray[np.float32]
 """Absolute targets: joint angles [rad] and the gripper opening [m], shape (elements,)."""
 
 
+class PolicyUnreachable(Exception):  # noqa: N818  (an outcome of an episode, not a mistake)
+    """Nobody answers for a policy any more: the episode is over, and the next one may be played."""
+
+
 class Policy(Protocol):
     """Plays one episode after another.
 
@@ -26,7 +30,12 @@ class Policy(Protocol):
         ...
 
     def act(self, observation: Observation) -> Action:
-        """Return the next action."""
+        """Return the next action.
+
+        Raises:
+            PolicyUnreachable: If the policy runs elsewhere and cannot be asked.
+            Exception: Anything else is a bug, which stops the evaluation.
+        """
         ...
 
 

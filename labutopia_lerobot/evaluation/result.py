@@ -1,7 +1,8 @@
 """The folder of a result: rows as they come, then everything with its provenance.
 
-`evaluation.json` tells what the rows come from, `rows.jsonl` holds them, `result.json` says that it
-is finished. Killed at any moment, the same command goes on with the rows that are there.
+`evaluation.json` tells what the rows come from, `rows.jsonl` holds them, `actions.jsonl` what was
+commanded, `result.json` says that it is finished. Killed at any moment, the same command goes on
+with the rows that are there.
 """
 
 import json
@@ -12,14 +13,21 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.json_object import read_json_object
 from labutopia_lerobot.evaluation.row import Row, UnreadableResultError, from_columns
 from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.evaluation.stored_actions import decode, encode
 from labutopia_lerobot.runtime.claim import differences, locked, write_whole
 
 ROWS = "rows.jsonl"
 """One JSON row per finished episode, in the order in which they finished."""
+
+ACTIONS = "actions.jsonl"
+"""The actions of every episode, written before its row."""
 
 ORIGIN = "evaluation.json"
 RESULT = "result.json"
@@ -44,12 +52,25 @@ class ResultFolder:
         self.path = path
         self.rows = read_rows(path / ROWS)
 
-    def add(self, row: Row) -> None:
-        """Keep a row, whatever happens next."""
-        with (self.path / ROWS).open("a") as rows:
-            rows.write(json.dumps(asdict(row)) + "\n")
-            rows.flush()
-            os.fsync(rows.fileno())
+    def add(self, row: Row, actions: NDArray[np.float32]) -> None:
+        """Keep a row and its actions, shape (steps, elements), whatever happens next."""
+        named = {"task": row.task, "split": row.split, "seed": row.seed}
+        _append(self.path / ACTIONS, named | encode(actions))
+        _append(self.path / ROWS, asdict(row))
+
+    def actions(self) -> list[NDArray[np.float32]]:
+        """Return the actions of `rows`, in their order, shape (steps, elements) each.
+
+        Raises:
+            UnreadableResultError: If they are missing or damaged.
+        """
+        kept = read_actions(self.path / ACTIONS)
+        try:
+            return [decode(kept[row.task, row.split, row.seed]) for row in self.rows]
+        except (KeyError, ValueError) as error:
+            raise UnreadableResultError(
+                f"{self.path / ACTIONS} lacks actions of a row: {error}. Choose another out="
+            ) from None
 
     def finish(
         self, rows: Sequence[Row], summaries: Sequence[Summary], provenance: dict[str, Any]
@@ -94,7 +115,8 @@ def claim(path: Path, origin: dict[str, Any]) -> Iterator[ResultFolder]:
             _refuse_other(path, origin)
         else:
             write_whole(path / ORIGIN, origin)
-        _drop_half_a_row(path / ROWS)
+        for file in (path / ROWS, path / ACTIONS):
+            _drop_half_a_line(file)
         yield ResultFolder(path)
 
 
@@ -104,19 +126,44 @@ def read_rows(file: Path) -> list[Row]:
     Raises:
         UnreadableResultError: If anything else is no row.
     """
-    rows = []
+    return [from_columns(Row, columns, file) for columns in _lines(file, "row")]
+
+
+def read_actions(file: Path) -> dict[tuple[str, str, int], dict[str, Any]]:
+    """Return task, split and seed -> the actions of that episode, as JSON (see `stored_actions`).
+
+    Raises:
+        UnreadableResultError: If a line of the file holds none, or there is no such file.
+    """
+    try:
+        return {
+            (line["task"], line["split"], line["seed"]): line for line in _lines(file, "action")
+        }
+    except (OSError, KeyError) as error:
+        raise UnreadableResultError(f"{file} holds no actions: {error}") from None
+
+
+def _lines(file: Path, what: str) -> list[dict[str, Any]]:
+    lines = []
     for number, line in enumerate(file.read_text().split("\n")[:-1], start=1):
         try:
-            columns = json.loads(line)
+            content = json.loads(line)
         except ValueError:
-            columns = None
-        if not isinstance(columns, dict):
-            raise UnreadableResultError(f"Line {number} of {file} is no row: delete that line")
-        rows.append(from_columns(Row, columns, file))
-    return rows
+            content = None
+        if not isinstance(content, dict):
+            raise UnreadableResultError(f"Line {number} of {file} is no {what}: delete that line")
+        lines.append(content)
+    return lines
 
 
-def _drop_half_a_row(file: Path) -> None:
+def _append(file: Path, content: dict[str, Any]) -> None:
+    with file.open("a") as lines:
+        lines.write(json.dumps(content) + "\n")
+        lines.flush()
+        os.fsync(lines.fileno())
+
+
+def _drop_half_a_line(file: Path) -> None:
     """Cut the file behind its last whole line; make it if it is not there."""
     with file.open("a+b") as rows:
         rows.seek(0)

@@ -9,12 +9,13 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.env import Info, LabEnv
 from labutopia_lerobot.evaluation.causes import cause_of
-from labutopia_lerobot.evaluation.policies import Policy, PolicyMaker
+from labutopia_lerobot.evaluation.policies import Policy, PolicyMaker, PolicyUnreachable
 from labutopia_lerobot.evaluation.row import Row
 from labutopia_lerobot.progress import History
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.task import POLICY_UNREACHABLE
 from labutopia_lerobot.world import CONTROL_HZ
 
 PLAY = "single"
@@ -43,24 +44,44 @@ class Episode:
     Attributes:
         pairing: What was played.
         row: What became of it.
-        actions: Everything that the policy commanded, shape (steps, elements); None if it was
-            played in an earlier run, which kept the row only.
+        actions: Everything that the policy commanded, shape (steps, elements).
     """
 
     pairing: Pairing
     row: Row
-    actions: NDArray[np.float32] | None
+    actions: NDArray[np.float32]
 
 
 def play(pairing: Pairing, seed: int) -> Episode:
-    """Play the episode of a seed. Errors are not caught: a bug is not a failed episode."""
+    """Play the episode of a seed.
+
+    Raises:
+        Exception: Whatever a policy or a task raises, with a note that names the episode: a bug is
+            not a failed episode. Only a policy elsewhere that cannot be asked any more ends it.
+    """
+    try:
+        return _play(pairing, seed)
+    except Exception as error:
+        setting = pairing.setting
+        error.add_note(
+            f"In the episode of {setting.task}, split {setting.split}, seed {seed}, played by "
+            f"{pairing.policy}"
+        )
+        raise
+
+
+def _play(pairing: Pairing, seed: int) -> Episode:
     env, policy = _prepare(pairing)
     observation, info = env.reset(seed=seed)
     policy.start(env, seed)
     actions: list[NDArray[np.float32]] = []
     over = False
     while not over:
-        action = policy.act(observation)
+        try:
+            action = policy.act(observation)
+        except PolicyUnreachable:
+            info = info | {"outcome": POLICY_UNREACHABLE}
+            break
         actions.append(action)
         observation, _, terminated, truncated, info = env.step(action)
         over = terminated or truncated
@@ -72,7 +93,9 @@ def play(pairing: Pairing, seed: int) -> Episode:
         device=getattr(policy, "device", None),
         renderer=opengl_renderer_name() if pairing.setting.obs == "pixels" else None,
     )
-    return Episode(pairing, row, np.array(actions, dtype=np.float32))
+    elements = env.workcell.simulation.command.size
+    commanded = np.array(actions, dtype=np.float32).reshape(len(actions), elements)
+    return Episode(pairing, row, commanded)
 
 
 @lru_cache(maxsize=1)

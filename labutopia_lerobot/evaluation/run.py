@@ -1,6 +1,6 @@
 """A run of the evaluator: from its options to its result, its table and its films."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from rich.console import Console
@@ -9,6 +9,7 @@ from rich.progress import track
 from labutopia_lerobot.evaluation.config import EvaluationConfig
 from labutopia_lerobot.evaluation.evaluate import evaluate, in_order, make_pairings
 from labutopia_lerobot.evaluation.films import choose, film, require_camera
+from labutopia_lerobot.evaluation.live import LiveProgress
 from labutopia_lerobot.evaluation.origin import full_provenance, origin
 from labutopia_lerobot.evaluation.result import ResultFolder, claim
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing
@@ -40,7 +41,7 @@ def run(config: EvaluationConfig, console: Console) -> Path:
         summaries = summarise(rows)
         file = folder.finish(rows, summaries, full_provenance(began, config, rows))
         console.print(summary_table(summaries, level_means=config.level is not None))
-        _film(config, episodes, folder, console)
+        _film(config, episodes, folder)
     console.print(f"Wrote {file}", soft_wrap=True, markup=False, highlight=False)
     return file
 
@@ -51,24 +52,21 @@ def _play(
     """Return every episode in order; only those without a row are played."""
     seeds = range(config.seed, config.seed + config.episodes)
     of = {(pairing.setting.task, pairing.setting.split): pairing for pairing in pairings}
-    episodes = [Episode(of[row.task, row.split], row, None) for row in folder.rows]
-    missing = len(pairings) * len(seeds) - len(episodes)
+    kept = zip(folder.rows, folder.actions(), strict=True)
+    episodes = [Episode(of[row.task, row.split], row, actions) for row, actions in kept]
     played = evaluate(pairings, seeds, config.workers, tuple(episodes))
-    for episode in _watched(played, "Playing", missing):
-        folder.add(episode.row)
-        episodes.append(episode)
+    with LiveProgress(pairings, len(seeds), Console(stderr=True)) as live:
+        live.known(folder.rows)
+        for episode in played:
+            folder.add(episode.row, episode.actions)
+            live.played(episode.row)
+            episodes.append(episode)
     return in_order(episodes, pairings)
 
 
-def _film(
-    config: EvaluationConfig, episodes: Sequence[Episode], folder: ResultFolder, console: Console
-) -> None:
+def _film(config: EvaluationConfig, episodes: Sequence[Episode], folder: ResultFolder) -> None:
     films = choose(episodes, config.videos, folder.path / "videos")
     filmed = in_processes(film, films, config.workers)
-    for problem in _watched(filmed, "Filming", len(films)):
-        if problem is not None:
-            console.print(problem, soft_wrap=True, markup=False, highlight=False)
-
-
-def _watched[Item](items: Iterable[Item], verb: str, total: int) -> Iterable[Item]:
-    return track(items, verb, total=total, console=Console(stderr=True), disable=total == 0)
+    bar = Console(stderr=True)
+    for _ in track(filmed, "Filming", total=len(films), console=bar, disable=not films):
+        pass

@@ -17,7 +17,7 @@ from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
-from labutopia_lerobot.evaluation.config import EvaluationConfig
+from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
 from labutopia_lerobot.setting import option_help
 
 ROOT = Path(__file__).parents[2]
@@ -39,13 +39,16 @@ def test_help_of_the_evaluator_explains_every_option_and_lists_the_policies():
     assert done.returncode == 0, done.stderr
     listed = entries(done.stdout)
     names = {option.name for option in fields(EvaluationConfig)} - {"policy"}
-    assert set(listed) == names | {"policy.name", "policy.path", "policy.device"}
+    assert set(listed) == names | {f"policy.{option.name}" for option in fields(PolicyConfig)}
     assert all(
         listed[name] == text
         for name, text in option_help(EvaluationConfig).items()
         if name in names
     )
-    assert "Policies: act, diffusion, expert, pi0, random, smolvla, still" in done.stdout
+    assert (
+        "Policies: act, diffusion, expert, lerobot, pi0, random, remote, smolvla, still"
+        in done.stdout
+    )
 
 
 @pytest.mark.parametrize(
@@ -79,6 +82,7 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
         ("publish", ["what", "--repo-id", "--results", "--private", "--replace", "--dry-run"]),
         ("bench", ["tasks", "--json", "--seconds", "--episodes"]),
         ("check", ["folder", "--task"]),
+        ("recipe", ["policy", "DATASET", "--epochs", "--batch-size", "--out"]),
         ("view", ["task", "--seed", "--out", "--headless", "--split", "--robot", "--tasks-dir"]),
     ],
 )
@@ -99,7 +103,9 @@ def test_every_installed_program_is_there():
         "bench",
         "check",
         "convert",
+        "evaluate",
         "publish",
+        "recipe",
         "record",
         "render",
         "replay",

@@ -85,6 +85,7 @@ def test_importing_the_plugin_imports_no_mujoco() -> None:
         ({"obs": "depth"}, "pixels, state"),
         ({"cameras": ["side"]}, "front, top, wrist"),
         ({"fps": 60}, "30"),
+        ({"max_parallel_tasks": 2}, "share one policy"),
     ],
 )
 def test_a_wrong_flag_names_the_choices(wrong: dict[str, Any], message: str) -> None:

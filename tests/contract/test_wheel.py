@@ -57,6 +57,24 @@ def test_recording_from_an_empty_folder_leaves_a_dataset_and_nothing_else(site, 
     assert (tmp_path / "pick/meta/info.json").is_file()
 
 
+def test_evaluating_from_an_empty_folder_takes_configurations_and_recipes_from_the_wheel(
+    site, tmp_path
+):
+    code = (
+        "import sys; from labutopia_lerobot.cli.evaluate import main\n"
+        "from labutopia_lerobot.runtime.shipped import shipped\n"
+        "recipe = shipped('policies') / 'act' / 'train.json'\n"
+        f"assert recipe.is_file() and str(recipe).startswith({str(site)!r})\n"
+        "sys.argv = ['labutopia-eval', 'task=level1/pick', 'policy=expert', 'episodes=1',"
+        " 'workers=1', 'videos=0', 'out=result']\n"
+        "if __name__ == '__main__': main()"
+    )
+    done = run(site, tmp_path, code)
+    assert done.returncode == 0, done.stderr
+    assert "1/1" in done.stdout
+    assert [path.name for path in tmp_path.iterdir()] == ["result"]
+
+
 def test_lerobot_discovers_the_environment(site, tmp_path):
     code = (
         "from lerobot.utils.import_utils import register_third_party_plugins as register\n"

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 from huggingface_hub import ModelCard, constants
-
 from labutopia_lerobot.evaluation.processors import CheckpointError
+
 from labutopia_lerobot.evaluation.statistics import Summary, wilson95
 from labutopia_lerobot.hub.policy import UnpublishablePolicyError, find_policy, policy_repository
 from labutopia_lerobot.hub.publish import publish

@@ -9,7 +9,6 @@ import sys
 import time
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 
@@ -227,17 +226,19 @@ def test_rows_of_nobody_knows_what_are_refused(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["rows.jsonl"]
 
 
-def test_an_episode_of_an_earlier_run_is_filmed_by_playing_it_again(
+def test_the_actions_of_an_earlier_run_are_kept_and_filmed(
     unfinished: Path, tmp_path: Path
 ) -> None:
     options = config(unfinished)
     (pairing,) = make_pairings(options)
     with claim(unfinished, origin(options, [pairing])) as folder:
-        (row,) = folder.rows
-    assert film(Episode(pairing, row, None), tmp_path / "film.mp4") is None
+        ((row,), (actions,)) = folder.rows, folder.actions()
+    assert actions.shape == (row.steps, 8)
+    film(Episode(pairing, row, actions), tmp_path / "film.mp4")
     assert (tmp_path / "film.mp4").stat().st_size > 1000
-    otherwise = replace(row, steps=row.steps - 1)
-    told = film(Episode(pairing, otherwise, None), tmp_path / "other.mp4")
-    assert told is not None
-    assert "other.mp4" in told
-    assert not (tmp_path / "other.mp4").exists()
+
+
+def test_rows_without_their_actions_are_told(unfinished: Path) -> None:
+    (unfinished / "actions.jsonl").unlink()
+    with pytest.raises(UnreadableResultError, match=r"actions\.jsonl lacks actions of a row"):
+        evaluate_into(unfinished)

@@ -1,0 +1,107 @@
+"""How an evaluation goes, while it goes: a bar in a terminal, lines in a log file."""
+
+import time
+from collections.abc import Sequence
+from types import TracebackType
+from typing import Self
+
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TaskID,
+    TextColumn,
+    TimeRemainingColumn,
+)
+
+from labutopia_lerobot.evaluation.rollout import Pairing
+from labutopia_lerobot.evaluation.row import Row
+
+_LOG_S = 10.0
+"""Time between two lines in a log file [s]."""
+
+
+class LiveProgress:
+    """One bar for all episodes, with rate and time left, and one per task with its successes.
+
+    Args:
+        pairings: What is played.
+        episodes: How many episodes of each.
+        console: Where to; it knows whether it is a terminal.
+    """
+
+    def __init__(self, pairings: Sequence[Pairing], episodes: int, console: Console) -> None:
+        self._bars = Progress(
+            TextColumn("{task.description}"),
+            BarColumn(),
+            MofNCompleteColumn(),
+            TimeRemainingColumn(),
+            TextColumn("{task.fields[note]}"),
+            console=console,
+            disable=not console.is_terminal,
+        )
+        self._console = console
+        self._all = self._bars.add_task("Playing", total=len(pairings) * episodes, note="")
+        settings = (pairing.setting for pairing in pairings)
+        self._of: dict[tuple[str, str], TaskID] = {
+            (s.task, s.split): self._bars.add_task(f"{s.task} {s.split}", total=episodes, note="")
+            for s in settings
+        }
+        self._successes = dict.fromkeys(self._of, 0)
+        self._played = 0
+        self._began = self._logged = time.monotonic()
+
+    def __enter__(self) -> Self:
+        self._bars.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._bars.stop()
+
+    def known(self, rows: Sequence[Row]) -> None:
+        """Count the rows of an earlier run, which say nothing of the rate."""
+        for row in rows:
+            self._count(row)
+        self._began = time.monotonic()
+
+    def played(self, row: Row) -> None:
+        """Count an episode that has just been played."""
+        self._count(row)
+        self._played += 1
+        rate = 60.0 * self._played / (time.monotonic() - self._began)
+        self._bars.update(self._all, note=f"{rate:.1f} episodes/min")
+        self._log(row, rate)
+
+    def _count(self, row: Row) -> None:
+        key = row.task, row.split
+        self._successes[key] += row.success
+        self._bars.advance(self._all)
+        self._bars.advance(self._of[key])
+        self._bars.update(self._of[key], note=self._running(row))
+
+    def _running(self, row: Row) -> str:
+        done = round(self._bars.tasks[self._of[row.task, row.split]].completed)
+        won = self._successes[row.task, row.split]
+        return f"{won}/{done} succeeded, {100 * won / done:.0f} %"
+
+    def _log(self, row: Row, rate: float) -> None:
+        """Write a line where nothing can be drawn, if it is time, and when all is played."""
+        bar = self._bars.tasks[self._all]
+        due = time.monotonic() - self._logged >= _LOG_S or bar.finished
+        if self._console.is_terminal or not due:
+            return
+        self._logged = time.monotonic()
+        left_min = (bar.remaining or 0.0) / rate
+        self._console.print(
+            f"Playing {bar.completed:.0f}/{bar.total:.0f}, {rate:.1f} episodes/min, "
+            f"{left_min:.1f} min left; {row.task} {row.split}: {self._running(row)}",
+            markup=False,
+            highlight=False,
+            soft_wrap=True,
+        )

@@ -1,0 +1,79 @@
+"""Recipes: the steps of an epoch are those that LeRobot trains."""
+
+import json
+from pathlib import Path
+
+import pyarrow as pa
+import pytest
+from lerobot.configs.train import TrainPipelineConfig
+from pyarrow import parquet
+
+from labutopia_lerobot.cli.recipe import RecipeError, trained_frames, training_command
+from labutopia_lerobot.runtime.shipped import shipped
+
+
+@pytest.fixture
+def dataset(tmp_path: Path) -> Path:
+    """What a dataset of twenty episodes, 100 to 119 frames long, tells of itself."""
+    root = tmp_path / "level1" / "pick"
+    (root / "meta" / "episodes").mkdir(parents=True)
+    features = {"observation.images.front": {"dtype": "video"}}
+    (root / "meta" / "info.json").write_text(json.dumps({"features": features}))
+    table = {
+        "episode_index": list(range(20)),
+        "tasks": [["Pick it up."]] * 20,
+        "length": list(range(100, 120)),
+    }
+    parquet.write_table(pa.table(table), root / "meta" / "episodes" / "file-000.parquet")
+    return root
+
+
+def option(command: list[str], name: str) -> str:
+    (value,) = [part.partition("=")[2] for part in command if part.startswith(f"--{name}=")]
+    return value
+
+
+def test_two_hundred_epochs_become_steps(dataset: Path) -> None:
+    command = training_command("act", dataset, epochs=200, batch_size=None, out=None)
+    frames = sum(range(100, 118))  # the last two of twenty episodes are held out
+    assert int(option(command, "steps")) == -(-200 * frames // 128)
+    assert option(command, "config_path") == str(shipped("policies") / "act" / "train.json")
+    assert option(command, "output_dir") == "outputs/train/act/level1/pick"
+    halved = training_command("act", dataset, epochs=200, batch_size=64, out=None)
+    assert int(option(halved, "steps")) == -(-200 * frames // 64)
+
+
+def test_each_task_holds_out_its_own_and_last_frames_may_be_left_out() -> None:
+    episodes = [("a", 50), ("b", 10), ("a", 60), ("b", 20)]
+    recipe = {"dataset": {"eval_split": 0.5}, "policy": {"drop_n_last_frames": 7}}
+    assert trained_frames(episodes, recipe) == 50 - 7 + 10 - 7
+
+
+def test_without_epochs_the_recipes_steps_stand(dataset: Path) -> None:
+    command = training_command("act", dataset, epochs=None, batch_size=None, out=Path("here"))
+    assert not [part for part in command if part.startswith("--steps")]
+    assert option(command, "output_dir") == "here"
+
+
+def test_a_dataset_without_pictures_gets_the_recipe_for_states(dataset: Path) -> None:
+    features = {"observation.environment_state": {"dtype": "float32"}}
+    (dataset / "meta" / "info.json").write_text(json.dumps({"features": features}))
+    command = training_command("act", dataset, None, None, None)
+    assert option(command, "config_path").endswith("act/train_state.json")
+    with pytest.raises(RecipeError, match="smolvla has no recipe for a dataset without pictures"):
+        training_command("smolvla", dataset, None, None, None)
+
+
+def test_mistakes_are_told(dataset: Path, tmp_path: Path) -> None:
+    with pytest.raises(RecipeError, match="Recipes: act, diffusion, pi0, smolvla"):
+        training_command("pick", dataset, None, None, None)
+    with pytest.raises(RecipeError, match="is no LeRobotDataset"):
+        training_command("act", tmp_path, None, None, None)
+    with pytest.raises(RecipeError, match="--epochs 0 is too small"):
+        training_command("act", dataset, 0, None, None)
+
+
+def test_every_recipe_names_options_of_lerobot_only() -> None:
+    known = set(TrainPipelineConfig.__dataclass_fields__)
+    for file in shipped("policies").glob("*/*.json"):
+        assert set(json.loads(file.read_text())) <= known, file

@@ -1,0 +1,69 @@
+"""What the command line of the evaluator means."""
+
+from io import StringIO
+from typing import Any
+
+import pytest
+from rich.console import Console
+
+from labutopia_lerobot.cli.evaluate import parse
+from labutopia_lerobot.evaluation import live
+from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
+from labutopia_lerobot.evaluation.evaluate import make_pairings
+from labutopia_lerobot.evaluation.row import Row
+
+
+def test_a_checkpoint_alone_names_the_policy() -> None:
+    assert parse(["policy.path=org/name", "task=level1/pick"]).policy == PolicyConfig(
+        None, "org/name"
+    )
+
+
+def test_keys_are_renamed_on_the_command_line() -> None:
+    rename = "policy.rename={observation.images.front: observation/image}"
+    config = parse(["policy.path=x", rename])
+    assert config.policy.rename == {"observation.images.front": "observation/image"}
+
+
+def test_a_policy_elsewhere_is_asked_by_one_worker_unless_told_otherwise() -> None:
+    remote = ["policy=remote", "policy.address=there:8000"]
+    config = parse(remote)
+    assert (config.policy.name, config.policy.protocol, config.workers) == ("remote", "lerobot", 1)
+    config = parse([*remote, "policy.protocol=openpi", "workers=3", "cameras=front"])
+    assert (config.policy.protocol, config.workers) == ("openpi", 3)
+    assert getattr(config, "cameras", None) == ["front"]
+
+
+def row(**columns: Any) -> Row:
+    every = dict.fromkeys(Row.__dataclass_fields__)
+    return Row(**(every | {"task": "level1/pick", "split": "id"} | columns))
+
+
+@pytest.fixture
+def lines(monkeypatch: pytest.MonkeyPatch) -> StringIO:
+    monkeypatch.setattr(live, "_LOG_S", 0.0)
+    return StringIO()
+
+
+def test_a_log_file_tells_rate_time_left_and_running_success(lines: StringIO) -> None:
+    pairings = make_pairings(EvaluationConfig(policy=PolicyConfig("still"), task="level1/pick"))
+    console = Console(file=lines, width=200)
+    with live.LiveProgress(pairings, 4, console) as progress:
+        progress.known([row(success=True)])
+        progress.played(row(success=False))
+        progress.played(row(success=True))
+    first, second = lines.getvalue().splitlines()
+    assert first.startswith("Playing 2/4, ")
+    assert "episodes/min, 0.0 min left; level1/pick id: 1/2 succeeded, 50 %" in first
+    assert second.endswith("level1/pick id: 2/3 succeeded, 67 %")
+
+
+def test_a_terminal_shows_a_bar_for_every_task(lines: StringIO) -> None:
+    pairings = make_pairings(EvaluationConfig(policy=PolicyConfig("still"), task="level1/pick"))
+    console = Console(file=lines, force_terminal=True, width=200)
+    with live.LiveProgress(pairings, 1, console) as progress:
+        progress.played(row(success=True))
+    shown = lines.getvalue()
+    assert "level1/pick id" in shown
+    assert "1/1 succeeded, 100 %" in shown
+    assert "episodes/min" in shown
