@@ -23,6 +23,7 @@ ROWS = "rows.jsonl"
 
 ORIGIN = "evaluation.json"
 RESULT = "result.json"
+VIDEOS = "videos"
 
 
 class OccupiedFolderError(UserError):
@@ -96,6 +97,17 @@ def claim(path: Path, origin: dict[str, Any]) -> Iterator[ResultFolder]:
             write_whole(path / ORIGIN, origin)
         _drop_half_a_row(path / ROWS)
         yield ResultFolder(path)
+
+
+def film_of(folder: Path, row: Row) -> Path:
+    """Return where the film of an episode lies, if there is one."""
+    name = f"{row.task.replace('/', '-')}_{row.split}_seed{row.seed}_{row.outcome}.mp4"
+    return folder / VIDEOS / name
+
+
+def film_of_expert(film: Path) -> Path:
+    """Return where the expert's film of the same scene lies, if there is one."""
+    return film.with_stem(f"{film.stem}_expert")
 
 
 def read_rows(file: Path) -> list[Row]:

@@ -63,7 +63,7 @@ def _play(
 def _film(
     config: EvaluationConfig, episodes: Sequence[Episode], folder: ResultFolder, console: Console
 ) -> None:
-    films = choose(episodes, config.videos, folder.path / "videos")
+    films = choose(episodes, config.videos, folder.path)
     filmed = in_processes(film, films, config.workers)
     for problem in _watched(filmed, "Filming", len(films)):
         if problem is not None:

@@ -196,9 +196,9 @@ def test_a_wanted_precision_costs_episodes():
 
 @pytest.mark.parametrize("half_width", [0.0, -0.1, 0.5, 1e-9, float("nan")])
 def test_an_impossible_precision_is_refused(half_width):
-    with pytest.raises(PrecisionError, match="such as 0.05"):
+    with pytest.raises(PrecisionError, match=r"such as 0\.05"):
         episodes_for(half_width)
-    with pytest.raises(PrecisionError, match="such as 0.05"):
+    with pytest.raises(PrecisionError, match=r"such as 0\.05"):
         StoppingRule(half_width)
 
 
