@@ -6,16 +6,13 @@ from pathlib import Path
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.printing_tables import print_tables
 from labutopia_lerobot.evaluation.found import find_results
 from labutopia_lerobot.evaluation.reporting.entry import entries
 from labutopia_lerobot.evaluation.reporting.levels import level_tables
 from labutopia_lerobot.evaluation.reporting.outcomes import failure_table, precision_table
 from labutopia_lerobot.evaluation.reporting.page import write_page
 from labutopia_lerobot.evaluation.reporting.table import FORMATS
-
-
-_FILE_WIDTH = 120
-"""Characters of a line where nobody knows how wide the terminal is."""
 
 
 @clear_errors
@@ -32,12 +29,8 @@ def main() -> None:
     arguments = parser.parse_args()
     results = [result for place in arguments.places for result in find_results(place)]
     found = entries(results)
-    out = Console(highlight=False, soft_wrap=arguments.tables != "text")
-    if not out.is_terminal:
-        out.width = _FILE_WIDTH
-    for table in (*level_tables(found), failure_table(found), precision_table(found)):
-        if table.lines:
-            out.print(FORMATS[arguments.tables](table), markup=False)
+    tables = [*level_tables(found), failure_table(found), precision_table(found)]
+    print_tables([table for table in tables if table.lines], arguments.tables)
     told = Console(stderr=True, soft_wrap=True, highlight=False)
     for result in results:
         if not result.finished:

@@ -22,9 +22,9 @@ class Precision:
     Places and directions are those of the goal, at the end of the episode. Volumes are those of the
     steps, each when it is done, since its vessel may be emptied again later, or else at the end.
 
-    What should not touch: the arm and anything; hand or pads and the bench, the room, a bystander or
-    what does not move of an instrument (bottles are there to be squeezed); a thing of the task and
-    the room or a bystander.
+    What should not touch: the arm and anything; hand or pads and the bench, the room, a bystander
+    or what does not move of an instrument (bottles are there to be squeezed); a thing of the task
+    and the room or a bystander.
 
     Args:
         task: What is played.

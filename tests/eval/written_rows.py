@@ -1,4 +1,4 @@
-"""Rows as they might be, written by a generator: policies of which it is known how good they are."""
+"""Rows as they might be, written by a generator, of policies whose skill is known."""
 
 import json
 from collections.abc import Sequence
@@ -138,7 +138,7 @@ def keep(folder: Path, rows: Sequence[Row], **config: Any) -> Path:
 
 
 def every_level(folder: Path) -> list[Path]:
-    """Write results of three policies over all levels, with the expert's, and return the folders."""
+    """Write results of the expert and two policies over all levels; return the folders."""
     chances = {"expert": 1.0, "act": 0.9, "diffusion": 0.72}
     return [
         keep(

@@ -1,22 +1,22 @@
 """What the charts of the page show, in per cent and in pixels."""
 
+from collections import Counter
 from collections.abc import Sequence
 from itertools import groupby
 from typing import Any
 
 from labutopia_lerobot.evaluation.reporting.entry import Entry, conditions
 from labutopia_lerobot.evaluation.reporting.levels import success
-from labutopia_lerobot.evaluation.reporting.outcomes import failures
+from labutopia_lerobot.evaluation.reporting.outcomes import cause_told, failures
 from labutopia_lerobot.evaluation.reporting.paper import printed
-from labutopia_lerobot.evaluation.causes import failed_in
 
 _COLOURS = 8
 _LEFT, _RIGHT, _TOP, _BOTTOM = 40, 190, 10, 190
 """Where the lines of a slope chart begin and end [pixels]."""
 
 _LABEL_GAP = 13
-_SEEDS = 6
-"""Failed seeds that are named; the rows have all."""
+_SEEDS = 4
+"""Failed seeds of a cause that are named; the rows have all."""
 
 
 def funnel(entry: Entry) -> dict[str, Any]:
@@ -29,24 +29,46 @@ def funnel(entry: Entry) -> dict[str, Any]:
     }
 
 
-def failure_shares(entry: Entry) -> dict[str, Any]:
-    """Return the shares of causes among the failures, side by side."""
+def failure_shares(entry: Entry, causes: Sequence[str]) -> dict[str, Any]:
+    """Return the shares of causes among the failures: in each step side by side, and in all.
+
+    Args:
+        entry: What was played.
+        causes: Every cause of the page; its place in there is its colour.
+    """
     found = failures(entry)
-    shares, start = [], 0.0
+    total = found.total()
+    steps: dict[str, list[dict[str, Any]]] = {}
     for (step, cause), count in found.most_common():
-        percent = 100 * count / found.total()
-        seeds = [
-            row.seed
-            for row in entry.rows
-            if not row.success and (failed_in(row), row.cause or row.outcome) == (step, cause)
-        ]
-        more = f" and {len(seeds) - _SEEDS} more" if len(seeds) > _SEEDS else ""
-        told = ", ".join(map(str, seeds[:_SEEDS])) + more
-        shares.append(
-            {"step": step, "cause": cause, "percent": percent, "start": start, "seeds": told}
-        )
-        start += percent
-    return {**_named(entry), "failed": found.total(), "shares": shares}
+        segments = steps.setdefault(step, [])
+        start = sum(segment["percent"] for segment in segments)
+        percent = 100 * count / total
+        segments.append({"start": start, "percent": percent, "colour": _colour(cause, causes)})
+    by_cause: dict[str, list[int]] = {}
+    for row in entry.rows:
+        if not row.success:
+            by_cause.setdefault(cause_told(row), []).append(row.seed)
+    return {
+        **_named(entry),
+        "failed": total,
+        "steps": [
+            (step, segments, sum(segment["percent"] for segment in segments))
+            for step, segments in steps.items()
+        ],
+        "causes": [
+            {
+                "cause": cause,
+                "colour": _colour(cause, causes),
+                "percent": 100 * len(seeds) / total,
+                "seeds": ", ".join(map(str, seeds[:_SEEDS])) + ", ..." * (len(seeds) > _SEEDS),
+            }
+            for cause, seeds in sorted(by_cause.items(), key=lambda item: -len(item[1]))
+        ],
+    }
+
+
+def _colour(cause: str, causes: Sequence[str]) -> int:
+    return causes.index(cause) % _COLOURS
 
 
 def slopes(entries: Sequence[Entry]) -> list[dict[str, Any]]:
@@ -55,9 +77,10 @@ def slopes(entries: Sequence[Entry]) -> list[dict[str, Any]]:
     charts = []
     for policy, group in groupby(ordered, key=lambda entry: entry.policy):
         of_policy = list(group)
-        shown = conditions(of_policy)
-        if len(shown) > 1:
-            charts.append(_slope(policy, of_policy, shown))
+        times = Counter(entry.task for entry in of_policy)
+        shifted = [entry for entry in of_policy if times[entry.task] > 1]
+        if len(conditions(shifted)) > 1:
+            charts.append(_slope(policy, shifted, conditions(shifted)))
     return charts
 
 

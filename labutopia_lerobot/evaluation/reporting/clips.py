@@ -8,7 +8,7 @@ from typing import Any
 from labutopia_lerobot.evaluation.causes import failed_in
 from labutopia_lerobot.evaluation.reporting.commands import episode_command
 from labutopia_lerobot.evaluation.reporting.entry import Entry
-from labutopia_lerobot.evaluation.reporting.outcomes import EXPERT, scene
+from labutopia_lerobot.evaluation.reporting.outcomes import EXPERT, cause_told, scene
 from labutopia_lerobot.evaluation.result import film_of, film_of_expert
 
 
@@ -34,7 +34,7 @@ def clips(entries: Sequence[Entry]) -> Iterator[dict[str, Any]]:
                 "task": row.task,
                 "seed": row.seed,
                 "heading": f"{entry.policy}, {entry.condition}",
-                "cause": row.cause or row.outcome,
+                "cause": cause_told(row),
                 "step": failed_in(row),
                 "seconds": f"{row.seconds:.1f}",
                 "command": episode_command(entry, row),

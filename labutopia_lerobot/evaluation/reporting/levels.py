@@ -101,7 +101,7 @@ def _by_condition(entries: Sequence[Entry], title: str) -> Table:
 
 
 def _by_step(entries: Sequence[Entry]) -> Table:
-    """Per task and policy: SP and S1..Sk played by one, A1..Ak staged, each given the one before."""
+    """Per task and policy: SP, S1..Sk and A1..Ak, and each step given the one before."""
     count = max(len(entry.rows[0].step_times) for entry in entries)
     several = len(conditions(entries)) > 1
     lines = []
@@ -111,7 +111,7 @@ def _by_step(entries: Sequence[Entry]) -> Table:
             where = f", {entry.condition}" if several else ""
             for how, first, steps in (
                 (f"{letter}{where}", whole, step_rates(entry)),
-                (f"{letter} given the step before{where}", None, conditional_rates(entry)),
+                (f"{letter} given the one before{where}", None, conditional_rates(entry)),
             ):
                 lines.append((task, policy, how, first, *_padded(steps, count)))
         name = group[0].rows[0].policy
@@ -121,7 +121,7 @@ def _by_step(entries: Sequence[Entry]) -> Table:
     head = ("Task", "Policy", "Played", "SP", *(str(step + 1) for step in range(count)))
     note = (
         " SP: one policy plays everything. S1 to Sk: it and all steps before were done. A1 to Ak: "
-        "the same with a policy per step."
+        "the same with a policy per step. Given the one before: of the episodes that came to it."
     )
     levels = sorted({entry.level for entry in entries})
     title = " and ".join(f"level {level}" for level in levels).capitalize()

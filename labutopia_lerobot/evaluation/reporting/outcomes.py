@@ -19,9 +19,12 @@ Failures = Counter[tuple[str, str]]
 
 def failures(entry: Entry) -> Failures:
     """Count failed episodes by the step in which they failed and by their cause."""
-    return Counter(
-        (failed_in(row), row.cause or row.outcome) for row in entry.rows if not row.success
-    )
+    return Counter((failed_in(row), cause_told(row)) for row in entry.rows if not row.success)
+
+
+def cause_told(row: Row) -> str:
+    """Return the one cause of a failure; of rows of earlier versions, the outcome."""
+    return row.cause or row.outcome.replace("_", " ")
 
 
 def failure_table(entries: Sequence[Entry]) -> Table:

@@ -1,6 +1,7 @@
 """One self-contained HTML file of results: it needs no network, and no scripts."""
 
 import json
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -45,7 +46,10 @@ def _content(results: Sequence[FoundResult]) -> dict[str, Any]:
     films = list(clips(found))
     precision = precision_table(found)
     shifted = slopes(found)
-    failed = [failure_shares(entry) for entry in found if failures(entry)]
+    counts = {entry: failures(entry) for entry in found if failures(entry)}
+    causes = Counter(cause for count in counts.values() for _, cause in count.elements())
+    common = [cause for cause, _ in causes.most_common()]
+    failed = [failure_shares(entry, common) for entry in counts]
     sections = [
         *((id_, table.title) for id_, table in tables),
         *([("shift", "Under shift")] if shifted else []),
@@ -59,7 +63,7 @@ def _content(results: Sequence[FoundResult]) -> dict[str, Any]:
     names = list(dict.fromkeys(entry.policy for entry in found))
     tasks = list(dict.fromkeys(entry.task for entry in found))
     return {
-        "title": f"{_joined(names)} on {_joined(tasks)}",
+        "title": f"{_joined(names, 'policies')} on {_joined(tasks, 'tasks')}",
         "hold": f"{HOLD_S:g}",
         "figures": [
             (sum(len(entry.rows) for entry in found), "episodes"),
@@ -91,11 +95,11 @@ def _content(results: Sequence[FoundResult]) -> dict[str, Any]:
     }
 
 
-def _joined(names: Sequence[str]) -> str:
-    """Return names in a sentence, or how many there are."""
-    if len(names) <= 2:
-        return " and ".join(names)
-    return f"{names[0]} and {len(names) - 1} others"
+def _joined(names: Sequence[str], kind: str) -> str:
+    """Return names as in a sentence, or how many there are."""
+    if len(names) > 3:
+        return f"{len(names)} {kind}"
+    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
 def _origin(result: FoundResult) -> dict[str, Any]:

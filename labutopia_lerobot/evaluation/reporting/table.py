@@ -13,7 +13,6 @@ from labutopia_lerobot.evaluation.reporting.paper import Printed
 from labutopia_lerobot.evaluation.uncertainty.median import Median
 from labutopia_lerobot.evaluation.uncertainty.proportion import Interval
 
-
 _ABREAST = 6
 """Columns up to which a rate stands in one line of a terminal."""
 
@@ -57,6 +56,15 @@ class Table:
     head: tuple[str, ...]
     lines: tuple[tuple[Cell, ...], ...]
     note: str
+
+    @property
+    def repeated(self) -> list[int]:
+        """How many words at the beginning of each line are those of the line above."""
+        pairs = zip(self.lines, ((), *self.lines[:-1]), strict=True)
+        return [
+            len(list(takewhile(lambda both: both[0] == both[1] and isinstance(both[0], str), both)))
+            for both in (zip(line, above, strict=False) for line, above in pairs)
+        ]
 
     def without_empty_columns(self) -> "Table":
         """Return the same table without columns in which nothing stands."""
@@ -102,18 +110,12 @@ def as_text(table: Table) -> RichTable:
     for name, is_words in zip(table.head, words, strict=True):
         shown.add_column(name, justify="left" if is_words else "right")
     stacked = len(table.head) > _ABREAST
-    above: tuple[Cell, ...] = ()
-    for line in table.lines:
-        same = takewhile(
-            lambda pair: pair[0] == pair[1] and isinstance(pair[0], str), zip(line, above)
-        )
-        repeated = len(list(same))
+    for line, repeated in zip(table.lines, table.repeated, strict=True):
         cells = (
             text(cell).replace(" ", "\n", 2) if stacked and isinstance(cell, Rate) else text(cell)
             for cell in line[repeated:]
         )
         shown.add_row(*[""] * repeated, *cells)
-        above = line
     return shown
 
 
