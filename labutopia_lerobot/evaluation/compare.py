@@ -78,7 +78,8 @@ def compare(first: Iterable[Row], second: Iterable[Row]) -> list[Comparison]:
     if not common:
         raise NothingCommonError(
             f"The results have no episode in common. First: {_told(ours)}. Second: "
-            f"{_told(theirs)}. Play the same tasks, splits, axes and seeds with the same robot, room and liquid"
+            f"{_told(theirs)}. Play the same tasks, splits, axes and seeds "
+            "with the same robot, room and liquid"
         )
     pairs = {condition: Pairs.of(outcomes) for condition, outcomes in sorted(common.items())}
     adjusted = holm([each.p_value for each in pairs.values()])

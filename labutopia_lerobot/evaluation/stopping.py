@@ -1,10 +1,12 @@
 """When a run has seen enough: its interval is narrow, or it is told apart from another result."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import count, takewhile
 
 import numpy as np
 
+from labutopia_lerobot.evaluation.row import Row
 from labutopia_lerobot.evaluation.uncertainty.anytime import confidence_sequence, log_evidence
 from labutopia_lerobot.evaluation.uncertainty.planning import require_precision
 
@@ -47,3 +49,40 @@ class StoppingRule:
         evidence = log_evidence(better.cumsum(), worse.cumsum())
         done[:shared] |= evidence >= -np.log1p(-self.confidence)
         return int(done.argmax()) + 1 if done.any() else None
+
+
+class Seen:
+    """What a run has seen, and whether that is enough, task by task and split by split.
+
+    Args:
+        rule: When it is enough; None if every episode is to be played.
+        seed: Of the first episode.
+        rival: Rows of the result that the policy is to be told apart from.
+    """
+
+    def __init__(self, rule: StoppingRule | None, seed: int, rival: Iterable[Row] = ()) -> None:
+        self._rule, self._seed = rule, seed
+        self._won: dict[tuple[str, str, int], bool] = {}
+        self._rival = {(row.task, row.split, row.seed): row.success for row in rival}
+        self._needed: dict[tuple[str, str], int | None] = {}
+
+    def note(self, row: Row) -> None:
+        """Take note of an episode, in whatever order they are finished."""
+        self._won[row.task, row.split, row.seed] = row.success
+        of, mine = (row.task, row.split), self._won
+        if self._rule is not None and self._needed.get(of) is None:
+            self._needed[of] = self._rule.enough(self._run(mine, *of), self._run(self._rival, *of))
+
+    def enough(self, task: str, split: str) -> bool:
+        """Tell whether no more episodes are needed of a task and split."""
+        return self._needed.get((task, split)) is not None
+
+    def counts(self, row: Row) -> bool:
+        """Tell whether an episode belongs to the result, or was begun before it was enough."""
+        needed = self._needed.get((row.task, row.split))
+        return needed is None or row.seed - self._seed < needed
+
+    def _run(self, won: dict[tuple[str, str, int], bool], task: str, split: str) -> list[bool]:
+        """Return the successes from the first seed on, up to the first that is not there."""
+        keys = ((task, split, seed) for seed in count(self._seed))
+        return [won[key] for key in takewhile(won.__contains__, keys)]

@@ -52,7 +52,7 @@ def log_evidence(successes: ArrayLike, losses: ArrayLike, rate: ArrayLike = 0.5)
 
 def p_value(successes: int, losses: int) -> float:
     """Return a p-value of equal policies that stays valid whenever one stops (see above)."""
-    return float(min(1.0, np.exp(-log_evidence(successes, losses))))
+    return min(1.0, float(np.exp(-log_evidence(successes, losses))))
 
 
 def _edge(wins: Rates, losses: Rates, out: Rates, inside: Rates, confidence: float) -> Rates:

@@ -31,7 +31,7 @@ def episodes_for(half_width: float, rate: float = 0.5, confidence: float = 0.95)
 
     def narrow(n: int) -> bool:
         spread = rate * (1 - rate) / n + z**2 / (4 * n**2)
-        return z * spread**0.5 / (1 + z**2 / n) <= half_width
+        return bool(z * spread**0.5 / (1 + z**2 / n) <= half_width)
 
     return _fewest(narrow, half_width)
 
