@@ -76,6 +76,8 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
         ("replay", ["dataset", "--episodes"]),
         ("bench", ["tasks", "--json", "--seconds", "--episodes"]),
         ("check", ["folder", "--task"]),
+        ("compare", ["first", "second", "--tables", "--json"]),
+        ("report", ["DIR", "--tables", "--out"]),
         ("view", ["task", "--seed", "--out", "--headless", "--split", "--robot", "--tasks-dir"]),
     ],
 )
@@ -92,7 +94,7 @@ def test_help_of_the_other_programs_explains_every_option(monkeypatch, capsys, p
 def test_every_installed_program_is_there():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     names = {entry.partition(":")[0].rpartition(".")[2] for entry in project["scripts"].values()}
-    assert names == {"bench", "check", "record", "replay", "verify", "view"}
+    assert names == {"bench", "check", "compare", "record", "replay", "report", "verify", "view"}
     for entry in project["scripts"].values():
         module, _, function = entry.partition(":")
         assert callable(getattr(import_module(module), function))

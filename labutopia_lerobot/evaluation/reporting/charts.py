@@ -89,7 +89,7 @@ def _slope(policy: str, entries: Sequence[Entry], shown: Sequence[str]) -> dict[
         name: _LEFT + index * (_RIGHT - _LEFT) / (len(shown) - 1)
         for index, name in enumerate(shown)
     }
-    lines = []
+    lines: list[dict[str, Any]] = []
     for index, task in enumerate(dict.fromkeys(entry.task for entry in entries)):
         of_task = [entry for entry in entries if entry.task == task]
         rates = {entry.condition: success(entry).percent for entry in of_task}

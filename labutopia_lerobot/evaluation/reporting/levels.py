@@ -104,7 +104,7 @@ def _by_step(entries: Sequence[Entry]) -> Table:
     """Per task and policy: SP, S1..Sk and A1..Ak, and each step given the one before."""
     count = max(len(entry.rows[0].step_times) for entry in entries)
     several = len(conditions(entries)) > 1
-    lines = []
+    lines: list[tuple[Cell, ...]] = []
     for (task, policy), group in _by(entries):
         for entry in group:
             letter, whole = ("A", None) if entry.play == STAGED else ("S", success(entry))

@@ -7,9 +7,8 @@ from pathlib import Path
 
 from labutopia_lerobot.evaluation.reporting.entry import ID, OOD
 
-_NAME = "paper_results.csv"
-_PLACES = (Path(__file__).with_name(_NAME), Path(__file__).parents[3] / "eval" / _NAME)
-"""In a wheel, and in a checkout."""
+_PLACES = tuple(Path(__file__).parents[up] / "eval" / "paper_results.csv" for up in (2, 3))
+"""Inside the package in a wheel, beside it in a checkout."""
 
 NAMES = {"act": "ACT", "diffusion": "DP", "pi0": "π0"}
 """Policy of LeRobot -> what the paper calls it."""
