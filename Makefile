@@ -5,8 +5,9 @@ VENV := .venv
 BIN := $(VENV)/bin
 PACKAGES := $(VENV)/.packages-installed
 LIBRARIES := $(VENV)/.system-libraries-work
+CHROMIUM := $(VENV)/.chromium-tried
 # Tests that share fixtures, such as recorded datasets, stay in one process (tests/conftest.py).
-PYTEST := $(BIN)/pytest --numprocesses=auto --maxprocesses=4 --dist=loadgroup
+PYTEST := $(BIN)/pytest -rs --numprocesses=auto --maxprocesses=4 --dist=loadgroup
 
 DEMO := outputs/demo
 
@@ -21,7 +22,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 help:  ## List the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-setup: $(PACKAGES) $(LIBRARIES)  ## Create .venv with the pinned packages; OpenGL, FFmpeg
+setup: $(PACKAGES) $(LIBRARIES) $(CHROMIUM)  ## Create .venv with the pinned packages; OpenGL, FFmpeg
 
 # The main job in small, with the commands that a user types.
 demo: setup  ## Record, train and evaluate a small policy on a CPU, and print its table
@@ -67,6 +68,11 @@ $(PACKAGES): pyproject.toml constraints.txt
 	@rm -f $@
 	@echo "Installing the pinned packages; the first time takes a few minutes"
 	@$(BIN)/python -m pip install --quiet --progress-bar off -c constraints.txt -e '.[dev]'
+	@touch $@
+
+# A test opens the page of results in it; without one that test is skipped.
+$(CHROMIUM): scripts/install_chromium.sh $(PACKAGES)
+	@scripts/install_chromium.sh
 	@touch $@
 
 $(LIBRARIES): $(PACKAGES) scripts/install_system_libraries.sh

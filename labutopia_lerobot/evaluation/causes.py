@@ -105,3 +105,9 @@ def _changed(row: Row, name: str) -> bool:
         return bool(fact["times"])
     firsts = [other["first"] for other in row.history.values() if other["first"] is not None]
     return not row.facts[name] or fact["first"] != min(firsts)
+
+
+def failed_in(row: Row) -> str:
+    """Return the first step that was not done; of rows that tell no steps, the first sub-step."""
+    times = row.step_times or row.substeps
+    return next((name for name, time in times.items() if time is None), "the goal")

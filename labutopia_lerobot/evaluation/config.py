@@ -9,6 +9,7 @@ from typing import Any
 from omegaconf import MISSING
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.uncertainty.planning import require_precision
 from labutopia_lerobot.registry import choose_tasks, levels_with_tasks
 from labutopia_lerobot.setting import SPLITS, require_choices, with_setting
 
@@ -67,6 +68,10 @@ class EvaluationConfig:
         seed: Episode i resets with `seed + i`; training seeds begin at 0.
         obs: `pixels` or `state`; what the checkpoint was trained on, or else `state`, when null.
         workers: Processes that play; the result does not depend on it.
+        until: Stop a task when its rate is known to plus or minus this, such as 0.05, or when it is
+            told apart from `versus`; `episodes` are then the most that are played.
+        versus: Result folder of another policy, to be told apart from with `until`.
+        episodes_for: Play nothing; tell how many episodes this precision costs, such as 0.05.
         videos: How many successes and how many failures to film, per task and split.
         out: Folder of the result.
     """
@@ -79,6 +84,9 @@ class EvaluationConfig:
     seed: int = 100_000
     obs: str | None = None
     workers: int = field(default_factory=lambda: len(os.sched_getaffinity(0)))
+    until: float | None = None
+    versus: str | None = None
+    episodes_for: float | None = None
     videos: int = 2
     out: str = MISSING
 
@@ -100,6 +108,7 @@ class EvaluationConfig:
 
         Raises:
             EvaluationOptionError: If a number is out of its range.
+        PrecisionError: If no interval of a rate can be as narrow as `until`.
             UnknownOptionError: If a word is not one of its choices.
         """
         for name, least in {"episodes": 1, "workers": 1, "seed": 0, "videos": 0}.items():
@@ -108,6 +117,10 @@ class EvaluationConfig:
                     f"{name}={getattr(self, name)} is too small: {name} is at least {least}"
                 )
         require_choices("split", self.splits, SPLITS)
+        if self.versus is not None and self.until is None:
+            raise EvaluationOptionError("versus= needs until=, such as until=0.05")
+        if self.until is not None:
+            require_precision(self.until)
 
     @property
     def _levels(self) -> list[int] | None:

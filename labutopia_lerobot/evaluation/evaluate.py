@@ -1,6 +1,6 @@
 """An evaluation, from pairings of policies and tasks to episodes."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 
 from labutopia_lerobot.evaluation.checkpoint import open_checkpoint
@@ -33,6 +33,7 @@ def evaluate(
     seeds: Sequence[int],
     workers: int,
     known: Collection[Episode] = (),
+    enough: Callable[[str, str], bool] = lambda task, split: False,
 ) -> Iterator[Episode]:
     """Yield every episode as it is finished; what is in them does not depend on the workers.
 
@@ -41,14 +42,18 @@ def evaluate(
         seeds: Which episodes of each.
         workers: Number of processes.
         known: Episodes that an earlier run played; they are not yielded.
+        enough: Whether a task and split needs no more episodes; asked before each of them.
 
     Raises:
         Exception: Whatever was raised in a worker; a bug is not a failed episode.
     """
     played = {(episode.pairing, episode.row.seed) for episode in known}
-    jobs = [
-        (pairing, seed) for pairing in pairings for seed in seeds if (pairing, seed) not in played
-    ]
+    jobs = (
+        (pairing, seed)
+        for pairing in pairings
+        for seed in seeds
+        if (pairing, seed) not in played and not enough(pairing.setting.task, pairing.setting.split)
+    )
     yield from in_processes(play, jobs, workers)
 
 

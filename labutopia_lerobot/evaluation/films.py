@@ -7,13 +7,16 @@ from pathlib import Path
 from typing import Any
 
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.evaluation.rollout import Episode, Pairing
+from labutopia_lerobot.evaluation.policies import REFERENCE_POLICIES
+from labutopia_lerobot.evaluation.result import film_of, film_of_expert
+from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
 from labutopia_lerobot.runtime.video import write_video
 from labutopia_lerobot.setting import IMAGE_SIZE
 from labutopia_lerobot.sim.renderer import NoOpenGLError, require_opengl
 from labutopia_lerobot.task import POLICY_UNREACHABLE, RUNNING
 
 _CAMERA = "front"
+_EXPERT = "expert"
 
 
 def require_camera() -> None:
@@ -34,10 +37,10 @@ def choose(episodes: Sequence[Episode], count: int, folder: Path) -> list[tuple[
     Args:
         episodes: Every episode, in order.
         count: How many successes and how many failures of each task and split.
-        folder: Where the files go.
+        folder: Folder of the result.
     """
     return [
-        (episode, folder / _name(episode))
+        (episode, film_of(folder, episode.row))
         for _, group in groupby(episodes, key=lambda episode: episode.pairing)
         for played in [list(group)]
         for success in (True, False)
@@ -46,7 +49,7 @@ def choose(episodes: Sequence[Episode], count: int, folder: Path) -> list[tuple[
 
 
 def film(episode: Episode, file: Path) -> None:
-    """Play the actions of an episode again, in front of a camera.
+    """Play the actions of an episode again, in front of a camera; of a failure the expert's too.
 
     The policy is not asked, so that filming can change nothing of what it sees, and only the
     episodes that are shown are drawn.
@@ -69,13 +72,12 @@ def film(episode: Episode, file: Path) -> None:
             f"being filmed, and in {row.outcome} before"
         )
     write_video(file, frames)
+    if not row.success and row.policy != _EXPERT:
+        setting = replace(episode.pairing.setting, obs="state")  # it looks at no pictures
+        expert = Pairing(setting, _EXPERT, REFERENCE_POLICIES[_EXPERT])
+        film(play(expert, row.seed), film_of_expert(file))
 
 
 def _env(pairing: Pairing) -> LabEnv:
     size: dict[str, Any] = {"width": IMAGE_SIZE, "height": IMAGE_SIZE}
     return LabEnv(replace(pairing.setting, obs="pixels", cameras=(_CAMERA,), **size))
-
-
-def _name(episode: Episode) -> str:
-    row = episode.row
-    return f"{row.task.replace('/', '-')}_{row.split}_seed{row.seed}_{row.outcome}.mp4"

@@ -1,11 +1,14 @@
-"""Results that lie in a folder, finished or not."""
+"""Results that lie in a folder, finished or not, or in a file of kept rows."""
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.result import RESULT, ROWS, read_rows
-from labutopia_lerobot.evaluation.row import UnreadableResultError, from_columns
+from labutopia_lerobot.evaluation.result import ORIGIN, RESULT, ROWS, read_rows
+from labutopia_lerobot.evaluation.row import Row, UnreadableResultError, from_columns
 from labutopia_lerobot.evaluation.statistics import Summary, summarise
 
 
@@ -14,39 +17,69 @@ class FoundResult:
     """A result.
 
     Attributes:
-        folder: Where it lies.
+        place: Folder of the result, or file of kept rows.
         finished: Whether every episode was played.
-        summaries: What it tells; of an unfinished one, of the episodes so far.
+        rows: Its rows, in order; of an unfinished one, of the episodes so far.
+        provenance: What they come from (see `origin`), as far as it is told.
     """
 
-    folder: Path
+    place: Path
     finished: bool
-    summaries: tuple[Summary, ...]
+    rows: tuple[Row, ...]
+    provenance: Mapping[str, Any]
+
+    @cached_property
+    def summaries(self) -> list[Summary]:
+        """What it tells."""
+        return summarise(self.rows)
 
 
-def find_results(folder: Path) -> list[FoundResult]:
-    """Return every result at or below a folder, by path.
+def find_results(place: Path) -> list[FoundResult]:
+    """Return every result at or below a folder, or in a file, by path.
+
+    Args:
+        place: Folder of results, or of files of rows such as `eval/results`, or one such file.
 
     Raises:
         UnreadableResultError: If there is none, or one is damaged.
     """
-    files = [file for name in (RESULT, ROWS) for file in folder.rglob(name)]
-    if not files:
+    if place.is_file():
+        return [_read_file(place, place)]
+    folders = {file.parent for name in (RESULT, ROWS) for file in place.rglob(name)}
+    kept = () if folders else place.glob("*.json")
+    found = [*map(_read_folder, sorted(folders)), *(_read_file(f, f) for f in sorted(kept))]
+    if not found:
         raise UnreadableResultError(
-            f"{folder} holds neither {RESULT} nor {ROWS}. Make one: "
-            f"python eval/run.py task=level1/pick policy=expert out={folder}"
+            f"{place} holds neither {RESULT} nor {ROWS}. Make one: "
+            f"python eval/run.py task=level1/pick policy=expert out={place}"
         )
-    return [_read(place) for place in sorted({file.parent for file in files})]
+    return found
 
 
-def _read(folder: Path) -> FoundResult:
-    file = folder / RESULT
-    if not file.exists():
-        rows = read_rows(folder / ROWS)
-        rows.sort(key=lambda row: (row.task, row.split, row.policy, row.seed))
-        return FoundResult(folder, finished=False, summaries=tuple(summarise(rows)))
-    lines = read_json_object(file, UnreadableResultError).get("summary")
-    if not isinstance(lines, list) or not all(isinstance(line, dict) for line in lines):
-        raise UnreadableResultError(f"{file} has no `summary`: it is no result of `eval/run.py`")
-    summaries = tuple(from_columns(Summary, line, file) for line in lines)
-    return FoundResult(folder, finished=True, summaries=summaries)
+def _read_folder(folder: Path) -> FoundResult:
+    if (folder / RESULT).exists():
+        return _read_file(folder / RESULT, folder)
+    rows = sorted(
+        read_rows(folder / ROWS), key=lambda row: (row.task, row.split, row.policy, row.seed)
+    )
+    origin: dict[str, Any] = {}
+    if (folder / ORIGIN).exists():
+        origin = read_json_object(folder / ORIGIN, UnreadableResultError)
+    code = origin.pop("code", {})
+    return FoundResult(folder, finished=False, rows=tuple(rows), provenance={**code, **origin})
+
+
+def _read_file(file: Path, place: Path) -> FoundResult:
+    content = read_json_object(file, UnreadableResultError)
+    provenance = content.get("provenance", {})
+    if not isinstance(provenance, dict):
+        raise UnreadableResultError(f"The `provenance` of {file} is no JSON object")
+    rows = tuple(_rows(content.get("rows"), file))
+    return FoundResult(place, finished=True, rows=rows, provenance=provenance)
+
+
+def _rows(rows: object, file: Path) -> Iterator[Row]:
+    if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
+        raise UnreadableResultError(f"{file} has no `rows`: it is no result of `eval/run.py`")
+    for row in rows:
+        yield from_columns(Row, row, file)

@@ -31,6 +31,7 @@ ACTIONS = "actions.jsonl"
 
 ORIGIN = "evaluation.json"
 RESULT = "result.json"
+VIDEOS = "videos"
 
 
 class OccupiedFolderError(UserError):
@@ -118,6 +119,17 @@ def claim(path: Path, origin: dict[str, Any]) -> Iterator[ResultFolder]:
         for file in (path / ROWS, path / ACTIONS):
             _drop_half_a_line(file)
         yield ResultFolder(path)
+
+
+def film_of(folder: Path, row: Row) -> Path:
+    """Return where the film of an episode lies, if there is one."""
+    name = f"{row.task.replace('/', '-')}_{row.split}_seed{row.seed}_{row.outcome}.mp4"
+    return folder / VIDEOS / name
+
+
+def film_of_expert(film: Path) -> Path:
+    """Return where the expert's film of the same scene lies, if there is one."""
+    return film.with_stem(f"{film.stem}_expert")
 
 
 def read_rows(file: Path) -> list[Row]:

@@ -1,6 +1,5 @@
 """Playing one episode."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -10,11 +9,12 @@ from numpy.typing import NDArray
 from labutopia_lerobot.env import Info, LabEnv
 from labutopia_lerobot.evaluation.causes import cause_of
 from labutopia_lerobot.evaluation.policies import Policy, PolicyMaker, PolicyUnreachable
+from labutopia_lerobot.evaluation.precision import Precision
 from labutopia_lerobot.evaluation.row import Row
-from labutopia_lerobot.progress import History
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.sim.workcell import Workcell
 from labutopia_lerobot.task import POLICY_UNREACHABLE
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -75,6 +75,7 @@ def _play(pairing: Pairing, seed: int) -> Episode:
     observation, info = env.reset(seed=seed)
     policy.start(env, seed)
     actions: list[NDArray[np.float32]] = []
+    precision = Precision(env.workcell.task, env.workcell.world)
     over = False
     while not over:
         try:
@@ -84,10 +85,12 @@ def _play(pairing: Pairing, seed: int) -> Episode:
             break
         actions.append(action)
         observation, _, terminated, truncated, info = env.step(action)
+        precision.note(info["substeps"])
         over = terminated or truncated
-    row = _row(pairing, seed, len(actions), info, env.workcell.progress.history)
+    row = _row(pairing, seed, len(actions), info, env.workcell)
     row = replace(
         row,
+        **precision.columns,
         expert_failure=getattr(policy, "failure", None),
         cause=cause_of(row),
         device=getattr(policy, "device", None),
@@ -104,10 +107,9 @@ def _prepare(pairing: Pairing) -> tuple[LabEnv, Policy]:
     return LabEnv(pairing.setting), pairing.make_policy()
 
 
-def _row(
-    pairing: Pairing, seed: int, steps: int, info: Info, history: Mapping[str, History]
-) -> Row:
-    setting, latched = pairing.setting, info["substeps"]
+def _row(pairing: Pairing, seed: int, steps: int, info: Info, workcell: Workcell) -> Row:
+    setting = pairing.setting
+    latched = {name: _time(time) for name, time in info["substeps"].items()}
     filled = canonical_task(replace(setting, liquid="on")).contents
     return Row(
         task=setting.task,
@@ -125,13 +127,12 @@ def _row(
         outcome=info["outcome"],
         steps=steps,
         seconds=round(steps / CONTROL_HZ, 3),
-        substeps={
-            name: _time(time if np.isfinite(time) else None) for name, time in latched.items()
-        },
+        substeps=latched,
+        step_times={step.name: latched[step.milestones[-1].name] for step in workcell.task.steps},
         facts=info["facts"],
         history={
             name: {"first": _time(fact.first), "last": _time(fact.last), "times": fact.times}
-            for name, fact in history.items()
+            for name, fact in workcell.progress.history.items()
         },
         liquid=setting.liquid if filled else None,
         ml_total=_millilitres(info.get("ml_total")),
@@ -147,7 +148,7 @@ def _row(
 
 
 def _time(seconds: float | None) -> float | None:
-    return None if seconds is None else round(float(seconds), 3)
+    return None if seconds is None or np.isinf(seconds) else round(float(seconds), 3)
 
 
 def _millilitres(volume: float | None) -> float | None:

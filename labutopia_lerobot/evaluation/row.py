@@ -1,7 +1,7 @@
 """One row of a result: what became of an episode."""
 
 from collections.abc import Mapping
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +15,7 @@ class UnreadableResultError(UserError):
     """A result that cannot be read; the message names the file and what is wrong."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Row:
     """What became of one episode: one row of a result file.
 
@@ -54,6 +54,14 @@ class Row:
         renderer: What drew the pictures that the policy saw, or None.
         robot: What played.
         room: Where.
+        step_times: Step (an action of the paper) -> time at which its last sub-step latched [s], or
+            None; empty in rows of earlier versions.
+        ml_off_target: Liquid missing from where it should have gone, or too much there [ml]; the
+            worst of the task's pours (see `precision`). None where nothing is poured.
+        mm_off_place: How far a thing, or a finger, is off its place at the end [mm]; the worst.
+        deg_off_place: How far it is off its direction at the end [deg]; the worst.
+        unwanted_contacts: "what and what" -> control steps in which they touched though they should
+            not; None in rows of earlier versions.
     """
 
     task: str
@@ -70,8 +78,6 @@ class Row:
     steps: int
     seconds: float
     substeps: dict[str, float | None]
-    facts: dict[str, bool]
-    history: dict[str, dict[str, float | int | None]]
     liquid: str | None
     ml_total: float | None
     ml_poured: float | None
@@ -81,7 +87,9 @@ class Row:
     ml_in_flight: float | None
     clipped_actions: int
     nonfinite_actions: int
-    # Results of earlier versions lack what follows.
+    # Results of earlier versions, and rows that are kept in the repository, lack some of these.
+    facts: dict[str, bool] = field(default_factory=dict)
+    history: dict[str, dict[str, float | int | None]] = field(default_factory=dict)
     prelude_failures: int | None = None
     expert_failure: str | None = None
     cause: str | None = None
@@ -89,6 +97,11 @@ class Row:
     renderer: str | None = None
     robot: str = DEFAULT_ROBOT
     room: str = DEFAULT_ROOM
+    step_times: dict[str, float | None] = field(default_factory=dict)
+    ml_off_target: float | None = None
+    mm_off_place: float | None = None
+    deg_off_place: float | None = None
+    unwanted_contacts: dict[str, int] | None = None
 
 
 def from_columns[Kind](kind: type[Kind], columns: Mapping[str, Any], file: Path) -> Kind:
@@ -104,13 +117,13 @@ def from_columns[Kind](kind: type[Kind], columns: Mapping[str, Any], file: Path)
     """
     known = fields(kind)  # type: ignore[arg-type]  # mypy cannot say "dataclass"
     missing = [
-        field.name
-        for field in known
-        if field.name not in columns and field.default is field.default_factory is MISSING
+        column.name
+        for column in known
+        if column.name not in columns and column.default is column.default_factory is MISSING
     ]
     if missing:
         raise UnreadableResultError(
             f"{file} lacks the columns {', '.join(missing)}: it is no result of `eval/run.py`, or "
             "of a version too old. Make it anew"
         )
-    return kind(**{field.name: columns[field.name] for field in known if field.name in columns})
+    return kind(**{c.name: columns[c.name] for c in known if c.name in columns})

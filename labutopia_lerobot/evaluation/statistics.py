@@ -1,6 +1,5 @@
 """From rows to rates."""
 
-import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -8,9 +7,8 @@ from itertools import groupby
 from statistics import fmean
 
 from labutopia_lerobot.evaluation.row import Row
-
-_Z = 1.959963984540054
-"""Normal quantile of 0.975."""
+from labutopia_lerobot.evaluation.uncertainty.anytime import confidence_sequence
+from labutopia_lerobot.evaluation.uncertainty.proportion import Interval, exact, wilson
 
 
 @dataclass(frozen=True)
@@ -19,7 +17,7 @@ class Summary:
 
     Attributes:
         task: Task id.
-        split: `train` or `id`.
+        split: `train`, `id` or `ood`.
         policy: What the policy is called.
         play: How sequences were played.
         obs: `pixels` or `state`.
@@ -27,12 +25,16 @@ class Summary:
         n: Episodes.
         successes: Episodes in which the goal held for as long as it must.
         rate: Share of the successes.
-        wilson95: Confidence interval of the rate (see `wilson95`).
+        wilson95: Confidence interval of the rate (see `uncertainty.proportion`).
         ever_rate: Share of the episodes in which the goal held at any instant.
         substep_rates: Sub-step -> share of the episodes in which it and all before it latched.
         mean_seconds_to_success: Mean simulated duration of the successes [s], or None.
         outcomes: Outcome -> number of episodes, the most frequent first.
         causes: Why episodes failed (see `causes`) -> number of them, the most frequent first.
+        exact95: Confidence interval of Clopper and Pearson.
+        anytime95: Confidence interval that stays valid whenever one stops (see `anytime`).
+        step_rates: Step -> share of the episodes in which it and all before it were done.
+        axes: Axes that varied, or were shifted, beside the task's own.
     """
 
     task: str
@@ -44,42 +46,32 @@ class Summary:
     n: int
     successes: int
     rate: float
-    wilson95: tuple[float, float]
+    wilson95: Interval
     ever_rate: float
     substep_rates: dict[str, float]
     mean_seconds_to_success: float | None
     outcomes: dict[str, int]
     # Results of earlier versions lack what follows.
     causes: dict[str, int] = field(default_factory=dict)
-
-
-def wilson95(successes: int, n: int) -> tuple[float, float]:
-    """Return the 95 % confidence interval of a rate (Wilson 1927, without continuity correction).
-
-    Raises:
-        ValueError: If there are no episodes, or more successes than episodes.
-    """
-    if not 0 <= successes <= n or n == 0:
-        raise ValueError(f"No rate of {successes} successes in {n} episodes")
-    rate = successes / n
-    centre = rate + _Z**2 / (2 * n)
-    half_width = _Z * math.sqrt(rate * (1 - rate) / n + _Z**2 / (4 * n**2))
-    scale = 1 + _Z**2 / n
-    return max(0.0, (centre - half_width) / scale), min(1.0, (centre + half_width) / scale)
+    exact95: Interval | None = None
+    anytime95: Interval | None = None
+    step_rates: dict[str, float] = field(default_factory=dict)
+    axes: tuple[str, ...] = ()
 
 
 def summarise(rows: Sequence[Row]) -> list[Summary]:
-    """Return one summary per task, split, policy, play, obs and liquid, in order."""
+    """Return one summary per task, split, axes, policy, play, obs and liquid, in order."""
     return [_summary(list(group)) for _, group in groupby(rows, key=_conditions)]
 
 
-def _conditions(row: Row) -> tuple[str | None, ...]:
-    return row.task, row.split, row.policy, row.play, row.obs, row.liquid
+def _conditions(row: Row) -> tuple[object, ...]:
+    return row.task, row.split, row.axes, row.policy, row.play, row.obs, row.liquid
 
 
 def _summary(rows: Sequence[Row]) -> Summary:
     first, n = rows[0], len(rows)
     successes = [row for row in rows if row.success]
+    low, high = confidence_sequence(len(successes), n)
     return Summary(
         task=first.task,
         split=first.split,
@@ -90,7 +82,7 @@ def _summary(rows: Sequence[Row]) -> Summary:
         n=n,
         successes=len(successes),
         rate=len(successes) / n,
-        wilson95=wilson95(len(successes), n),
+        wilson95=wilson(len(successes), n),
         ever_rate=sum(row.ever_success for row in rows) / n,
         substep_rates={
             name: sum(row.substeps[name] is not None for row in rows) / n for name in first.substeps
@@ -98,4 +90,11 @@ def _summary(rows: Sequence[Row]) -> Summary:
         mean_seconds_to_success=fmean(row.seconds for row in successes) if successes else None,
         outcomes=dict(Counter(row.outcome for row in rows).most_common()),
         causes=dict(Counter(row.cause for row in rows if row.cause is not None).most_common()),
+        exact95=exact(len(successes), n),
+        anytime95=(float(low), float(high)),
+        step_rates={
+            name: sum(row.step_times[name] is not None for row in rows) / n
+            for name in first.step_times
+        },
+        axes=tuple(first.axes),
     )

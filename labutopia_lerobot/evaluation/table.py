@@ -13,7 +13,7 @@ from labutopia_lerobot.task import HOLD_S
 
 _CAPTION = (
     f"Success: the goal held for {HOLD_S:g} s without a break, after every sub-step and before any "
-    "breach. 95 %: Wilson interval. Ever: the goal held at any instant. Time: mean simulated time "
+    "breach. 95 %: {interval}. Ever: the goal held at any instant. Time: mean simulated time "
     "of the successes. Sub-steps: reached in their order, share of all episodes."
 )
 _STATE_MARK = ", state"
@@ -23,7 +23,9 @@ _EMPTY_CAPTION = " Liquid=off: vessels are empty, pouring and spilling are told 
 _MEAN_CAPTION = " Mean: each task of the level counts the same."
 
 
-def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
+def summary_table(
+    summaries: Sequence[Summary], *, level_means: bool, anytime: bool = False
+) -> Table:
     """Return a table with a line per task, split and policy; it fits 80 columns.
 
     What all lines have in common, the policy or the split, stands in the title.
@@ -31,6 +33,7 @@ def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
     Args:
         summaries: What to show, ordered by task.
         level_means: Whether a line per level, split and policy follows its tasks.
+        anytime: Whether what was seen decided when to stop: only `anytime95` is valid then.
     """
     policies = list(dict.fromkeys(map(_policy, summaries)))
     splits = list(dict.fromkeys(summary.split for summary in summaries))
@@ -40,10 +43,12 @@ def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
     common = [] if varying["Policy"] else policies
     if not varying["Split"]:
         common = [*common, f"split {splits[0]}"]
+    interval = "Confidence sequence, valid whenever one stops" if anytime else "Wilson interval"
     notes = {_STATE_CAPTION: state, _EMPTY_CAPTION: empty, _MEAN_CAPTION: level_means}
     table = Table(
         title=", ".join(common) or None,
-        caption=_CAPTION + "".join(note for note, applies in notes.items() if applies),
+        caption=_CAPTION.format(interval=interval)
+        + "".join(note for note, applies in notes.items() if applies),
         caption_justify="left",
         box=box.SIMPLE_HEAD,
         padding=(0, 1, 0, 0),
@@ -62,7 +67,7 @@ def summary_table(summaries: Sequence[Summary], level_means: bool) -> Table:
     for level, of_level in groupby(summaries, key=lambda summary: summary.task.split("/")[0]):
         group = list(of_level)
         for summary in group:
-            table.add_row(*heading(summary), *_cells(summary))
+            table.add_row(*heading(summary), *_cells(summary, anytime))
         if level_means:
             parts = dict.fromkeys((summary.policy, summary.split) for summary in group)
             for part in parts:
@@ -79,8 +84,8 @@ def _policy(summary: Summary) -> str:
     return summary.policy + _STATE_MARK * privileged + _EMPTY_MARK * empty
 
 
-def _cells(summary: Summary) -> list[str]:
-    low, high = summary.wilson95
+def _cells(summary: Summary, anytime: bool) -> list[str]:
+    low, high = (anytime and summary.anytime95) or summary.wilson95
     seconds = summary.mean_seconds_to_success
     return [
         summary.task,

@@ -9,7 +9,8 @@ import numpy as np
 from huggingface_hub import DatasetCardData
 
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
-from labutopia_lerobot.evaluation.statistics import Summary, wilson95
+from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.evaluation.uncertainty.proportion import wilson
 from labutopia_lerobot.hub.card import TAGS, dataset_card, rate, summary_row
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts
 from labutopia_lerobot.hub.feature_meanings import meaning
@@ -77,7 +78,7 @@ def card_of_dataset(
         features=list(_feature_rows(info["features"])),
         statistics=list(_statistics_rows(facts)),
         successes=successes,
-        attempts=rate(successes, attempts, wilson95(successes, attempts)),
+        attempts=rate(successes, attempts, wilson(successes, attempts)),
         failures=facts.recording["failures"],
         expert=[
             summary_row(line)

@@ -6,9 +6,9 @@ from pathlib import Path
 from huggingface_hub import EvalResult, ModelCardData
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.checkpoint import FILES
+from labutopia_lerobot.evaluation.checkpoint_folder import checkpoint_files
+from labutopia_lerobot.evaluation.harmless import require_harmless
 from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.processors import require_harmless
 from labutopia_lerobot.evaluation.statistics import Summary
 from labutopia_lerobot.hub.card import TAGS, model_card, summary_row
 from labutopia_lerobot.hub.dataset_card import LOCAL
@@ -22,7 +22,7 @@ _SENT = {".json", ".safetensors"}
 
 
 class UnpublishablePolicyError(UserError):
-    """A checkpoint that is not whole, or results of something else; the message says which."""
+    """Results of something else than the policy; the message says of what."""
 
 
 def find_policy(path: Path) -> Path | None:
@@ -40,12 +40,10 @@ def policy_repository(folder: Path, repo_id: str, results: Sequence[Summary]) ->
         results: What it achieved; rows of other policies are left out of its card.
 
     Raises:
-        UnpublishablePolicyError: If a file is missing, or no row is of a policy of its type.
-        CheckpointError: If its processors would run code.
+        UnpublishablePolicyError: If no row is of a policy of its type.
+        CheckpointError: If a file is missing, or loading it would run code.
     """
-    missing = [name for name in FILES if not (folder / name).is_file()]
-    if missing:
-        raise UnpublishablePolicyError(f"{folder} lacks {', '.join(missing)}")
+    checkpoint_files(folder)
     require_harmless(folder)
     config = read_json_object(folder / _CONFIG, UnpublishablePolicyError)
     own = [line for line in results if line.policy == config["type"]]

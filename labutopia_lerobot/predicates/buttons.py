@@ -42,13 +42,21 @@ def aligned(button: Button, *, within: float, within_deg: float) -> Predicate:
     """Fingers point at a button: axes no further apart than a distance [m] and an angle [deg]."""
     least = np.cos(np.radians(within_deg))
 
-    def holds(world: World) -> bool:
+    def misses(world: World) -> tuple[float, float]:
         axis, hand = world.frame(button.name), world.gripper
         offset = hand.position_w - axis.position_w
         aside = np.linalg.norm(offset - (offset @ axis.z_axis) * axis.z_axis)
-        return bool(aside < within and hand.z_axis @ axis.z_axis > least)
+        return float(aside), float(hand.z_axis @ axis.z_axis)
 
-    return Predicate(f"hand aligned with {button.name} within {within:g} m", holds)
+    def holds(world: World) -> bool:
+        aside, cosine = misses(world)
+        return bool(aside < within and cosine > least)
+
+    def off(world: World) -> dict[str, float]:
+        aside, cosine = misses(world)
+        return {"mm": 1e3 * aside, "deg": float(np.degrees(np.arccos(np.clip(cosine, -1, 1))))}
+
+    return Predicate(f"hand aligned with {button.name} within {within:g} m", holds, off)
 
 
 def touched(*things: Thing) -> Predicate:

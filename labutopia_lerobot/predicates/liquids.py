@@ -32,7 +32,14 @@ def poured(
         arrived = liquid.from_in(vessel.name, target.name)
         return arrived > 0.0 and arrived >= share * liquid.originated_in(vessel.name)
 
-    return Predicate(f"{100 * share:g} % of {vessel.name} poured into {target.name}", holds)
+    def off(world: World) -> dict[str, float]:
+        liquid = world.liquid
+        if liquid is None:
+            return {}
+        arrived = liquid.from_in(vessel.name, target.name)
+        return {"ml": 1e6 * (liquid.originated_in(vessel.name) - arrived)}
+
+    return Predicate(f"{100 * share:g} % of {vessel.name} poured into {target.name}", holds, off)
 
 
 def spilled(

@@ -16,11 +16,15 @@ _CONTACT = 0.001
 def near(thing: Thing, place: Destination, *, within: float) -> Predicate:
     """Axis of the thing is, horizontally, within a distance [m] of the place."""
 
-    def holds(world: World) -> bool:
+    def distance(world: World) -> float:
         offset = world.pose(thing).position_w - place.position_w(world)
-        return bool(np.hypot(offset[0], offset[1]) < within)
+        return float(np.hypot(offset[0], offset[1]))
 
-    return Predicate(f"{thing.name} within {within:g} m of {place.name}", holds)
+    return Predicate(
+        f"{thing.name} within {within:g} m of {place.name}",
+        lambda world: distance(world) < within,
+        off=lambda world: {"mm": 1e3 * distance(world)},
+    )
 
 
 def standing_on(thing: Thing, place: Destination) -> Predicate:
@@ -32,7 +36,11 @@ def standing_on(thing: Thing, place: Destination) -> Predicate:
         level = pose.tilt < np.radians(_LEVEL_DEG)
         return bool(gap < _CONTACT and level and world.touching(thing.name, place.support))
 
-    return Predicate(f"{thing.name} standing on {place.support}", holds)
+    return Predicate(
+        f"{thing.name} standing on {place.support}",
+        holds,
+        off=lambda world: {"deg": float(np.degrees(world.pose(thing).tilt))},
+    )
 
 
 def released(thing: Thing) -> Predicate:

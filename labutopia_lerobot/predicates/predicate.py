@@ -1,6 +1,6 @@
 """A named fact about the world."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import FunctionType
 
@@ -15,10 +15,14 @@ class Predicate:
         name: How the fact appears in `info["facts"]` and in result files; it carries every
             threshold, since judging goes by names.
         holds: The answer for a world.
+        off: By how much the world misses what is asked for at its best, unit -> amount (`mm`,
+            `deg`, `ml`), whether the fact holds or not; None where nothing is measured. It decides
+            nothing.
     """
 
     name: str
     holds: Callable[[World], bool]
+    off: Callable[[World], Mapping[str, float]] | None = None
 
     def __invert__(self) -> "Predicate":
         """Return the fact that this one does not hold: `~gripped(flask)`."""

@@ -29,7 +29,12 @@ def dispensed(bottle: Squeezable, vessel: OpenVessel, *, at_least_ml: float) -> 
             return world.displaced(bottle) * 1e6 >= at_least_ml and aimed.holds(world)
         return world.liquid.from_in(bottle.name, vessel.name) * 1e6 >= at_least_ml
 
-    return Predicate(f"{at_least_ml:g} ml squeezed into {vessel.name}", holds)
+    def off(world: World) -> dict[str, float]:
+        if world.liquid is None:
+            return {}
+        return {"ml": abs(1e6 * world.liquid.from_in(bottle.name, vessel.name) - at_least_ml)}
+
+    return Predicate(f"{at_least_ml:g} ml squeezed into {vessel.name}", holds, off)
 
 
 def spout_over(bottle: Squeezable, vessel: OpenVessel) -> Predicate:

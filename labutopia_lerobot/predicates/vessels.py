@@ -29,6 +29,7 @@ def upright(thing: Thing, *, within_deg: float) -> Predicate:
     return Predicate(
         f"{thing.name} upright within {within_deg:g} deg",
         lambda world: world.pose(thing).tilt < limit,
+        off=lambda world: {"deg": float(np.degrees(world.pose(thing).tilt))},
     )
 
 

@@ -4,34 +4,45 @@ import multiprocessing
 import os
 import signal
 import threading
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from itertools import islice
+
+_AHEAD = 2
+"""Jobs per process that are handed out: one in play and one that waits, so that none is idle."""
 
 
 def in_processes[*Job, Result](
-    function: Callable[[*Job], Result], jobs: Sequence[tuple[*Job]], workers: int
+    function: Callable[[*Job], Result], jobs: Iterable[tuple[*Job]], workers: int
 ) -> Iterator[Result]:
     """Yield the result of every job, in the order in which they are finished.
 
     Args:
         function: What to do with a job; can be pickled, like everything in a job.
-        jobs: Its arguments, one tuple per job; they are begun in this order.
+        jobs: Its arguments, one tuple per job; they are begun in this order, and asked for one by
+            one while others are done, so that results may decide what comes next.
         workers: Number of processes.
 
     Raises:
         Exception: Whatever the function raised first; jobs that have not begun are dropped.
     """
-    if not jobs:
-        return
+    remaining = iter(jobs)
     pool = ProcessPoolExecutor(
-        min(workers, len(jobs)),
+        workers,
         mp_context=multiprocessing.get_context("spawn"),
         initializer=become_worker,
         initargs=(signal.SIG_DFL,),
     )
     try:
-        for future in as_completed([pool.submit(function, *job) for job in jobs]):
-            yield future.result()
+        pending: set[Future[Result]] = set()
+        while True:
+            ahead = _AHEAD * workers - len(pending)
+            pending |= {pool.submit(function, *job) for job in islice(remaining, ahead)}
+            if not pending:
+                return
+            done, pending = wait(pending, return_when=FIRST_COMPLETED)
+            for future in done:
+                yield future.result()
     finally:
         pool.shutdown(cancel_futures=True)
 

@@ -82,7 +82,9 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
         ("publish", ["what", "--repo-id", "--results", "--private", "--replace", "--dry-run"]),
         ("bench", ["tasks", "--json", "--seconds", "--episodes"]),
         ("check", ["folder", "--task"]),
+        ("compare", ["first", "second", "--tables", "--json"]),
         ("recipe", ["policy", "DATASET", "--epochs", "--batch-size", "--out"]),
+        ("report", ["DIR", "--tables", "--out"]),
         ("view", ["task", "--seed", "--out", "--headless", "--split", "--robot", "--tasks-dir"]),
     ],
 )
@@ -102,6 +104,7 @@ def test_every_installed_program_is_there():
     assert names == {
         "bench",
         "check",
+        "compare",
         "convert",
         "evaluate",
         "publish",
@@ -109,6 +112,7 @@ def test_every_installed_program_is_there():
         "record",
         "render",
         "replay",
+        "report",
         "verify",
         "view",
     }

@@ -10,6 +10,7 @@ import pytest
 from huggingface_hub import ModelCard, constants
 from labutopia_lerobot.evaluation.processors import CheckpointError
 
+from labutopia_lerobot.evaluation.harmless import CheckpointError
 from labutopia_lerobot.evaluation.statistics import Summary, wilson95
 from labutopia_lerobot.hub.policy import UnpublishablePolicyError, find_policy, policy_repository
 from labutopia_lerobot.hub.publish import publish
@@ -72,7 +73,7 @@ def test_half_a_checkpoint_and_one_that_runs_code_are_refused(save_checkpoint):
     with pytest.raises(CheckpointError, match="refused"):
         policy_repository(folder, "me/pick", ())
     (folder / "model.safetensors").unlink()
-    with pytest.raises(UnpublishablePolicyError, match=r"lacks model\.safetensors"):
+    with pytest.raises(CheckpointError, match=r"lacks model\.safetensors"):
         policy_repository(folder, "me/pick", ())
 
 

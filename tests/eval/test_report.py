@@ -1,4 +1,4 @@
-"""One table of what lies in a folder: finished, unfinished, of other versions."""
+"""What lies in a folder: finished, unfinished, of other versions; and the program that shows it."""
 
 import json
 import subprocess
@@ -10,11 +10,11 @@ import pytest
 
 from labutopia_lerobot.evaluation.found import find_results
 from labutopia_lerobot.evaluation.row import UnreadableResultError
-from labutopia_lerobot.evaluation.statistics import summarise
 
 from .test_statistics import row
 
-REPORT = Path(__file__).parents[2] / "eval" / "report.py"
+ROOT = Path(__file__).parents[2]
+REPORT = ROOT / "eval" / "report.py"
 
 ROWS = [
     row(0, "success", ever=True, lifted=2.0),
@@ -27,8 +27,7 @@ def write(folder: Path, *, finished: bool, rows: list[dict]) -> None:
     folder.mkdir(parents=True)
     (folder / "rows.jsonl").write_text("".join(json.dumps(line) + "\n" for line in rows))
     if finished:
-        summary = [asdict(line) for line in summarise(ROWS)]
-        (folder / "result.json").write_text(json.dumps({"rows": rows, "summary": summary}))
+        (folder / "result.json").write_text(json.dumps({"rows": rows, "summary": []}))
 
 
 def test_an_unfinished_result_is_shown_as_one(tmp_path: Path) -> None:
@@ -45,27 +44,32 @@ def test_an_unfinished_result_is_shown_as_one(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert "2/3" in done.stdout
     assert "1/2" in done.stdout
-    assert f"Unfinished: {tmp_path / 'b'}, 2 episodes so far" in done.stdout
+    assert "act, state (a)" in done.stdout
+    assert f"Unfinished: {tmp_path / 'b'}, 2 episodes so far" in done.stderr
+    assert f"Wrote {tmp_path / 'report.html'}" in done.stderr
+    assert (tmp_path / "report.html").read_text().startswith("<!doctype html>")
 
 
 def test_columns_of_a_later_version_are_left_aside(tmp_path: Path) -> None:
-    write(tmp_path / "a", finished=False, rows=[asdict(ROWS[0]) | {"mood": "fine"}])
-    write(tmp_path / "b", finished=True, rows=[])
-    result = json.loads((tmp_path / "b" / "result.json").read_text())
-    result["summary"][0]["mood"] = "fine"
-    (tmp_path / "b" / "result.json").write_text(json.dumps(result))
+    rows = [asdict(line) | {"mood": "fine"} for line in ROWS]
+    write(tmp_path / "a", finished=False, rows=rows[:1])
+    write(tmp_path / "b", finished=True, rows=rows)
     assert [found.summaries[0].n for found in find_results(tmp_path)] == [1, 3]
 
 
 def test_rows_of_an_earlier_version_are_read(tmp_path: Path) -> None:
-    later = ("prelude_failures", "expert_failure", "cause", "device", "renderer")
-    write(
-        tmp_path / "a",
-        finished=False,
-        rows=[{k: v for k, v in asdict(ROWS[0]).items() if k not in later}],
-    )
+    later = ("prelude_failures", "expert_failure", "cause", "device", "renderer", "step_times")
+    old = {k: v for k, v in asdict(ROWS[0]).items() if k not in later}
+    write(tmp_path / "a", finished=False, rows=[old])
     (found,) = find_results(tmp_path)
     assert found.summaries[0].n == 1
+
+
+def test_the_rows_that_the_repository_keeps_are_results() -> None:
+    found = find_results(ROOT / "eval" / "results")
+    assert "level1/pick" in {result.rows[0].task for result in found}
+    (one,) = find_results(ROOT / "eval" / "results" / "level1-pick.json")
+    assert one.provenance["config"]["seed"] == one.rows[0].seed
 
 
 def test_what_is_no_result_is_told(tmp_path: Path) -> None:
@@ -74,3 +78,6 @@ def test_what_is_no_result_is_told(tmp_path: Path) -> None:
     write(tmp_path / "a", finished=False, rows=[{"task": "level1/pick"}])
     with pytest.raises(UnreadableResultError, match="lacks the columns split"):
         find_results(tmp_path)
+    (tmp_path / "other.json").write_text("{}")
+    with pytest.raises(UnreadableResultError, match="no `rows`"):
+        find_results(tmp_path / "other.json")

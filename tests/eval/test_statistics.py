@@ -1,29 +1,7 @@
-import pytest
+from dataclasses import replace
 
 from labutopia_lerobot.evaluation.row import Row
-from labutopia_lerobot.evaluation.statistics import summarise, wilson95
-
-
-# Newcombe 1998, "Two-sided confidence intervals for the single proportion", table I, method 3.
-@pytest.mark.parametrize(
-    ("successes", "n", "low", "high"),
-    [
-        (81, 263, 0.2553, 0.3662),
-        (15, 148, 0.0624, 0.1605),
-        (0, 20, 0.0, 0.1611),
-        (1, 29, 0.0061, 0.1718),
-    ],
-)
-def test_wilson_intervals_are_the_published_ones(
-    successes: int, n: int, low: float, high: float
-) -> None:
-    assert wilson95(successes, n) == pytest.approx((low, high), abs=5e-5)
-
-
-@pytest.mark.parametrize(("successes", "n"), [(0, 0), (3, 2), (-1, 2)])
-def test_impossible_counts_have_no_interval(successes: int, n: int) -> None:
-    with pytest.raises(ValueError, match="No rate"):
-        wilson95(successes, n)
+from labutopia_lerobot.evaluation.statistics import summarise
 
 
 def row(seed: int, outcome: str, *, ever: bool, lifted: float | None, split: str = "id") -> Row:
@@ -70,3 +48,27 @@ def test_a_summary_counts_its_own_rows_only() -> None:
     assert drawn.mean_seconds_to_success == 2.5
     assert drawn.outcomes == {"success": 2, "timeout": 1, "dropped": 1}
     assert (trained.split, trained.n, trained.mean_seconds_to_success) == ("train", 1, None)
+
+
+def test_a_summary_counts_steps_and_keeps_conditions_apart() -> None:
+    done = row(0, "success", ever=True, lifted=2.0)
+    rows = [
+        replace(done, step_times={"pick": 2.0, "pour": 3.0}),
+        replace(done, seed=1, step_times={"pick": 2.0, "pour": None}),
+        replace(done, seed=0, split="ood", axes=["light"]),
+        replace(done, seed=0, split="ood", axes=["all"]),
+    ]
+    plain, light, everything = summarise(rows)
+    assert plain.step_rates == {"pick": 1.0, "pour": 0.5}
+    assert (light.axes, everything.axes) == (("light",), ("all",))
+
+
+def test_intervals_of_a_summary_are_wider_the_more_they_promise() -> None:
+    rows = [row(seed, "success", ever=True, lifted=2.0) for seed in range(8)]
+    rows += [row(seed, "timeout", ever=False, lifted=None) for seed in range(8, 20)]
+    (found,) = summarise(rows)
+    assert found.exact95 is not None
+    assert found.anytime95 is not None
+    widths = [high - low for low, high in (found.wilson95, found.exact95, found.anytime95)]
+    assert widths == sorted(widths)
+    assert all(low < 0.4 < high for low, high in (found.wilson95, found.exact95, found.anytime95))

@@ -1,0 +1,44 @@
+"""`labutopia-compare DIR_A DIR_B`: which of two policies is better, on common seeds."""
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.printing_tables import print_tables
+from labutopia_lerobot.evaluation.compare import compare, comparison_table
+from labutopia_lerobot.evaluation.found import find_results
+from labutopia_lerobot.evaluation.reporting.table import FORMATS
+
+
+@clear_errors
+def main() -> None:
+    """Compare the results that the command line names."""
+    parser = argparse.ArgumentParser(prog="labutopia-compare", description=__doc__)
+    for name in ("first", "second"):
+        parser.add_argument(name, type=Path, help="folder of results of one policy")
+    parser.add_argument(
+        "--tables", choices=FORMATS, default="text", help="how the table is printed"
+    )
+    parser.add_argument("--json", action="store_true", help="print everything as JSON instead")
+    arguments = parser.parse_args()
+    places = (arguments.first, arguments.second)
+    first, second = (
+        [row for result in find_results(place) for row in result.rows] for place in places
+    )
+    found = compare(first, second)
+    if arguments.json:
+        told = {"first": str(places[0]), "second": str(places[1])}
+        content = told | {"comparisons": [comparison.told for comparison in found]}
+        json.dump(content, sys.stdout, indent=1)
+        sys.stdout.write("\n")
+        return
+    names = (places[0].name, places[1].name)
+    if names[0] == names[1]:
+        names = (str(places[0]), str(places[1]))
+    print_tables([comparison_table(found, names)], arguments.tables)
+
+
+if __name__ == "__main__":
+    main()

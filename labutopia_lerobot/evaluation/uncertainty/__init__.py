@@ -1,0 +1,1 @@
+"""How far numbers of finitely many episodes can be trusted; knows nothing of rows."""
