@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 from huggingface_hub import ModelCard, constants
-from labutopia_lerobot.evaluation.processors import CheckpointError
 
 from labutopia_lerobot.evaluation.harmless import CheckpointError
-from labutopia_lerobot.evaluation.statistics import Summary, wilson95
+from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.evaluation.uncertainty.proportion import wilson
 from labutopia_lerobot.hub.policy import UnpublishablePolicyError, find_policy, policy_repository
 from labutopia_lerobot.hub.publish import publish
 from labutopia_lerobot.hub.repository import CARD, Repository
@@ -29,7 +29,7 @@ def summary(policy: str = "act") -> Summary:
         n=50,
         successes=40,
         rate=0.8,
-        wilson95=wilson95(40, 50),
+        wilson95=wilson(40, 50),
         ever_rate=0.9,
         substep_rates={},
         mean_seconds_to_success=6.25,
