@@ -8,7 +8,8 @@ from huggingface_hub import DatasetCard
 import make_cards
 from labutopia_lerobot.datasets.declaration import dataset_features
 from labutopia_lerobot.datasets.tables import DRAWN, SEED
-from labutopia_lerobot.evaluation.statistics import Summary, wilson95
+from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.evaluation.uncertainty.proportion import wilson
 from labutopia_lerobot.hub.dataset_card import card_of_dataset, size_category
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts
 from labutopia_lerobot.hub.feature_meanings import meaning
@@ -69,7 +70,7 @@ def expert(task: str = "level1/press", policy: str = "expert") -> Summary:
         n=100,
         successes=99,
         rate=0.99,
-        wilson95=wilson95(99, 100),
+        wilson95=wilson(99, 100),
         ever_rate=1.0,
         substep_rates={},
         mean_seconds_to_success=6.7,
