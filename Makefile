@@ -14,6 +14,10 @@ DEMO := outputs/demo
 # Everything is on this machine: nothing is looked up on the Hub.
 demo: export HF_HUB_OFFLINE := 1
 
+# On a busy machine, threads that spin while they wait for each other take most of the time.
+demo: export OMP_NUM_THREADS := 1
+demo: export OMP_WAIT_POLICY := PASSIVE
+
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .DEFAULT_GOAL := help
