@@ -46,10 +46,10 @@ def _content(results: Sequence[FoundResult]) -> dict[str, Any]:
     films = list(clips(found))
     precision = precision_table(found)
     shifted = slopes(found)
-    counts = {entry: failures(entry) for entry in found if failures(entry)}
-    causes = Counter(cause for count in counts.values() for _, cause in count.elements())
+    with_failures = [entry for entry in found if failures(entry)]
+    causes = Counter(cause for entry in with_failures for _, cause in failures(entry).elements())
     common = [cause for cause, _ in causes.most_common()]
-    failed = [failure_shares(entry, common) for entry in counts]
+    failed = [failure_shares(entry, common) for entry in with_failures]
     sections = [
         *((id_, table.title) for id_, table in tables),
         *([("shift", "Under shift")] if shifted else []),
