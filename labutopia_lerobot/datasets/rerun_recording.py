@@ -60,23 +60,23 @@ class RerunRecording:
         self._stream.set_time("time", duration=number / CONTROL_HZ)
         for camera, picture in env.workcell.pictures(self._cameras).items():
             image = self._rerun.Image(picture).compress(jpeg_quality=_JPEG_QUALITY)
-            self._stream.log(f"camera/{camera}", image)
+            self._stream.log(["camera", camera], image)
         names = load_robot(env.setting.robot).names
         for kind, values in self._recorded.items():
             for name, value in zip(names, values[number], strict=True):
-                self._scalar(f"{kind}/{name}", value)
+                self._scalar(kind, name, value)
         progress, liquid = env.workcell.progress, env.workcell.world.liquid
         for name, holds in progress.facts.items():
-            self._scalar(f"fact/{name}", holds)
+            self._scalar("fact", name, holds)
         for name, volume in ({} if liquid is None else liquid.millilitres).items():
-            self._scalar(f"liquid/{name}", volume)
+            self._scalar("liquid", name, volume)
         step = "" if progress.step is None else progress.step.name
         if step != self._step:
             self._stream.log("step", self._rerun.TextLog(step or "all steps are done"))
             self._step = step
 
-    def _scalar(self, path: str, value: float | np.floating[Any]) -> None:
-        self._stream.log(path, self._rerun.Scalars(float(value)))
+    def _scalar(self, kind: str, name: str, value: float | np.floating[Any]) -> None:
+        self._stream.log([kind, name], self._rerun.Scalars(float(value)))
 
     def __enter__(self) -> Self:
         return self

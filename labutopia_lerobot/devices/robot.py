@@ -25,8 +25,9 @@ NEXT_EPISODE = "next_episode"
 class LabUtopiaRobot(Robot):
     """A robot in a simulated laboratory.
 
-    Nothing is compiled, and no OpenGL context made, before it is first looked at or moved: the
-    thread that does that has to do it always.
+    The first episode begins when it is connected: compiling takes seconds, which no recording
+    should contain. The thread that connects it has to look at it and move it, as its OpenGL context
+    is its own.
 
     Args:
         config: What is played and observed.
@@ -41,9 +42,6 @@ class LabUtopiaRobot(Robot):
         self._setting = config.setting
         self._names = load_robot(self._setting.robot).names
         self._env: LabEnv | None = None
-        self._seed = config.seed
-        self._observation: dict[str, Any] | None = None
-        self._over = False
 
     @property
     def cameras(self) -> dict[str, Any]:
@@ -66,10 +64,11 @@ class LabUtopiaRobot(Robot):
         return self._env is not None
 
     def connect(self, calibrate: bool = True) -> None:
-        """Make the environment; a simulated robot needs no calibration."""
+        """Begin the first episode; a simulated robot needs no calibration."""
         from labutopia_lerobot.env import LabEnv  # here: it imports mujoco
 
         self._env = LabEnv(self._setting)
+        self._begin(self.config.seed)
 
     @property
     def is_calibrated(self) -> bool:
@@ -83,21 +82,15 @@ class LabUtopiaRobot(Robot):
 
     def get_observation(self) -> dict[str, Any]:
         """Return the elements of the robot [rad or m], and the pictures, of now."""
-        if self._observation is None:
-            self._begin()
-        assert self._observation is not None
         state = zip(self._names, self._observation["agent_pos"].tolist(), strict=True)
         return {**dict(state), **self._observation["pixels"]}
 
     def send_action(self, action: dict[str, Any]) -> dict[str, Any]:
         """Command the robot for one control period, and return what acted."""
-        if action.get(NEXT_EPISODE):
-            self._seed += 1
-            self._begin()
-        if self._observation is None:
-            self._begin()
         command = np.array([float(action[name]) for name in self._names], np.float32)
-        if not self._over:
+        if action.get(NEXT_EPISODE):
+            self._begin(self._seed + 1)
+        elif not self._over:
             self._observation, _, terminated, truncated, info = self._playing.step(command)
             self._over = terminated or truncated
             command = info["applied_action"]
@@ -108,7 +101,7 @@ class LabUtopiaRobot(Robot):
     def disconnect(self) -> None:
         """Give everything back."""
         self._playing.close()
-        self._env = self._observation = None
+        self._env = None
 
     @property
     def _playing(self) -> "LabEnv":
@@ -116,6 +109,6 @@ class LabUtopiaRobot(Robot):
             raise ConnectionError("connect() comes first")
         return self._env
 
-    def _begin(self) -> None:
-        self._observation, _ = self._playing.reset(seed=self._seed)
-        self._over = False
+    def _begin(self, seed: int) -> None:
+        self._observation, _ = self._playing.reset(seed=seed)
+        self._seed, self._over = seed, False

@@ -54,12 +54,14 @@ def test_what_cannot_be_shown_is_told(
 
 
 def test_an_episode_is_written_for_rerun(picked: Path, tmp_path: Path, monkeypatch, capsys) -> None:
-    rerun = pytest.importorskip("rerun", reason="an extra")
+    pytest.importorskip("rerun", reason="an extra")
+    from rerun.experimental import RrdReader
+
     out = tmp_path / "episode.rrd"
     size = ["--width", 64, "--height", 64, "--cameras", "front"]
     show(monkeypatch, picked, "--episode", 0, "--out", out, *size)
-    written = rerun.dataframe.load_recording(out)
-    paths = {str(column.entity_path) for column in written.schema().component_columns()}
+    written = RrdReader(out).store().schema().component_columns()
+    paths = {str(column.entity_path) for column in written}
     assert {"/camera/front", "/state/joint1", "/action/gripper", "/step"} <= paths
     assert any(path.startswith("/fact/") for path in paths)
 

@@ -31,7 +31,13 @@ class ScriptedConfig(TeleoperatorConfig):
     """A person who types the expert's commands."""
 
 
+EVENTS = {"exit_early": False, "rerecord_episode": False, "stop_recording": False}
+"""What LeRobot's recorder hears of its keyboard; the first is the right arrow: go on."""
+
+
 class Scripted(Teleoperator):
+    """Five commands, then on; another scene, then on; five commands, then on."""
+
     config_class = ScriptedConfig
     name = "scripted"
     commands: ClassVar[list[np.ndarray]] = []
@@ -41,11 +47,15 @@ class Scripted(Teleoperator):
 
     def __init__(self, config: ScriptedConfig) -> None:
         super().__init__(config)
-        self._left: Iterator[np.ndarray] = iter(self.commands)
+        self._given = 0
 
     def get_action(self) -> dict[str, float]:
         names = LabUtopiaRobot(LabUtopiaRobotConfig()).action_features
-        return dict(zip(names, next(self._left).tolist(), strict=True))
+        self._given += 1
+        EVENTS["exit_early"] = self._given in (5, 6, 11)
+        command = self.commands[(self._given - 1) % 6]
+        action = dict(zip(names, command.tolist(), strict=True))
+        return action | ({NEXT_EPISODE: 1.0} if self._given == 6 else {})
 
     def connect(self, calibrate: bool = True) -> None: ...
     def calibrate(self) -> None: ...
@@ -99,8 +109,7 @@ def test_the_next_episode_begins_when_it_is_asked_for(robot: LabUtopiaRobot) -> 
     robot.send_action(still)
     robot.send_action({**still, NEXT_EPISODE: True})
     env = LabEnv(Setting("level1/pick", split="train", **SMALL))
-    env.reset(seed=1)
-    second, *_ = env.step(np.array(list(still.values()), np.float32))
+    second, _ = env.reset(seed=1)
     env.close()
     assert np.array_equal(robot.get_observation()["front"], second["pixels"]["front"])
 
@@ -108,7 +117,8 @@ def test_the_next_episode_begins_when_it_is_asked_for(robot: LabUtopiaRobot) -> 
 def test_lerobot_records_a_person_with_the_features_of_our_datasets(
     tmp_path: Path, solution, monkeypatch
 ) -> None:
-    monkeypatch.setattr(Scripted, "commands", solution * 100)
+    monkeypatch.setattr(Scripted, "commands", solution)
+    monkeypatch.setattr(lerobot_record, "init_keyboard_listener", lambda: (None, EVENTS))
     monkeypatch.setattr(lerobot_record, "make_teleoperator_from_config", Scripted)
     lerobot_record.record(
         lerobot_record.RecordConfig(
@@ -118,9 +128,9 @@ def test_lerobot_records_a_person_with_the_features_of_our_datasets(
                 repo_id="local/person",
                 root=tmp_path / "person",
                 single_task="Pick up the conical flask from the bench.",
-                num_episodes=1,
-                episode_time_s=2,
-                reset_time_s=0,
+                num_episodes=2,
+                episode_time_s=600,
+                reset_time_s=600,
                 push_to_hub=False,
             ),
             play_sounds=False,
@@ -132,6 +142,15 @@ def test_lerobot_records_a_person_with_the_features_of_our_datasets(
         for part in ("dtype", "shape", "names"):
             assert list(dataset.features[key][part]) == list(declared[key][part])
     assert dataset.fps == 30
-    assert len(dataset) > 2
-    for number in range(len(dataset)):
-        assert dataset[number]["action"].tolist() == solution[number].tolist()
+    assert [row["length"] for row in dataset.meta.episodes] == [5, 5]
+    starts = []
+    for seed in (0, 1):
+        env = LabEnv(Setting("level1/pick", split="train", **SMALL))
+        starts.append(env.reset(seed=seed)[0]["pixels"]["front"] / 255.0)
+        env.close()
+    for number in range(10):
+        assert dataset[number]["action"].tolist() == solution[number % 5].tolist()
+    for episode, first in enumerate((0, 5)):
+        shown = dataset[first]["observation.images.front"].permute(1, 2, 0).numpy()
+        distances = [np.abs(shown - start).mean() for start in starts]
+        assert int(np.argmin(distances)) == episode
