@@ -93,11 +93,13 @@ def clear_of(bar: Bar, *, by: float) -> Predicate:
     return Predicate(f"hand {by:g} m clear of {bar.name}", lambda world: _distance(world, bar) > by)
 
 
-def collided(instrument: Instrument, *, sparing: Thing) -> Predicate:
-    """Arm or hand touches any body of an instrument but the one that it may touch."""
-    forbidden = instrument.bodies - {sparing.name}
+def collided(*instruments: Instrument, sparing: Thing) -> Predicate:
+    """Arm or hand touches any body of the instruments but the one that it may touch."""
+    bodies = frozenset().union(*(instrument.bodies for instrument in instruments))
+    forbidden = bodies - {sparing.name}
+    names = " or ".join(instrument.name for instrument in instruments)
     return Predicate(
-        f"robot touches {instrument.name} beyond {sparing.name}",
+        f"robot touches {names} beyond {sparing.name}",
         lambda world: any(
             world.touched_by(part) & forbidden for part in (ARM, HAND, LEFT_PAD, RIGHT_PAD)
         ),

@@ -37,6 +37,7 @@ from labutopia_lerobot.predicates import (
 )
 from labutopia_lerobot.skills import Close, Open, Pick, Place, Pour, Press, Shake, Stir
 from labutopia_lerobot.skills.handle import Operable
+from labutopia_lerobot.skills.pour import Pourable
 from labutopia_lerobot.task import Milestone, Step
 from labutopia_lerobot.world import BENCH, Button, Graspable, OpenVessel, Standing, Thing
 
@@ -60,7 +61,7 @@ def pick(
     )
 
 
-def pour(vessel: OpenVessel, into: OpenVessel) -> Step:
+def pour(vessel: Pourable, into: OpenVessel) -> Step:
     """Pour: 80 % of what was in the vessel, which is then held upright again.
 
     The share is ours; the original judges a tilt of 50 degrees, and 30 for upright.
