@@ -28,9 +28,9 @@ class Pattern:
 
 
 PATTERNS = {
-    "speckled": Pattern(depth=0.22, length=1.2, width=1.2),
-    "grained": Pattern(depth=0.45, length=80.0, width=9.0, rings=5),
-    "brushed": Pattern(depth=0.30, length=60.0, width=0.7),
+    "speckled": Pattern(depth=0.08, length=0.8, width=0.8),
+    "grained": Pattern(depth=0.32, length=80.0, width=9.0, rings=5),
+    "brushed": Pattern(depth=0.18, length=60.0, width=0.7),
 }
 """Laminate with a fine grain; wood; steel that was ground in one direction. All ours."""
 
