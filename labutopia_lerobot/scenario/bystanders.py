@@ -71,7 +71,7 @@ def place_bystanders(
     middle = np.mean([(stands.x, stands.y) for stands in layout.values()], axis=0)
     for piece in bystanders:
         inner = piece.footprint_radius + CLEARANCE
-        bench = np.array([workspace.x, workspace.y]) + (inner, -inner)
+        bench = np.array([workspace.x, workspace.y]) + np.array([inner, -inner])
         for spread in np.linspace(0.25, 1.5, _TRIES):
             around = np.column_stack([middle - spread, middle + spread])
             x, y = rng.uniform(*np.clip(around, bench[:, :1], bench[:, 1:]).T)

@@ -11,11 +11,11 @@ from labutopia_lerobot.labware.instruments.vacuum_oven import VacuumOven
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.scenario import Draw
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks.level1.open_door import YAW, open_oven
+from labutopia_lerobot.tasks.level1.open_door import YAW, Oven, open_oven
 
 # Original: three ovens, in training as in tests, at x 0.65 to 0.77, y -0.05 to 0.15. Ours: ranges
 # of level 1's width, such that every handle is where level 1's is.
-OVENS = {
+OVENS: dict[str, tuple[Oven, OnBench]] = {
     "drying oven": (DryingOven("oven"), OnBench((0.70, 0.80), (0.05, 0.15), (-YAW, YAW))),
     "vacuum oven": (VacuumOven("oven"), OnBench((0.70, 0.80), (0.05, 0.15), (-YAW, YAW))),
     "muffle furnace": (MuffleFurnace("oven"), OnBench((0.70, 0.80), (0.19, 0.29), (-YAW, YAW))),
