@@ -60,6 +60,52 @@ class OnTop:
 
 
 @dataclass(frozen=True)
+class WhereItStood:
+    """Where a thing stood on the bench when the episode began.
+
+    Attributes:
+        thing: The thing.
+    """
+
+    thing: Thing
+
+    @property
+    def name(self) -> str:
+        return f"where {self.thing.name} stood"
+
+    @property
+    def support(self) -> str:
+        return BENCH
+
+    def position_w(self, world: World) -> FloatArray:
+        """Return the point, shape (3,), metres, world frame."""
+        return world.stood(self.thing).position_w
+
+
+@dataclass(frozen=True)
+class Spot:
+    """A point on a part of a thing, such as the shelf of an oven.
+
+    Attributes:
+        name: How it is called in the name of a fact.
+        of: The thing.
+        at: The point in its frame [m].
+        support: Contact name of the part.
+    """
+
+    name: str
+    of: Thing
+    at: tuple[float, float, float]
+    support: str
+
+    def position_w(self, world: World) -> FloatArray:
+        """Return the point, shape (3,), metres, world frame."""
+        pose = world.pose(self.of)
+        point: FloatArray = pose.position_w + pose.rotation_w @ np.array(self.at)
+        return point
+
+
+@dataclass(frozen=True)
 class OverBench:
     """A point on the bench or above it, as the robot sees it.
 

@@ -39,6 +39,8 @@ class Simulation:
         liquid: The liquid, or None where there is none.
         account: Where it is, as of the last control step.
         touched: Groups that touched since the previous control step, shape (groups, groups).
+        rest: Where bodies were after the reset, when all had come to rest: positions, shape
+            (bodies, 3), metres, and orientations, shape (bodies, 9), world frame.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -60,6 +62,7 @@ class Simulation:
         self.account = None if self.liquid is None else self.liquid.take_account()
         self._ramp = np.arange(1, _SUBSTEPS + 1) / _SUBSTEPS
         self._built = scene.model.body_pos.copy()
+        self.rest = self.data.xpos.copy(), self.data.xmat.copy()
 
     def reset(
         self, layout: Mapping[Piece, Placement], displacement: FloatArray | None = None
@@ -94,6 +97,7 @@ class Simulation:
         for _ in range(_SETTLE_STEPS):
             self.step(start)
         self._start_displacements()
+        self.rest = data.xpos.copy(), data.xmat.copy()
         self.start_clock()
 
     def fill(self, rng: np.random.Generator) -> None:

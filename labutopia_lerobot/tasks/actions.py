@@ -4,6 +4,9 @@ Tasks of all levels share them (paper, appendix "Task Details"); what a number c
 its line. A task that does an action twice gives the step another name (`Step.named`).
 """
 
+from collections.abc import Mapping
+from dataclasses import replace
+
 from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates import (
     Predicate,
@@ -61,16 +64,24 @@ def pick(
     )
 
 
-def pour(vessel: Pourable, into: OpenVessel) -> Step:
+def pour(
+    vessel: Pourable, into: OpenVessel, *, share: float = 0.80, of: Thing | None = None
+) -> Step:
     """Pour: 80 % of what was in the vessel, which is then held upright again.
 
     The share is ours; the original judges a tilt of 50 degrees, and 30 for upright.
+
+    Args:
+        vessel: What is in the hand.
+        into: What to pour into.
+        share: How much of what was filled in must have arrived.
+        of: What it was filled into, if not into the vessel in the hand.
     """
     return Step(
         "pour",
         (Pour(vessel, into),),
         (
-            Milestone("poured", (poured(vessel, into, share=0.80),)),
+            Milestone("poured", (poured(vessel, into, share=share, of=of),)),
             Milestone("righted", (gripped(vessel), upright(vessel, within_deg=10))),
         ),
     )
@@ -235,6 +246,16 @@ def mishaps(
         **spilling,
         "dropped": falling(vessel, faster_than=0.5),  # free fall over 13 mm
     }
+
+
+def either(first: Mapping[str, Predicate], second: Mapping[str, Predicate]) -> dict[str, Predicate]:
+    """Return what must happen to neither of two vessels, from the `mishaps` of each."""
+    return {name: first[name] | second[name] for name in first}
+
+
+def sparing(thing: Thing, *steps: Step) -> tuple[Step, ...]:
+    """Return steps during which a thing that stands on the bench must not be touched."""
+    return tuple(replace(step, never={**step.never, "collided": struck(thing)}) for step in steps)
 
 
 def stirring_mishaps(rod: Graspable, vessel: OpenVessel, rack: Thing) -> dict[str, Predicate]:
