@@ -16,6 +16,12 @@ _BASE_GAP = 0.008
 """Least height of the base of what is poured from above the other mouth [m]."""
 
 
+_LOW = 0.10
+"""Height up to which a vessel is poured from at full speed [m]."""
+_LEAN = math.radians(60.0)
+"""Angle to which a taller one leans first [rad]: less than a third full, none runs over there."""
+
+
 class Pourable(OpenVessel, Standing, Protocol):
     """A vessel that can be poured from."""
 
@@ -43,7 +49,9 @@ class Pour:
             one that tapers is tilted further by as much as it tapers.
         short: How far before the middle of the other mouth the lip is [m]: liquid leaves it with
             some speed, and flies about that far on its way down.
-        turn_speed: How fast it is tilted [rad/s]; faster, liquid shoots over the other vessel.
+        turn_speed: How fast it is tilted [rad/s]; faster, liquid shoots over the other vessel. One
+            taller than `_LOW` leans at that speed, before anything flows, and then is tilted more
+            slowly, by the square of its height: liquid gathers speed along its wall.
         pause_s: How long it is kept tilted [s].
     """
 
@@ -66,8 +74,14 @@ class Pour:
         there = arrived(within=0.006)
         yield Phase("start", lambda w: above, shut, arrived(within=0.015), own, thing)
         yield Phase("ready", lambda w: ready, shut, there, own, thing)
-        tilting = pivot.towards(world, self.angle + thing.taper)
-        yield Phase("tilt", tilting, shut, there, own, thing, turn_speed=self.turn_speed)
+        tall, speed = thing.height / _LOW, self.turn_speed
+        if tall > 1.0:
+            leaning = pivot.towards(world, _LEAN)
+            yield Phase("lean", leaning, shut, there, own, thing, turn_speed=speed)
+            speed /= tall**2
+        angle = self.angle + thing.taper
+        tilting, timeout_s = pivot.towards(world, angle), 2 * angle / speed
+        yield Phase("tilt", tilting, shut, there, own, thing, turn_speed=speed, timeout_s=timeout_s)
         yield Phase("pause", tilting, shut, waited(self.pause_s), own, thing)
         back = pivot.towards(world, 0.0)
         yield Phase("tilt_back", back, shut, there, own, thing, turn_speed=1.2)
