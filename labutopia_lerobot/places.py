@@ -83,29 +83,6 @@ class WhereItStood:
 
 
 @dataclass(frozen=True)
-class Spot:
-    """A point on a part of a thing, such as the shelf of an oven.
-
-    Attributes:
-        name: How it is called in the name of a fact.
-        of: The thing.
-        at: The point in its frame [m].
-        support: Contact name of the part.
-    """
-
-    name: str
-    of: Thing
-    at: tuple[float, float, float]
-    support: str
-
-    def position_w(self, world: World) -> FloatArray:
-        """Return the point, shape (3,), metres, world frame."""
-        pose = world.pose(self.of)
-        point: FloatArray = pose.position_w + pose.rotation_w @ np.array(self.at)
-        return point
-
-
-@dataclass(frozen=True)
 class OverBench:
     """A point on the bench or above it, as the robot sees it.
 
