@@ -60,6 +60,29 @@ class OnTop:
 
 
 @dataclass(frozen=True)
+class WhereItStood:
+    """Where a thing stood on the bench when the episode began.
+
+    Attributes:
+        thing: The thing.
+    """
+
+    thing: Thing
+
+    @property
+    def name(self) -> str:
+        return f"where {self.thing.name} stood"
+
+    @property
+    def support(self) -> str:
+        return BENCH
+
+    def position_w(self, world: World) -> FloatArray:
+        """Return the point, shape (3,), metres, world frame."""
+        return world.stood(self.thing).position_w
+
+
+@dataclass(frozen=True)
 class OverBench:
     """A point on the bench or above it, as the robot sees it.
 

@@ -42,6 +42,7 @@ class LabUtopiaRobot(Robot):
         self._setting = config.setting
         self._names = load_robot(self._setting.robot).names
         self._env: LabEnv | None = None
+        self._seed, self._over = config.seed, False
 
     @property
     def cameras(self) -> dict[str, Any]:

@@ -14,32 +14,34 @@ def poured(
     target: OpenVessel,
     *,
     share: float,
+    of: Thing | None = None,
     beyond_deg: float = 95.0,
     below: float = 0.20,
 ) -> Predicate:
-    """At least this share of what was filled into the vessel is in the target.
+    """At least this share of what was filled into the vessel, or into `of`, is in the target.
 
     Without liquid: the vessel leans more than `beyond_deg` degrees, beyond the level, where nothing
     stays in a beaker, with its lip over the target's mouth, less than `below` metres above.
     """
     tipped = tilted(vessel, beyond_deg=beyond_deg)
     aimed = lip_over(vessel, target, below=below)
+    origin = vessel if of is None else of
 
     def holds(world: World) -> bool:
         liquid = world.liquid
         if liquid is None:
             return tipped.holds(world) and aimed.holds(world)
-        arrived = liquid.from_in(vessel.name, target.name)
-        return arrived > 0.0 and arrived >= share * liquid.originated_in(vessel.name)
+        arrived = liquid.from_in(origin.name, target.name)
+        return arrived > 0.0 and arrived >= share * liquid.originated_in(origin.name)
 
     def off(world: World) -> dict[str, float]:
         liquid = world.liquid
         if liquid is None:
             return {}
-        arrived = liquid.from_in(vessel.name, target.name)
-        return {"ml": 1e6 * (liquid.originated_in(vessel.name) - arrived)}
+        arrived = liquid.from_in(origin.name, target.name)
+        return {"ml": 1e6 * (liquid.originated_in(origin.name) - arrived)}
 
-    return Predicate(f"{100 * share:g} % of {vessel.name} poured into {target.name}", holds, off)
+    return Predicate(f"{100 * share:g} % of {origin.name} poured into {target.name}", holds, off)
 
 
 def spilled(

@@ -29,6 +29,13 @@ class Predicate:
         holds = self.holds
         return Predicate(f"not ({self.name})", lambda world: not holds(world))
 
+    def __or__(self, other: "Predicate") -> "Predicate":
+        """Return the fact that this one holds, or the other, or both."""
+        first, second = self.holds, other.holds
+        return Predicate(
+            f"{self.name} or {other.name}", lambda world: first(world) or second(world)
+        )
+
 
 def same(first: object, second: object) -> bool:
     """Tell whether two predicates ask the same of the same things.

@@ -18,7 +18,7 @@ from labutopia_lerobot.world import FloatArray
 BYSTANDER_GAP = 0.13
 """Least gap between a bystander and what the task needs [m]: the open hand passes, 0.2 m wide."""
 INSTRUMENT_GAP = 0.45
-"""Least gap between a bystander and an instrument [m]: the drying oven's door sweeps so far."""
+"""The same before an instrument [m]: the drying oven's door sweeps so far."""
 
 HAND_REACH = 0.35
 """How far behind a vessel the hand and the wrist that come to it reach [m]."""
@@ -70,8 +70,11 @@ def place_bystanders(
     placed: dict[Piece, Placement] = {}
     middle = np.mean([(stands.x, stands.y) for stands in layout.values()], axis=0)
     for piece in bystanders:
+        inner = piece.footprint_radius + CLEARANCE
+        bench = np.array([workspace.x, workspace.y]) + np.array([inner, -inner])
         for spread in np.linspace(0.25, 1.5, _TRIES):
-            x, y = middle + spread * rng.uniform(-1.0, 1.0, size=2)
+            around = np.column_stack([middle - spread, middle + spread])
+            x, y = rng.uniform(*np.clip(around, bench[:, :1], bench[:, 1:]).T)
             placement = Placement(x, y, rng.uniform(-math.pi, math.pi))
             if _out_of_the_way(piece, placement, {**layout, **placed}, workspace, approach):
                 placed[piece] = placement
@@ -88,21 +91,27 @@ def _out_of_the_way(
     workspace: Workspace,
     approach: float,
 ) -> bool:
-    """Tell whether a thing is on the bench, and in the way of neither the arm nor the hand."""
-    inner = piece.footprint_radius + CLEARANCE
-    (x_min, x_max), (y_min, y_max) = workspace.x, workspace.y
-    if not (x_min + inner < at.x < x_max - inner and y_min + inner < at.y < y_max - inner):
-        return False
+    """Tell whether a thing is in the way of neither the arm nor the hand."""
     point, robot = np.array([at.x, at.y]), np.array(workspace.robot)
     for other, placement in layout.items():
-        gap = BYSTANDER_GAP if other.movable else INSTRUMENT_GAP
-        least = piece.footprint_radius + other.footprint_radius + gap
         thing = np.array([placement.x, placement.y])
+        beside = piece.footprint_radius + other.footprint_radius
+        if not other.movable and _is_behind(placement, point):
+            if math.dist(point, thing) < beside + BYSTANDER_GAP:
+                return False
+            continue
+        least = beside + (BYSTANDER_GAP if other.movable else INSTRUMENT_GAP)
         yaw = math.atan2(*(thing - robot)[::-1]) + approach
         hand = thing - HAND_REACH * np.array([math.cos(yaw), math.sin(yaw)])
         if min(_distance(point, thing, end) for end in (robot, hand)) < least:
             return False
     return True
+
+
+def _is_behind(instrument: Placement, point: FloatArray) -> bool:
+    """Tell whether a point is behind the middle of an instrument, which faces its own -x."""
+    dx, dy = point - (instrument.x, instrument.y)
+    return bool(math.cos(instrument.yaw) * dx + math.sin(instrument.yaw) * dy > 0.0)
 
 
 def _distance(point: FloatArray, start: FloatArray, end: FloatArray) -> float:

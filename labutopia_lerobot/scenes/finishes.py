@@ -13,21 +13,29 @@ class Finish:
         rgba: Its colour.
         specular: How bright its highlights are, 0 to 1.
         shininess: How sharp they are, 0 to 1.
+        pattern: Which of `textures.PATTERNS` it has, or None.
     """
 
     rgba: Color
     specular: float = 0.25
     shininess: float = 0.3
+    pattern: str | None = None
+
+
+def _plastic(red: float, green: float, blue: float) -> Finish:
+    return Finish((red, green, blue, 1.0), pattern="speckled")
 
 
 BENCH_FINISHES = {
-    "dark blue plastic": Finish((0.10, 0.16, 0.36, 1.0)),
-    "wood": Finish((0.62, 0.44, 0.26, 1.0), specular=0.08, shininess=0.1),
-    "dark green plastic": Finish((0.10, 0.28, 0.18, 1.0)),
-    "white plastic": Finish((0.88, 0.88, 0.86, 1.0)),
-    "black plastic": Finish((0.06, 0.06, 0.07, 1.0)),
-    "light blue plastic": Finish((0.52, 0.70, 0.84, 1.0)),
-    "stainless steel": Finish((0.52, 0.54, 0.56, 1.0), specular=0.3, shininess=0.6),
+    "dark blue plastic": _plastic(0.11, 0.18, 0.40),
+    "wood": Finish((0.74, 0.53, 0.32, 1.0), specular=0.08, shininess=0.1, pattern="grained"),
+    "dark green plastic": _plastic(0.11, 0.31, 0.20),
+    "white plastic": _plastic(0.96, 0.96, 0.94),
+    "black plastic": _plastic(0.075, 0.075, 0.085),
+    "light blue plastic": _plastic(0.58, 0.77, 0.92),
+    "stainless steel": Finish(
+        (0.62, 0.64, 0.66, 1.0), specular=0.3, shininess=0.6, pattern="brushed"
+    ),
 }
 """The seven bench tops of the original's level 3, in its order."""
 

@@ -5,6 +5,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.scenes.room import Room
+from labutopia_lerobot.scenes.textures import PATTERNS, SIZE, texture
 from labutopia_lerobot.scenes.views import CameraPose, View
 from labutopia_lerobot.world import BENCH, ROOM
 
@@ -17,6 +18,8 @@ _WHITE = (0.90, 0.91, 0.92, 1.0)
 _GREY = (0.60, 0.63, 0.66, 1.0)
 _STEEL = (0.42, 0.45, 0.49, 1.0)
 _TOP = (0.33, 0.37, 0.42, 1.0)
+_TILES_PER_M = 2.5
+"""Repetitions of a texture of the bench top [1/m]."""
 
 
 def laboratory(room: Room, view: View) -> mujoco.MjSpec:
@@ -47,7 +50,18 @@ def _materials(spec: mujoco.MjSpec) -> None:
     floor.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = "floor"
     for name, rgba in (("wall", _WHITE), ("cabinet", _GREY), ("steel", _STEEL)):
         spec.add_material(name=name, rgba=rgba, specular=0.1, shininess=0.1)
-    spec.add_material(name="bench_top", rgba=_TOP, specular=0.25, shininess=0.3)
+    spec.add_material(
+        name="bench_top",
+        rgba=_TOP,
+        specular=0.25,
+        shininess=0.3,
+        texuniform=True,
+        texrepeat=[_TILES_PER_M] * 2,
+    )
+    for name in PATTERNS:  # what an episode may give the bench top (sim/appearance.py)
+        kind = mujoco.mjtTexture.mjTEXTURE_2D
+        drawn = spec.add_texture(name=name, type=kind, width=SIZE, height=SIZE, nchannel=3)
+        drawn.data = texture(name).tobytes()
 
 
 def _walls(spec: mujoco.MjSpec) -> None:

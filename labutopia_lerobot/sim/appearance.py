@@ -21,6 +21,7 @@ class Appearance:
             model.mat_rgba,
             model.mat_specular,
             model.mat_shininess,
+            model.mat_texid,
             model.light_diffuse,
             model.light_specular,
             model.cam_pos,
@@ -51,3 +52,7 @@ class Appearance:
         painted = self._model.material(material)
         painted.rgba = finish.rgba
         painted.specular, painted.shininess = finish.specular, finish.shininess
+        if finish.pattern is not None:
+            painted.texid[mujoco.mjtTextureRole.mjTEXROLE_RGB] = self._model.texture(
+                finish.pattern
+            ).id

@@ -41,6 +41,8 @@ class Simulation:
         set_points: What the servos were given at each physics step since then [rad or m], shape
             (SUBSTEPS, elements).
         watch: Called after every physics step, if anything.
+        rest: Where bodies were after the reset, when all had come to rest: positions, shape
+            (bodies, 3), metres, and orientations, shape (bodies, 9), world frame.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -64,6 +66,7 @@ class Simulation:
         self.watch: Callable[[], None] | None = None
         self.commands[:] = self._start
         self._built = scene.model.body_pos.copy()
+        self.rest = self.data.xpos.copy(), self.data.xmat.copy()
 
     def reset(
         self, layout: Mapping[Piece, Placement], displacement: FloatArray | None = None
@@ -98,6 +101,7 @@ class Simulation:
         for _ in range(_SETTLE_STEPS):
             self.step(start)
         self._start_displacements()
+        self.rest = data.xpos.copy(), data.xmat.copy()
         self.start_clock()
 
     def fill(self, rng: np.random.Generator) -> None:

@@ -77,6 +77,12 @@ class SimulatedWorld:
         body = self._body(thing)
         return Pose(self._data.xpos[body].copy(), self._data.xmat[body].reshape(3, 3).copy())
 
+    def stood(self, thing: Thing) -> Pose:
+        """Return where a thing was when all had come to rest, before anything moved."""
+        body = self._body(thing)
+        xpos, xmat = self._simulation.rest
+        return Pose(xpos[body].copy(), xmat[body].reshape(3, 3).copy())
+
     def frame(self, name: str) -> Pose:
         """Return a named frame."""
         try:

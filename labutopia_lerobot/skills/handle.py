@@ -7,13 +7,13 @@ if not, pause, release, leave.
 
 import math
 from collections.abc import Iterator
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
 from labutopia_lerobot.predicates import grasped
 from labutopia_lerobot.predicates.openables import Bar, Openable
-from labutopia_lerobot.skills.skill import Condition, Phase, arrived, waited
+from labutopia_lerobot.skills.skill import Condition, Phase, Target, arrived, waited
 from labutopia_lerobot.world import Pose, World
 
 _OPENING = 0.05
@@ -26,12 +26,12 @@ _LEAD = 0.05
 """How far ahead of the handle the hand is sent [m]: a chord of the arc that strays by 1 mm."""
 
 
-class Operable(Openable, Protocol):
-    """A door or drawer with a handle, whose frame has its x axis into the door or drawer."""
+class Jointed(Protocol):
+    """Something on one joint."""
 
     @property
-    def handle(self) -> Bar:
-        """What to hold it by."""
+    def joint(self) -> str:
+        """Name of its hinge [rad] or slide [m]."""
         ...
 
     def carried(self, pose: Pose, world: World, by: float) -> Pose:
@@ -39,8 +39,27 @@ class Operable(Openable, Protocol):
         ...
 
 
+class Operable(Openable, Jointed, Protocol):
+    """A door or drawer with a handle, whose frame has its x axis into the door or drawer."""
+
+    @property
+    def handle(self) -> Bar:
+        """What to hold it by."""
+        ...
+
+
+@runtime_checkable
+class Turning(Bar, Jointed, Protocol):
+    """A handle that must be turned before the door opens."""
+
+    @property
+    def turn(self) -> float:
+        """How far to turn it [rad]."""
+        ...
+
+
 def move_by_handle(part: Operable, world: World, to: float, reached: Condition) -> Iterator[Phase]:
-    """Yield approach, reach, settle, grip, move, pause, release and leave.
+    """Yield approach, reach, settle, grip, turn where that must be, move, pause, release and leave.
 
     While it moves, the hand is carried along with the handle: along an arc about the hinge, with
     its orientation turned by the same angle (spherical linear interpolation), or straight.
@@ -69,24 +88,40 @@ def move_by_handle(part: Operable, world: World, to: float, reached: Condition) 
         touches,
         timeout_s=2.0,
     )
-    in_hand = world.frame(handle.name).inverse() @ world.gripper
-
-    def onward(world: World) -> Pose:
-        """Where the hand would be once the joint has moved on, by `_LEAD` at most."""
-        bar = world.frame(handle.name)
-        way = to - world.joint(part.joint)
-        target = part.carried(bar, world, way)
-        distance = bar.distance_to(target)
-        if distance > _LEAD:
-            target = part.carried(bar, world, way * _LEAD / distance)
-        return target @ in_hand
-
+    if isinstance(handle, Turning):
+        lever, enough = handle, 0.95 * handle.turn
+        turning = _onward(handle, lever, lever.turn, world)
+        yield Phase(
+            "turn",
+            turning,
+            shut,
+            lambda w, target, elapsed: w.joint(lever.joint) > enough,
+            touches,
+            speed=0.15,
+        )
+    onward = _onward(handle, part, to, world)
     yield Phase("move", onward, shut, reached, touches, speed=0.15, timeout_s=10.0)
     yield Phase("pause", onward, shut, waited(0.3), touches)
     there = onward(world)  # still against the stop: a hand that gave way would drag the bar along
     yield Phase("release", lambda w: there, _OPENING, waited(0.5), touches)
     away = there.advanced(-_STANDOFF)
     yield Phase("leave", lambda w: away, _OPENING, arrived(0.01, 0.1), touches)
+
+
+def _onward(handle: Bar, part: Jointed, to: float, world: World) -> Target:
+    """Return where the hand on a handle would be once a joint has moved on, by `_LEAD` at most."""
+    in_hand = world.frame(handle.name).inverse() @ world.gripper
+
+    def target(world: World) -> Pose:
+        bar = world.frame(handle.name)
+        way = to - world.joint(part.joint)
+        moved = part.carried(bar, world, way)
+        distance = bar.distance_to(moved)
+        if distance > _LEAD:
+            moved = part.carried(bar, world, way * _LEAD / distance)
+        return moved @ in_hand
+
+    return target
 
 
 def _grasp(handle: Bar, world: World) -> Pose:

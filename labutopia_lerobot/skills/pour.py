@@ -3,13 +3,32 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.skills.posture import UP, hand_at, horizontal, upright_in_hand
 from labutopia_lerobot.skills.skill import Phase, Target, arrived, carrier, waited
-from labutopia_lerobot.world import FloatArray, OpenVessel, Pose, World
+from labutopia_lerobot.world import FloatArray, OpenVessel, Pose, Standing, World
+
+_BASE_GAP = 0.008
+"""Least height of the base of what is poured from above the other mouth [m]."""
+
+
+_LOW = 0.10
+"""Height up to which a vessel is poured from at full speed [m]."""
+_LEAN = math.radians(60.0)
+"""Angle to which a taller one leans first [rad]: less than a third full, none runs over there."""
+
+
+class Pourable(OpenVessel, Standing, Protocol):
+    """A vessel that can be poured from."""
+
+    @property
+    def taper(self) -> float:
+        """How far beyond the level its wall must lean to drain [rad]; 0 for a beaker."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -23,16 +42,20 @@ class Pour:
         thing: What is in the hand.
         into: What to pour into.
         drop: Height of the lip above the other mouth [m] (original: 0.1 to 0.2): the hand, 0.2 m
-            wide, turns with the vessel and then reaches 0.09 m below the lip.
+            wide, turns with the vessel and then reaches 0.09 m below the lip. Of a tall vessel the
+            lip is higher until it leans so far that its base passes over the other mouth.
         hover: How much higher the start position is [m].
-        angle: How far it is tilted [rad]: a little beyond the level, that a lip's bulge drains too.
+        angle: How far it is tilted [rad]: a little beyond the level, that a lip's bulge drains too;
+            one that tapers is tilted further by as much as it tapers.
         short: How far before the middle of the other mouth the lip is [m]: liquid leaves it with
             some speed, and flies about that far on its way down.
-        turn_speed: How fast it is tilted [rad/s]; faster, liquid shoots over the other vessel.
+        turn_speed: How fast it is tilted [rad/s]; faster, liquid shoots over the other vessel. One
+            taller than `_LOW` leans at that speed, before anything flows, and then is tilted more
+            slowly, by the square of its height: liquid gathers speed along its wall.
         pause_s: How long it is kept tilted [s].
     """
 
-    thing: OpenVessel
+    thing: Pourable
     into: OpenVessel
     drop: float = 0.10
     hover: float = 0.05
@@ -51,8 +74,14 @@ class Pour:
         there = arrived(within=0.006)
         yield Phase("start", lambda w: above, shut, arrived(within=0.015), own, thing)
         yield Phase("ready", lambda w: ready, shut, there, own, thing)
-        tilting = pivot.towards(world, self.angle)
-        yield Phase("tilt", tilting, shut, there, own, thing, turn_speed=self.turn_speed)
+        tall, speed = thing.height / _LOW, self.turn_speed
+        if tall > 1.0:
+            leaning = pivot.towards(world, _LEAN)
+            yield Phase("lean", leaning, shut, there, own, thing, turn_speed=speed)
+            speed /= tall**2
+        angle = self.angle + thing.taper
+        tilting, timeout_s = pivot.towards(world, angle), 2 * angle / speed
+        yield Phase("tilt", tilting, shut, there, own, thing, turn_speed=speed, timeout_s=timeout_s)
         yield Phase("pause", tilting, shut, waited(self.pause_s), own, thing)
         back = pivot.towards(world, 0.0)
         yield Phase("tilt_back", back, shut, there, own, thing, turn_speed=1.2)
@@ -61,29 +90,31 @@ class Pour:
 
 @dataclass(frozen=True)
 class _Pivot:
-    """Turns a held vessel about a fixed point of its lip.
+    """Turns a held vessel about a point of its lip, which is fixed but for its height.
 
     Attributes:
         thing: The vessel.
         upright: How it is turned when upright, shape (3, 3), world frame.
         axis: Horizontal axis that the hand points along, shape (3,), world frame.
-        lip_w: The point, shape (3,), metres, world frame.
+        lip_w: The point when it is lowest, shape (3,), metres, world frame.
+        drop: Height of that above the other mouth [m].
     """
 
-    thing: OpenVessel
+    thing: Pourable
     upright: FloatArray
     axis: FloatArray
     lip_w: FloatArray
+    drop: float
 
     @classmethod
     def over(
-        cls, world: World, thing: OpenVessel, mouth: Pose, drop: float, short: float
+        cls, world: World, thing: Pourable, mouth: Pose, drop: float, short: float
     ) -> "_Pivot":
         """Return the pivot above a mouth by a height [m], and short of its middle [m]."""
         axis = horizontal(hand_at(world, mouth.position_w).z_axis)
         upright = upright_in_hand(world, thing, mouth.position_w).rotation_w
         left = np.cross(UP, axis)
-        return cls(thing, upright, axis, mouth.position_w + drop * UP - short * left)
+        return cls(thing, upright, axis, mouth.position_w + drop * UP - short * left, drop)
 
     @property
     def left(self) -> FloatArray:
@@ -94,7 +125,14 @@ class _Pivot:
         """Return the pose of the vessel when it leans to the left by an angle [rad]."""
         turn = Rotation.from_rotvec(-angle * self.axis)
         lip = turn.apply(self.thing.mouth_radius * self.left + self.thing.height * UP)
-        return Pose(self.lip_w - lip, turn.as_matrix() @ self.upright)
+        raised = self.lip_w + self._rise(angle) * UP
+        return Pose(raised - lip, turn.as_matrix() @ self.upright)
+
+    def _rise(self, angle: float) -> float:
+        """Return how much higher the lip must be for the base to clear the other mouth [m]."""
+        beside = self.thing.footprint_radius - self.thing.mouth_radius
+        below = self.thing.height * math.cos(angle) + beside * math.sin(angle)
+        return max(0.0, below + _BASE_GAP - self.drop)
 
     def towards(self, world: World, angle: float, lead: float = 0.4) -> Target:
         """Return the gripper pose a `lead` [rad] further on the way to an angle [rad].

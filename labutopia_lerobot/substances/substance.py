@@ -54,9 +54,12 @@ class Substance:
 # Clear liquids are tinted, as in laboratory practice with a dye, so that a camera sees them.
 WATER = Substance("water", 997.0, 0.890e-3, 0.0720, (0.20, 0.48, 0.85, 0.55))
 ETHANOL = Substance("ethanol", 785.0, 1.074e-3, 0.0220, (0.55, 0.82, 0.62, 0.45))
+ETHYLENE_GLYCOL = Substance("ethylene glycol", 1110.0, 16.1e-3, 0.0480, (0.86, 0.35, 0.62, 0.55))
 GLYCEROL = Substance("glycerol", 1258.0, 0.934, 0.0625, (0.93, 0.72, 0.30, 0.65))
 
-SUBSTANCES: Mapping[str, Substance] = {s.name: s for s in (WATER, ETHANOL, GLYCEROL)}
+SUBSTANCES: Mapping[str, Substance] = {
+    s.name: s for s in (WATER, ETHANOL, ETHYLENE_GLYCOL, GLYCEROL)
+}
 """Every substance by name."""
 
 

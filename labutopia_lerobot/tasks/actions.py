@@ -4,6 +4,9 @@ Tasks of all levels share them (paper, appendix "Task Details"); what a number c
 its line. A task that does an action twice gives the step another name (`Step.named`).
 """
 
+from collections.abc import Mapping
+from dataclasses import replace
+
 from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates import (
     Predicate,
@@ -41,6 +44,7 @@ from labutopia_lerobot.predicates import (
 from labutopia_lerobot.predicates.stirring import Filled
 from labutopia_lerobot.skills import Close, Open, Pick, Place, Pour, Press, Shake, Stir
 from labutopia_lerobot.skills.handle import Operable
+from labutopia_lerobot.skills.pour import Pourable
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Milestone, Step
 from labutopia_lerobot.world import BENCH, Button, Graspable, OpenVessel, Standing, Thing
@@ -66,14 +70,23 @@ def pick(
     )
 
 
-def pour(vessel: OpenVessel, into: OpenVessel) -> Step:
+def pour(
+    vessel: Pourable, into: OpenVessel, *, share: float = 0.80, of: Thing | None = None
+) -> Step:
     """Pour: 80 % of what was in the vessel, which is then held upright again.
 
     From where liquid may flow until that much has, the lip is over the target (paper: "within a
     specified region above the target"). The share is ours; the original judges a tilt of 50
     degrees, and 30 for upright.
+
+    Args:
+        vessel: What is in the hand.
+        into: What to pour into.
+        share: How much of what was filled in must have arrived.
+        of: What it was filled into, if not into the vessel in the hand.
     """
-    enough, flowing = poured(vessel, into, share=0.80), tilted(vessel, beyond_deg=45)
+    enough = poured(vessel, into, share=share, of=of)
+    flowing = tilted(vessel, beyond_deg=45)
     return Step(
         "pour",
         (Pour(vessel, into),),
@@ -255,6 +268,16 @@ def mishaps(
         **spilling,
         "dropped": falling(vessel, faster_than=0.4),  # paper: no drop; ours: 10 mm, less a step
     }
+
+
+def either(first: Mapping[str, Predicate], second: Mapping[str, Predicate]) -> dict[str, Predicate]:
+    """Return what must happen to neither of two vessels, from the `mishaps` of each."""
+    return {name: first[name] | second[name] for name in first}
+
+
+def sparing(thing: Thing, *steps: Step) -> tuple[Step, ...]:
+    """Return steps during which a thing that stands on the bench must not be touched."""
+    return tuple(replace(step, never={**step.never, "struck": struck(thing)}) for step in steps)
 
 
 def stirring_mishaps(rod: Graspable, vessel: OpenVessel, rack: Thing) -> dict[str, Predicate]:

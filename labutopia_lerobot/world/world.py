@@ -67,6 +67,10 @@ class World(Protocol):
         """Return the frame of a thing: origin at the centre of its base, z up when it stands."""
         ...
 
+    def stood(self, thing: Thing) -> Pose:
+        """Return where a thing was when all had come to rest, before anything moved."""
+        ...
+
     def frame(self, name: str) -> Pose:
         """Return a named frame (a MuJoCo site), such as `flask_rim`."""
         ...

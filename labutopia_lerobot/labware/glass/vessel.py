@@ -1,5 +1,6 @@
 """A glass vessel of revolution as a MuJoCo body: look, hollow collision shape, mass and frames."""
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -67,6 +68,12 @@ class Vessel(Loose):
     def footprint_radius(self) -> float:
         """Radius of the circle around its axis that it needs on the bench [m]: its largest."""
         return max(radius for radius, _ in self.profile.outer)
+
+    @property
+    def taper(self) -> float:
+        """How far its wall leans inwards where it does most, going up [rad]; 0 for a beaker."""
+        leans = (math.atan2(a[0] - b[0], b[1] - a[1]) for a, b in pairwise(self.profile.inner))
+        return max(0.0, *leans)
 
     @property
     def capacity(self) -> float:

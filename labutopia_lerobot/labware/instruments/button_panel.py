@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.colors import COLORS
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look, add_part
@@ -24,15 +25,11 @@ _SPACING = 0.12
 _POST_RADIUS, _POST_LENGTH = 0.018, 0.50
 """Of the post, which goes down through the bench top, whatever the panel's height [m]."""
 
-_COLORS = {
-    "red": (0.80, 0.08, 0.07, 1.0),
-    "green": (0.10, 0.55, 0.20, 1.0),
-    "blue": (0.08, 0.25, 0.70, 1.0),
-}
+_COLORS = ("red", "green", "blue")
 _SLOTS = (-_SPACING, 0.0, _SPACING)
-_LEANING: Quaternion = (math.cos(_SLANT / 2), 0.0, math.sin(_SLANT / 2), 0.0)
+LEANING: Quaternion = (math.cos(_SLANT / 2), 0.0, math.sin(_SLANT / 2), 0.0)
 _SINE, _COSINE = (half(_ROLL / 2) * math.sqrt(0.5) for half in (math.sin, math.cos))
-_INTO_FRONT: Quaternion = (-_SINE, _COSINE, -_SINE, _COSINE)
+INTO_FRONT: Quaternion = (-_SINE, _COSINE, -_SINE, _COSINE)
 """z along the head's x, into the front; x up along the front, then turned by the roll."""
 
 
@@ -49,7 +46,7 @@ class ButtonPanel(Fixed):
     @property
     def buttons(self) -> tuple[PushButton, ...]:
         """The red, the green and the blue button, built from right to left."""
-        return tuple(PushButton(f"{self.name}_{name}", rgba) for name, rgba in _COLORS.items())
+        return tuple(PushButton(f"{self.name}_{name}", COLORS[name]) for name in _COLORS)
 
     @property
     def head(self) -> str:
@@ -93,7 +90,7 @@ class ButtonPanel(Fixed):
             f"{self.name}_metal",
             shape=CYLINDER,
         )
-        head = body.add_body(name=self.head, quat=_LEANING)
+        head = body.add_body(name=self.head, quat=LEANING)
         size = (_DEPTH / 2, _WIDTH / 2, _HEIGHT / 2)
         add_part(head, f"{self.name}_box", size, (_DEPTH / 2, 0, 0), f"{self.name}_shell")
         plate = (0.001, _WIDTH / 2 - 0.008, _HEIGHT / 2 - 0.008)
@@ -106,7 +103,7 @@ class ButtonPanel(Fixed):
                 (0.0, y, 0.0),
                 f"{self.name}_metal",
                 shape=CYLINDER,
-                quat=_INTO_FRONT,
+                quat=INTO_FRONT,
             )
-            button.add_to(spec, head, (0.0, y, 0.0), _INTO_FRONT)
+            button.add_to(spec, head, (0.0, y, 0.0), INTO_FRONT)
         return body

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.colors import COLORS
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, Vector, add_look, add_part
@@ -26,7 +27,6 @@ _LAMP_Y = 0.045
 _ZONE = 0.060
 """Radius of the zone printed on the top, which gets hot [m]."""
 
-_GREEN = (0.10, 0.55, 0.20, 1.0)
 _DARK = (0.25, 0.08, 0.05, 1.0)  # the lamp when it is off
 _DOWN: Quaternion = (0.0, 0.0, 1.0, 0.0)
 """z down, x towards who stands before it: a hand is then no wider than the gap to the beaker, and
@@ -41,14 +41,16 @@ class Heater(Fixed):
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
+        button_color: Colour of the button, one of `COLORS`.
     """
 
     name: str
+    button_color: str = "green"
 
     @property
     def button(self) -> PushButton:
         """What switches it on, and off again."""
-        return PushButton(f"{self.name}_button", _GREEN, radius=0.020)
+        return PushButton(f"{self.name}_button", COLORS[self.button_color], radius=0.020)
 
     @property
     def switch(self) -> Switch:

@@ -74,7 +74,7 @@ class MuffleFurnace(Fixed):
     ajar: float = 0.0
 
     @property
-    def door(self) -> Door:
+    def door(self) -> Door[Handle]:
         handle = Handle(f"{self.name}_handle", _HANDLE_LENGTH)
         return Door(f"{self.name}_door", handle, widest=_WIDEST, closed_within=_SEAL)
 

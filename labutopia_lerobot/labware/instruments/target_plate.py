@@ -5,13 +5,12 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.colors import Color
 from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP, SOLREF
 from labutopia_lerobot.labware.parts.mesh import revolve
 from labutopia_lerobot.labware.parts.mounting import Loose
 from labutopia_lerobot.labware.parts.solid import BOX
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
-
-type Color = tuple[float, float, float, float]
 
 SIDE = 0.15
 """Side of the square [m] (original, `target_plat`)."""
@@ -22,7 +21,7 @@ THICKNESS = 0.005
 _DENSITY = 2400.0
 """Of glazed porcelain [kg/m^3] (CRC Handbook, "Density of various solids": 2300 to 2500)."""
 
-_PORCELAIN = (0.86, 0.86, 0.82, 1.0)
+PORCELAIN = (0.86, 0.86, 0.82, 1.0)
 _BLUE = (0.10, 0.33, 0.62, 1.0)
 _RING = (0.046, 0.053)  # inner and outer radius [m]: a 250 ml beaker's lip leaves it visible
 _PRINT_HEIGHT = 0.0003  # of the printing above the glaze, so that the two never flicker [m]
@@ -34,11 +33,13 @@ class TargetPlate(Loose):
 
     Attributes:
         name: Name of the body; prefix of the names of all its elements.
-        color: Of the ring, red, green, blue, alpha.
+        color: Of the ring.
+        glaze: Colour of the tile.
     """
 
     name: str
     color: Color = _BLUE
+    glaze: Color = PORCELAIN
 
     @property
     def top_height(self) -> float:
@@ -59,7 +60,7 @@ class TargetPlate(Loose):
         body = parent.add_body(name=self.name)
         size, pos = (SIDE / 2, SIDE / 2, THICKNESS / 2), (0, 0, THICKNESS / 2)
         tile, ring = f"{self.name}_tile", f"{self.name}_ring"
-        spec.add_material(name=tile, rgba=_PORCELAIN, specular=0.3, shininess=0.5)
+        spec.add_material(name=tile, rgba=self.glaze, specular=0.3, shininess=0.5)
         spec.add_material(name=ring, rgba=self.color, specular=0.1, shininess=0.1)
         inner, outer = _RING
         height = THICKNESS + _PRINT_HEIGHT

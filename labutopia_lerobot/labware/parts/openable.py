@@ -10,7 +10,7 @@ from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_part
 from labutopia_lerobot.world import Pose, World
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
-_LYING = (math.cos(math.pi / 4), math.sin(math.pi / 4), 0.0, 0.0)  # z axis along -y
+LYING = (math.cos(math.pi / 4), math.sin(math.pi / 4), 0.0, 0.0)  # z axis along -y
 _ACROSS = (math.cos(math.pi / 4), 0.0, math.sin(math.pi / 4), 0.0)  # z axis along x
 
 
@@ -46,7 +46,7 @@ class Handle:
         body = parent.add_body(
             name=self.name,
             pos=(x - self.standoff, y, z),
-            quat=_LYING if lying else (1.0, 0.0, 0.0, 0.0),
+            quat=LYING if lying else (1.0, 0.0, 0.0, 0.0),
         )
         body.add_site(name=self.name, group=COLLISION_GROUP)
         radius, half = self.diameter / 2, self.length / 2
@@ -67,7 +67,7 @@ class Handle:
 
 
 @dataclass(frozen=True)
-class Door:
+class Door[Grip]:
     """A door on an upright hinge; its joint and the frame of that name, z along the axis.
 
     Attributes:
@@ -78,7 +78,7 @@ class Door:
     """
 
     name: str
-    handle: Handle
+    handle: Grip
     widest: float
     closed_within: float
 
@@ -132,11 +132,15 @@ class Door:
 
     def carried(self, pose: Pose, world: World, by: float) -> Pose:
         """Return where something fixed to the door gets when it opens by another angle [rad]."""
-        hinge = world.frame(self.joint)
-        turn = Rotation.from_rotvec(by * hinge.z_axis).as_matrix()
-        return Pose(
-            hinge.position_w + turn @ (pose.position_w - hinge.position_w), turn @ pose.rotation_w
-        )
+        return swung(pose, world.frame(self.joint), by)
+
+
+def swung(pose: Pose, hinge: Pose, by: float) -> Pose:
+    """Return a pose turned about the z axis of a hinge's frame by an angle [rad]."""
+    turn = Rotation.from_rotvec(by * hinge.z_axis).as_matrix()
+    return Pose(
+        hinge.position_w + turn @ (pose.position_w - hinge.position_w), turn @ pose.rotation_w
+    )
 
 
 @dataclass(frozen=True)

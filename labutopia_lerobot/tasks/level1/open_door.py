@@ -7,6 +7,8 @@ controllers/open_controller.py.
 import math
 
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
+from labutopia_lerobot.labware.instruments.muffle_furnace import MuffleFurnace
+from labutopia_lerobot.labware.instruments.vacuum_oven import VacuumOven
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, faster, opened
 from labutopia_lerobot.scenes.views import DOOR_VIEW
@@ -19,9 +21,16 @@ HASTY = math.radians(60)  # ours: it takes a second or more
 YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
 
 
+type Oven = DryingOven | MuffleFurnace | VacuumOven
+
+
 def open_door() -> Task:
     """Return the task."""
-    oven = DryingOven("oven")
+    return open_oven(DryingOven("oven"))
+
+
+def open_oven(oven: Oven) -> Task:
+    """Return the task with an oven, which level 3 varies."""
     door = oven.door
     return Task(
         instruction="Open the door of the drying oven.",

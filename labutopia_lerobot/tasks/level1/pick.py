@@ -4,6 +4,7 @@ Ported from: config/level1_pick.yaml, tasks/pick_task.py, controllers/pick_contr
 """
 
 from labutopia_lerobot.labware.glass.glassware import erlenmeyer_flask
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import gripped, lifted, steady, upright
 from labutopia_lerobot.task import Task
@@ -12,7 +13,11 @@ from labutopia_lerobot.tasks import actions
 
 def pick() -> Task:
     """Return the task."""
-    flask = erlenmeyer_flask("flask")
+    return pick_up(erlenmeyer_flask("flask"))
+
+
+def pick_up(flask: Vessel) -> Task:
+    """Return the task with a vessel, which level 3 varies."""
     return Task(
         instruction="Pick up the conical flask from the bench.",
         paraphrases=(

@@ -4,6 +4,7 @@ Ported from: config/level1_pour.yaml, tasks/pickpour_task.py, controllers/pour_c
 """
 
 from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import gripped, lifted, steady, struck, upright
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
@@ -15,7 +16,12 @@ from labutopia_lerobot.tasks import actions
 
 def pour() -> Task:
     """Return the task."""
-    vessel, target = beaker("beaker"), beaker("target_beaker", "800 ml")
+    return pour_from(beaker("beaker"))
+
+
+def pour_from(vessel: Vessel) -> Task:
+    """Return the task with a vessel, which level 3 varies."""
+    target = beaker("target_beaker", "800 ml")
     return Task(
         instruction="Pour the beaker in the gripper into the large beaker.",
         paraphrases=(
@@ -33,7 +39,7 @@ def pour() -> Task:
             gripped(vessel),
             lifted(vessel, by=0.05),  # original: z > z0 + 0.05
             upright(vessel, within_deg=10),
-            steady(vessel, below=0.02),  # paper: "remaining stable"; ours: at rest
+            steady(vessel, below=0.05),  # paper: "remaining stable"; ours: as in Pick
         ),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={

@@ -23,10 +23,17 @@ from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 
+YAW = (-math.radians(10), math.radians(10))  # ours: as far as the button stays within easy reach
+
 
 def heat_beaker() -> Task:
     """Return the task."""
-    vessel, heater = beaker("beaker", "150 ml"), Heater("heater")
+    return heat_on(Heater("heater"))
+
+
+def heat_on(heater: Heater) -> Task:
+    """Return the task with a heater, which level 3 varies."""
+    vessel = beaker("beaker", "150 ml")
     plate, button = OnTop(heater), heater.button
     within = 0.05  # original; further out the base would overhang
     return Task(
@@ -38,7 +45,7 @@ def heat_beaker() -> Task:
         start={
             # Original: these x and y for both, which are the paper's 15 cm x 15 cm; no yaw.
             vessel: OnBench(x=(0.13, 0.28), y=(0.05, 0.20)),
-            heater: OnBench((0.13, 0.28), (-0.30, -0.15), (-math.radians(10), math.radians(10))),
+            heater: OnBench((0.13, 0.28), (-0.30, -0.15), YAW),
         },
         steps=(
             actions.pick(vessel),

@@ -5,6 +5,7 @@ controllers/pickpour_controller.py.
 """
 
 from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import struck, upright
@@ -16,7 +17,12 @@ from labutopia_lerobot.tasks import actions
 
 def pour_liquid() -> Task:
     """Return the task."""
-    vessel, target = beaker("beaker"), beaker("target_beaker", "800 ml")
+    return pour_from(beaker("beaker"))
+
+
+def pour_from(vessel: Vessel) -> Task:
+    """Return the task with a vessel, which level 3 varies."""
+    target = beaker("target_beaker", "800 ml")
     bench = OverBench("middle of the start region", ahead=0.695, left=0.075)
     within = 0.15  # ours: the corners of that region, and 4 cm
     return Task(

@@ -17,7 +17,12 @@ from labutopia_lerobot.tasks import actions
 
 def transport_beaker() -> Task:
     """Return the task."""
-    vessel, plate = beaker("beaker"), TargetPlate("target_plate")
+    return transport_to(TargetPlate("target_plate"))
+
+
+def transport_to(plate: TargetPlate) -> Task:
+    """Return the task with a plate, which level 3 varies."""
+    vessel = beaker("beaker")
     within = 0.04  # original: 0.05, where the base overhangs
     return Task(
         instruction="Move the beaker onto the target plate.",

@@ -1,0 +1,44 @@
+"""What tasks of level 3 draw from: vessels by what they are called, and liquids."""
+
+from collections.abc import Callable
+from functools import partial
+
+from labutopia_lerobot.labware.glass.glassware import (
+    beaker,
+    erlenmeyer_flask,
+    graduated_cylinder,
+    volumetric_flask,
+)
+from labutopia_lerobot.labware.glass.vessel import Vessel
+from labutopia_lerobot.scenario import Draw
+from labutopia_lerobot.substances.filling import Filling
+
+VESSELS: dict[str, Callable[[str], Vessel]] = {
+    "300 ml conical flask": partial(erlenmeyer_flask, size="300 ml"),
+    "500 ml conical flask": partial(erlenmeyer_flask, size="500 ml"),
+    "1000 ml conical flask": partial(erlenmeyer_flask, size="1000 ml"),
+    "graduated cylinder": graduated_cylinder,
+    "volumetric flask": volumetric_flask,
+    "150 ml beaker": partial(beaker, size="150 ml"),
+    "250 ml beaker": partial(beaker, size="250 ml"),
+}
+"""What an instruction calls a vessel -> what makes it, given the name of its role in the task."""
+
+
+def draw_filling(draw: Draw, ml: float) -> Filling:
+    """Return what a vessel holds: water, or on the axis `liquid` more or less of some substance.
+
+    Water and ethanol are for training. Ethylene glycol, eighteen times as viscous, is for tests, as
+    are amounts off the training range. All ours: the paper's vessels are empty.
+
+    Args:
+        draw: The episode's draw.
+        ml: Volume where nothing varies [ml].
+    """
+    if not draw.varies("liquid"):
+        return Filling(ml)
+    shares = {"water": (1.0, 0.8, 1.2), "ethanol": (0.9, 1.1), "ethylene glycol": (0.6, 1.4)}
+    fillings = [Filling(round(share * ml), of) for of in shares for share in shares[of]]
+    named = {f"{filling.ml:g} ml of {filling.of}": filling for filling in fillings}
+    names = list(named)
+    return named[draw.choice("liquid", train=names[:5], test=names[5:])]

@@ -1,0 +1,204 @@
+"""Level 3: what varies, that train and test values never meet, what is shifted, what is judged."""
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from adversary import begun, play
+from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.labware.instruments.button_post import ButtonPost
+from labutopia_lerobot.registry import task_function, tasks_of_levels
+from labutopia_lerobot.scenario import AxisError, Draw, Scenario, canonical_task, draw_scenario
+from labutopia_lerobot.scenario.variation import AXES, draw_instruction, draw_variation
+from labutopia_lerobot.setting import ALL, Setting
+from labutopia_lerobot.skills import Press
+from labutopia_lerobot.tasks.level3.press import TRAIN
+
+TASKS = tasks_of_levels([3])
+OWN = {
+    "level3/heat_beaker": {"color", "position", "liquid"},
+    "level3/open_door": {"object"},
+    "level3/pick": {"object"},
+    "level3/pick_sizes": {"size"},
+    "level3/pour_liquid": {"object", "position", "liquid"},
+    "level3/pour_sizes": {"size"},
+    "level3/press": {"color", "position"},
+    "level3/transport_beaker": {"color", "position", "liquid"},
+}
+PAIRS = [(task, axis) for task in TASKS for axis in sorted({*OWN[task], *AXES})]
+SEEDS = range(30)
+
+
+class Declared(Draw):
+    """A draw that keeps what the axes are declared with."""
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        self.declared: dict[str, dict[str, Any]] = {}
+
+    def _values_of(self, axis, train, test, shifted):
+        self.declared[axis] = {"train": train, "test": test}
+        return super()._values_of(axis, train, test, shifted)
+
+
+@cache
+def declared(task: str) -> dict[str, dict[str, Any]]:
+    draw = Declared("id", (ALL,), (0, 1))
+    value = task_function(task)(draw)
+    draw_variation(draw, 7)
+    draw_instruction(draw, value)
+    return draw.declared
+
+
+def is_among(value: Any, values: Any) -> bool:
+    """Tell whether a drawn value is one of some values, or in a range, or as long as one."""
+    number = float(np.linalg.norm(value)) if isinstance(value, list) else value
+    return any(
+        low_high[0] <= number <= low_high[1] if isinstance(low_high, tuple) else number == low_high
+        for low_high in values
+    )
+
+
+def scenarios(task: str, split: str, *axes: str) -> list[Scenario]:
+    setting = Setting(task, obs="state", split=split, axes=axes)
+    return [draw_scenario(setting, seed) for seed in SEEDS]
+
+
+def test_level_3_is_the_paper_s():
+    assert set(TASKS) == set(OWN)
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_a_task_has_its_own_axes_and_those_of_every_task(task):
+    assert set(declared(task)) == OWN[task] | set(AXES)
+
+
+@pytest.mark.parametrize(("task", "axis"), PAIRS)
+def test_no_test_value_can_be_drawn_in_training_or_id(task, axis):
+    train, test = declared(task)[axis]["train"], declared(task)[axis]["test"]
+    if axis == "instruction":  # which words there are depends on the other axes
+        said = [[s.drawn[axis] for s in scenarios(task, x, axis)] for x in ("train", "id", "ood")]
+        assert not (set(said[0]) | set(said[1])) & set(said[2])
+        return
+    assert len(test) > 0
+    for split in ("train", "id"):
+        for scenario in (*scenarios(task, split), *scenarios(task, split, axis)):
+            if axis in scenario.drawn:
+                assert is_among(scenario.drawn[axis], train)
+                assert not is_among(scenario.drawn[axis], test)
+    for scenario in scenarios(task, "ood", axis):
+        assert is_among(scenario.drawn[axis], test)
+
+
+@pytest.mark.parametrize("task", TASKS)
+@pytest.mark.parametrize("axis", ["object", "size", "color", "position", "liquid"])
+def test_a_shifted_scene_holds_what_no_training_scene_holds(task, axis):
+    if axis not in OWN[task]:
+        return
+
+    def shown(scenario: Scenario) -> set[Any]:
+        start, contents = scenario.task.start.items(), scenario.task.contents.items()
+        return {
+            "position": {(piece.name, region) for piece, region in start},
+            "liquid": {filling for _, filling in contents},
+        }.get(axis, {piece for piece, _ in start})
+
+    axes = (axis,) if axis == "liquid" else ()
+    trained = {x for s in ("train", "id") for c in scenarios(task, s, *axes) for x in shown(c)}
+    for scenario in scenarios(task, "ood", axis):
+        assert shown(scenario) - trained
+
+
+@pytest.mark.parametrize("task", [task for task in TASKS if "position" in OWN[task]])
+def test_places_for_tests_do_not_overlap_those_for_training(task):
+    trained = scenarios(task, "id")[0].task.start
+    for piece, region in scenarios(task, "ood", "position")[0].task.start.items():
+        usual = next(region for other, region in trained.items() if other.name == piece.name)
+        if usual != region:
+            spans = [(getattr(usual, name), getattr(region, name)) for name in ("x", "y", "height")]
+            assert any(a[1] < b[0] or b[1] < a[0] for a, b in spans)
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_ood_by_itself_shifts_what_the_paper_shifted(task):
+    shifted = "size" if task.endswith("_sizes") else "material"
+    for scenario in scenarios(task, "ood"):
+        for axis, value in scenario.drawn.items():
+            told = declared(task)[axis]
+            assert is_among(value, told["test" if axis == shifted else "train"])
+        assert shifted in scenario.drawn
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_axes_all_shifts_every_axis_at_once(task):
+    for scenario in scenarios(task, "ood", ALL):
+        assert set(scenario.drawn) == OWN[task] | set(AXES)
+        for axis in scenario.drawn.keys() - {"instruction"}:
+            assert is_among(scenario.drawn[axis], declared(task)[axis]["test"])
+        assert scenario.task.instruction == scenario.drawn["instruction"]
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_state_limits_and_sub_steps_are_the_same_for_every_draw(task):
+    canonical = canonical_task(Setting(task))
+    milestones = [milestone.name for milestone in canonical.milestones]
+    for scenario in (*scenarios(task, "id"), *scenarios(task, "ood", ALL)):
+        drawn = scenario.task
+        assert environment_state_names(drawn) == environment_state_names(canonical)
+        assert drawn.max_steps == canonical.max_steps
+        assert [milestone.name for milestone in drawn.milestones] == milestones
+
+
+def test_starts_are_no_narrower_than_level_1_s():
+    twins = {"pick": "level1/pick", "pick_sizes": "level1/pick", "pour_sizes": "level1/pour"}
+    twins |= {name: f"level2/{name}" for name in ("heat_beaker", "pour_liquid", "transport_beaker")}
+    twins["open_door"] = "level1/open_door"
+    for name, twin in twins.items():
+        usual = canonical_task(Setting(twin)).start.values()
+        for scenario in scenarios(f"level3/{name}", "id"):
+            for region, wanted in zip(scenario.task.start.values(), usual, strict=True):
+                for span in ("x", "y", "yaw"):
+                    wide = [np.ptp(getattr(r, span)) for r in (region, wanted)]
+                    assert wide[0] >= wide[1] - 1e-9
+
+
+def test_the_instruction_names_the_colour_and_the_target_has_it():
+    for scenario in (*scenarios("level3/press", "id"), *scenarios("level3/press", "ood", "color")):
+        color = scenario.drawn["color"]
+        target, *others = scenario.task.start
+        assert f" {color} " in scenario.task.instruction
+        assert isinstance(target, ButtonPost)
+        assert target.color == color
+        assert {other.color for other in others} <= set(TRAIN) - {color}
+
+
+@pytest.mark.parametrize("split", ["id", "ood"])
+def test_pressing_another_colour_is_the_wrong_button(split):
+    env = begun("level3/press", split=split, **({"axes": ("color",)} if split == "ood" else {}))
+    env.reset(seed=5)
+    _, other, _ = env.workcell.task.start
+    assert play(env, Press(other.button, hold=2.5))["outcome"] == "wrong_button"
+
+
+def test_what_was_drawn_is_told():
+    env = begun("level3/pick", split="ood")
+    _, info = env.reset(seed=3)
+    assert info["drawn"] == draw_scenario(env.setting, 3).drawn
+    assert info["drawn"]["object"] in env.task
+
+
+def test_a_test_value_among_the_training_values_is_refused():
+    draw = Draw("id", (), (0, 1))
+    with pytest.raises(AxisError, match="part them"):
+        draw.choice("color", train=("red", "green"), test=("green",))
+
+
+def test_the_same_seed_draws_the_same_whatever_else_is_shifted():
+    plain = Setting("level3/transport_beaker", obs="state", split="ood", axes=("color",))
+    both = replace(plain, axes=("color", "position"))
+    for seed in SEEDS:
+        first, second = draw_scenario(plain, seed).drawn, draw_scenario(both, seed).drawn
+        assert first["color"] == second["color"]
