@@ -36,6 +36,10 @@ class ButtonPost(Fixed):
         return PushButton(f"{self.name}_button", COLORS[self.color])
 
     @property
+    def buttons(self) -> tuple[PushButton, ...]:
+        return (self.button,)
+
+    @property
     def head(self) -> str:
         """Name of the body that carries the button."""
         return f"{self.name}_head"
