@@ -45,7 +45,7 @@ class PolicyConfig:
     name: str | None = None
     path: str | None = None
     device: str | None = None
-    rename: dict[str, str] = field(default_factory=dict)
+    rename: Any = None  # a map; Hydra refuses new keys in one that is declared as such
     address: str | None = None
     protocol: str | None = None
     type: str | None = None
@@ -108,6 +108,12 @@ class EvaluationConfig:
                     f"{name}={getattr(self, name)} is too small: {name} is at least {least}"
                 )
         require_choices("split", self.splits, SPLITS)
+        rename = self.policy.rename or {}
+        if not isinstance(rename, dict) or not all(isinstance(n, str) for n in rename.values()):
+            raise EvaluationOptionError(
+                f"policy.rename={rename} is no map of keys, such as "
+                "'policy.rename={observation.images.front: observation.images.camera1}'"
+            )
 
     @property
     def _levels(self) -> list[int] | None:
