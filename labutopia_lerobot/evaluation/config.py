@@ -46,7 +46,7 @@ class PolicyConfig:
     name: str | None = None
     path: str | None = None
     device: str | None = None
-    rename: dict[str, str] = field(default_factory=dict)
+    rename: Any = None  # a map; Hydra refuses new keys in one that is declared as such
     address: str | None = None
     protocol: str | None = None
     type: str | None = None
@@ -121,6 +121,12 @@ class EvaluationConfig:
             raise EvaluationOptionError("versus= needs until=, such as until=0.05")
         if self.until is not None:
             require_precision(self.until)
+        rename = self.policy.rename or {}
+        if not isinstance(rename, dict) or not all(isinstance(n, str) for n in rename.values()):
+            raise EvaluationOptionError(
+                f"policy.rename={rename} is no map of keys, such as "
+                "'policy.rename={observation.images.front: observation.images.camera1}'"
+            )
 
     @property
     def _levels(self) -> list[int] | None:

@@ -8,7 +8,11 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.evaluate import parse
 from labutopia_lerobot.evaluation import live
-from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
+from labutopia_lerobot.evaluation.config import (
+    EvaluationConfig,
+    EvaluationOptionError,
+    PolicyConfig,
+)
 from labutopia_lerobot.evaluation.evaluate import make_pairings
 from labutopia_lerobot.evaluation.row import Row
 
@@ -23,6 +27,8 @@ def test_keys_are_renamed_on_the_command_line() -> None:
     rename = "policy.rename={observation.images.front: observation/image}"
     config = parse(["policy.path=x", rename])
     assert config.policy.rename == {"observation.images.front": "observation/image"}
+    with pytest.raises(EvaluationOptionError, match="is no map of keys"):
+        parse(["policy.path=x", "policy.rename=[a,b]"]).check()
 
 
 def test_a_policy_elsewhere_is_asked_by_one_worker_unless_told_otherwise() -> None:
