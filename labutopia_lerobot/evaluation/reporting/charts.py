@@ -77,7 +77,8 @@ def slopes(entries: Sequence[Entry]) -> list[dict[str, Any]]:
     charts = []
     for policy, group in groupby(ordered, key=lambda entry: entry.policy):
         of_policy = list(group)
-        times = Counter(entry.task for entry in of_policy)
+        once = {(entry.task, entry.condition) for entry in of_policy}
+        times = Counter(task for task, _ in once)
         shifted = [entry for entry in of_policy if times[entry.task] > 1]
         if len(conditions(shifted)) > 1:
             charts.append(_slope(policy, shifted, conditions(shifted)))
