@@ -20,6 +20,7 @@ from labutopia_lerobot.runtime.provenance import machine
 from labutopia_lerobot.runtime.video import VideoWriter, color_statistics
 from labutopia_lerobot.runtime.workers import become_worker
 from labutopia_lerobot.scenario.draw import Value
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 from labutopia_lerobot.task import SUCCESS
 
@@ -106,8 +107,8 @@ def candidate_of(fields: dict[str, Any]) -> Candidate:
     return Candidate(**(fields | several))
 
 
-_environments: dict[str, LabEnv] = {}
-"""The environment of this worker process, by its task, compiled once; there is one at most."""
+_environments: dict[Setting, LabEnv] = {}
+"""The environment of this worker process, by its setting, compiled once; there is one at most."""
 
 
 def start_worker() -> None:
@@ -132,7 +133,7 @@ def play_candidate(config: RecordingConfig, work: Path, task: str, index: int) -
 
 def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> Candidate:
     """Play a candidate and put everything that is kept of it into a folder."""
-    env = _environment(config, task)
+    env = _environment(config.setting(task))
     cameras = env.setting.cameras if env.setting.obs == "pixels" else ()
     size = env.setting.width, env.setting.height
     with ExitStack() as stack:
@@ -148,12 +149,11 @@ def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> C
         demonstration = demonstrate(env, config.seed + index, film)
     candidate = _summary(env, config.seed + index, index, demonstration)
     if candidate.stored(config.keep):
-        colors = {
-            f"{COLORS}{camera}.{name}": values
-            for camera, video in videos.items()
-            for name, values in color_statistics(video.histogram, candidate.frames).items()
-        }
-        np.savez(folder / COLUMNS, **demonstration.columns, **colors)
+        arrays: dict[str, Any] = dict(demonstration.columns)
+        for camera, video in videos.items():
+            colors = color_statistics(video.histogram, candidate.frames)
+            arrays |= {f"{COLORS}{camera}.{name}": values for name, values in colors.items()}
+        np.savez(folder / COLUMNS, **arrays)
     else:
         for camera in cameras:
             (folder / f"{camera}.mp4").unlink()
@@ -161,13 +161,13 @@ def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> C
     return candidate
 
 
-def _environment(config: RecordingConfig, task: str) -> LabEnv:
-    if task not in _environments:
+def _environment(setting: Setting) -> LabEnv:
+    if setting not in _environments:
         for other in _environments.values():
             other.close()
         _environments.clear()
-        _environments[task] = LabEnv(config.setting(task))
-    return _environments[task]
+        _environments[setting] = LabEnv(setting)
+    return _environments[setting]
 
 
 def _summary(env: LabEnv, seed: int, index: int, demonstration: Demonstration) -> Candidate:

@@ -1,9 +1,8 @@
 """How much room a recording takes, checked before anything is played."""
 
 import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
-from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.scenario import canonical_task
@@ -17,9 +16,6 @@ _BYTES_PER_FRAME = 600
 
 _SHARE_OF_LIMIT = 0.6
 """How long a demonstration is, as a share of its time limit: 0.2 to 0.7 by the README's table."""
-
-_COPIES = 2
-"""While a dataset is put together, everything is there twice."""
 
 
 class NoSpaceError(UserError):
@@ -39,19 +35,17 @@ def needed_bytes(config: RecordingConfig, missing: Mapping[str, int]) -> int:
         seconds = _SHARE_OF_LIMIT * canonical_task(setting).time_limit_s
         pixels = setting.width * setting.height * len(setting.cameras) * (setting.obs == "pixels")
         a_frame = _BYTES_PER_PIXEL * pixels + _BYTES_PER_FRAME
-        total += _COPIES * max(episodes, 0) * seconds * CONTROL_HZ * a_frame
+        copies = max(episodes, 0) + config.episodes  # what is played, and all of it put together
+        total += copies * seconds * CONTROL_HZ * a_frame
     return int(total)
 
 
-def require_space(
-    config: RecordingConfig, missing: Mapping[str, int], played: Sequence[Candidate]
-) -> None:
+def require_space(config: RecordingConfig, missing: Mapping[str, int]) -> None:
     """Make sure that a recording has room.
 
     Args:
         config: What is recorded.
         missing: Task -> how many demonstrations are still to be played.
-        played: What a previous run has played, which is still to be copied.
 
     Raises:
         NoSpaceError: If there is too little.

@@ -55,10 +55,10 @@ def ray_cluster(
         context = ray.init(log_to_driver=False, ignore_reinit_error=True)
     except (ConnectionError, ValueError) as error:
         raise RayError(
-            f"launcher=ray: no cluster at {os.environ['RAY_ADDRESS']}: {error}"
+            f"launcher=ray: no cluster at RAY_ADDRESS={os.environ.get('RAY_ADDRESS')}: {error}"
         ) from None
     remote = ray.remote(num_cpus=1, max_retries=-1)(_play_there)
-    expected = config.provenance
+    expected = _build(config)
 
     def play(task: str, index: int) -> Future[Candidate]:
         there: Future[Played] = remote.remote(config, expected, task, index).future()
@@ -83,7 +83,7 @@ def _play_there(
         RayError: If the machine has other code or versions than the one that records.
     """
     os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software renderer: a process per core
-    different = differences(expected, config.provenance)
+    different = differences(expected, _build(config))
     if different:
         raise RayError(
             f"The machine {os.uname().nodename} would record something else:\n"
@@ -93,6 +93,13 @@ def _play_there(
     with tempfile.TemporaryDirectory() as folder:
         play_into(Path(folder), config, task, index)
         return {path.name: path.read_bytes() for path in Path(folder).iterdir()}
+
+
+def _build(config: RecordingConfig) -> dict[str, dict[str, object]]:
+    """Return what must be the same everywhere; where git has the sources from does not matter."""
+    there = config.provenance
+    code = {name: there["code"][name] for name in ("sources", "tasks")}
+    return {"code": code, "versions": there["versions"]}
 
 
 def _settle(done: Future[Played], settled: Future[Candidate], folder: Path) -> None:

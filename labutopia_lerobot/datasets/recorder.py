@@ -61,7 +61,7 @@ def _play(config: RecordingConfig, work: Path, watcher: Watcher) -> list[Candida
     before = finished_candidates(work)
     by_task = {task: [c for c in before if c.task == task] for task in config.tasks}
     trials = {task: Trials(task, config.episodes, by_task[task]) for task in by_task}
-    require_space(config, {task: trial.missing for task, trial in trials.items()}, before)
+    require_space(config, {task: trial.missing for task, trial in trials.items()})
     watcher.resumed(before)
     if any(trial.missing > 0 for trial in trials.values()):
         with launcher(config, work) as started:

@@ -5,6 +5,7 @@ Recording more episodes then goes on as if the recording had been interrupted be
 
 import json
 import shutil
+from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -71,7 +72,7 @@ def restore_candidates(root: Path, work: Path) -> None:
         _keep(work, annotated_candidate(row, recording["config"]["seed"]), fill)
 
 
-def _keep(work: Path, candidate: Candidate, fill: Any) -> None:
+def _keep(work: Path, candidate: Candidate, fill: Callable[[Path], None]) -> None:
     folder = candidate_folder(work, candidate.task, candidate.index)
     if folder.exists():  # restored before a kill
         return
@@ -92,15 +93,12 @@ def _fill(
     statistics: dict[str, NDArray[np.float64]],
 ) -> None:
     """Put the frames of an episode into a folder, as whoever played it did."""
-    arrays = dict(columns)
+    arrays: dict[str, Any] = dict(columns)
     for key, feature in info["features"].items():
         if feature["dtype"] != "video":
             continue
-        camera, places = (
-            key.removeprefix(IMAGES),
-            [f"videos/{key}/{part}_index" for part in ("chunk", "file")],
-        )
-        chunk, file = (row[place] for place in places)
+        camera = key.removeprefix(IMAGES)
+        chunk, file = (row[f"videos/{key}/{part}_index"] for part in ("chunk", "file"))
         video = root / info["video_path"].format(video_key=key, chunk_index=chunk, file_index=file)
         first = round(row[f"videos/{key}/from_timestamp"] * info["fps"])
         copy_frames(video, folder / f"{camera}.mp4", first, row["length"])

@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from labutopia_lerobot.datasets.declaration import STATE
 from labutopia_lerobot.datasets.tables import (
     EPISODES,
     OUTCOME,
@@ -105,11 +104,10 @@ def _check_recording(subject: Subject) -> Iterator[Finding]:
             )
         if successes < len(subject.episodes) and config["keep"] != "failures":
             yield Fault(f"{EPISODES}: failures, but {RECORDING} keeps successes only")
-    seeds = [(row[SETTING], row[SEED]) for row in subject.episodes if row.get(SEED) is not None]
+    seeded = [row for row in subject.episodes if row.get(SEED) is not None]
+    seeds = [(row.get(SETTING), row[SEED]) for row in seeded]
     if len(set(seeds)) < len(seeds):
         yield Fault(f"{EPISODES}: a seed occurs twice in {SEED}")
-    if subject.edited is None and STATE not in subject.features:
-        yield Fault(f"no feature {STATE}")
 
 
 _CHEAP: list[Callable[[Subject], Iterator[Finding]]] = [

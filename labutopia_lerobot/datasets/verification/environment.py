@@ -33,6 +33,9 @@ from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences
 from labutopia_lerobot.task import RUNNING
 
+_LEARNING = ("lerobot", "torch", "torchvision", "diffusers", "transformers", "safetensors")
+"""Packages that no episode is played with."""
+
 ALL = -1
 """As a number of frames: every frame of an episode."""
 
@@ -143,6 +146,9 @@ def _other_build(subject: Subject) -> str | None:
     here: dict[str, Any] = {"code": provenance.code([]), "versions": provenance.versions()}
     for build in (there, here):
         build["code"] = {"sources": build["code"].get("sources")}
+        build["versions"] = {
+            name: version for name, version in build["versions"].items() if name not in _LEARNING
+        }
     different = [line.strip() for line in differences(there, here)]
     machines = {row.get(MACHINE) for row in subject.episodes} - {None, provenance.machine()}
     different += [f"machine: {machine}" for machine in sorted(map(str, machines))]

@@ -12,6 +12,7 @@ from labutopia_lerobot.datasets.tables import (
     INFO,
     RECORDING,
     SEED,
+    SETTING,
     TASKS,
     DamagedDatasetError,
     Row,
@@ -84,13 +85,14 @@ class Subject:
         """What another tool has changed since the recording, in words; None if nothing.
 
         LeRobot's merge drops `meta/labutopia.json`; its delete and split drop our columns too; its
-        resume appends episodes that have none.
+        resume appends episodes that have none. Older versions of ours did not write `SETTING`.
         """
-        without = sum(row.get(SEED) is None for row in self.episodes)
-        if without == len(self.episodes):
-            return f"{EPISODES} has no column {SEED}"
-        if without:
-            return f"{without} of {len(self.episodes)} episodes have no {SEED}"
+        for column in (SEED, SETTING):
+            without = sum(row.get(column) is None for row in self.episodes)
+            if without == len(self.episodes):
+                return f"{EPISODES} has no column {column}"
+            if without:
+                return f"{without} of {len(self.episodes)} episodes have no {column}"
         return None if self.recording is not None else f"{RECORDING} is missing"
 
     def video(self, row: Row, key: str) -> Path:
