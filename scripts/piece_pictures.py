@@ -100,6 +100,7 @@ def _add_surroundings(spec: mujoco.MjSpec) -> None:
     spec.worldbody.add_geom(
         name="floor",
         type=mujoco.mjtGeom.mjGEOM_PLANE,
+        pos=[0.0, 0.0, -1.0],  # not 0: MuJoCo would not let it be moved from its body's frame
         size=[5.0, 5.0, 0.1],
         rgba=[0.42, 0.45, 0.48, 1.0],
     )

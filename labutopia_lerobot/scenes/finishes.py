@@ -32,7 +32,7 @@ BENCH_FINISHES = {
     "dark green plastic": _plastic(0.11, 0.31, 0.20),
     "white plastic": _plastic(0.96, 0.96, 0.94),
     "black plastic": _plastic(0.075, 0.075, 0.085),
-    "light blue plastic": _plastic(0.58, 0.77, 0.92),
+    "light blue plastic": _plastic(0.53, 0.71, 0.86),
     "stainless steel": Finish(
         (0.62, 0.64, 0.66, 1.0), specular=0.3, shininess=0.6, pattern="brushed"
     ),
