@@ -28,8 +28,8 @@ _STIFFNESS = 3500.0
 _DAMPING = 100.0
 """Lets the fingers lag by damping / stiffness = 29 ms, one 30 Hz control step [N s/m]."""
 _FINGER_ARMATURE = 0.5
-"""Mass of the drive felt at a finger [kg]: not published. With 0.1 the servo's damping outweighed the
-fingers sixfold in a physics step, and pads that met a heavy flask bounced off and struck it."""
+"""Mass of the drive felt at a finger [kg]: not published. With 0.1 the servo's damping outweighed
+the fingers sixfold in a physics step, and pads that met a heavy flask bounced off and struck it."""
 
 _TRIANGLES_HAND = 700
 _TRIANGLES_FINGER = 150
@@ -108,7 +108,7 @@ def _add_finger(
     pad.condim = 4
     pad.priority = 1
     # Harder than MuJoCo's defaults of 20 ms and 0.9 to 0.95: the full force sank the pads 0.44 mm
-    # into a flask, now 0.10 mm. From 0.99 to 0.995 on they lose contact for single steps and strike.
+    # into a flask, now 0.10 mm. From 0.99 to 0.995 on they lose contact for steps and strike.
     pad.solref = (0.008, 1)
     pad.solimp = (0.98, 0.99, 0.0005, 0.5, 2)
 
