@@ -8,12 +8,13 @@ _KNOCK = 0.25
 ours is the fastest that ISO 10218-1 calls reduced speed, and what a fall of 3 mm gives."""
 
 _LOAD = 70.0
-"""Force with which a thing may be pressed against something hard [N]; ours: that of the Franka
-hand's grip (product manual), which glassware has to stand. Experts press with 17 N at most."""
+"""Force with which a thing may be pressed against something hard [N]; ours: the full
+grip of the default robot's hand, which glassware has to stand. Experts press with 17 N at most."""
 
 _PUSH = 2.0
-"""Force with which the robot may brush against something [N]; ours: what moves a Panda that is
-guided by hand (Franka Emika, Panda data sheet: guiding force about 2 N), so that one feels it."""
+"""Force with which the robot may brush against something [N]; ours: what moves an
+arm that is guided by hand (data sheet of the default robot: guiding force about 2 N), so that one
+feels it."""
 
 
 def broken(*things: Thing) -> Predicate:

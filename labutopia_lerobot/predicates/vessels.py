@@ -6,8 +6,8 @@ from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Thing, World
 
 _MARGIN = 0.001
-"""How much narrower than it is the hand must be commanded to hold something [m]: the Franka hand's
-drive (`robots/franka_hand_model.py`) then closes with 3.5 N a finger, which by friction hold 0.7
+"""How much narrower than it is the hand must be commanded to hold something [m]: the drive
+of the default robot's hand then closes with 3.5 N a finger, which by friction hold 0.7
 kg; measured, experts hold rods with 1.7 mm and vessels with 12."""
 
 _LEVER = 0.1

@@ -100,5 +100,6 @@ def test_an_unfinished_result_is_not_submitted(played: Path, tmp_path: Path) -> 
 
 def test_the_film_shows_every_action_of_its_episode(played: Path) -> None:
     rows = json.loads((played / "result.json").read_text())["rows"]
-    (film,) = (played / "videos").iterdir()
+    film, experts = sorted((played / "videos").iterdir())
+    assert experts.stem == f"{film.stem}_expert"  # beside a failure
     assert video_size_and_frames(film)[2] == rows[0]["steps"] + 1

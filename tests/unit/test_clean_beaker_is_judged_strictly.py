@@ -41,7 +41,7 @@ def test_a_beaker_put_back_five_centimetres_off_is_not_back(monkeypatch):
 def test_the_other_beaker_first_is_out_of_order():
     env = begun(TASK, liquid="off")
     second = [skill for skill in skills_of(env) if isinstance(skill, Pick)][1]
-    assert play(env, second)["outcome"] == "collided"
+    assert play(env, second)["outcome"] == "struck"
 
 
 @pytest.mark.slow

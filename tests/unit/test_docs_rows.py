@@ -27,6 +27,7 @@ def row(task: str, seed: int, **columns: object) -> dict:
         "outcome": "success",
         "seconds": 5.0,
         "substeps": {"gripped": 1.0},
+        "step_times": {},
         "facts": {"x": True},
         "history": {"x": {"first": 0.0, "last": 5.0, "times": 1}},
         "prelude_failures": 1,

@@ -1,5 +1,8 @@
 """The KUKA LBR iiwa 14 is where its data sheet puts it, within its limits, and gets to work."""
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+
 import mujoco
 import numpy as np
 import pytest
@@ -14,7 +17,10 @@ from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
+from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.posture import hand_at
+from labutopia_lerobot.skills.skill import Phase, arrived
+from labutopia_lerobot.world import Pose, World
 
 # Rows d [m], alpha [rad] of the Denavit-Hartenberg parameters (classic convention, a = 0) of the
 # LBR iiwa 14 R820: 360, 420, 400 and 126 mm from base to shoulder, elbow, wrist and flange.
@@ -131,17 +137,28 @@ def test_servo_torque_saturates_at_the_published_limit(model, data, joint, limit
     assert data.actuator(joint).force[0] == pytest.approx(limit)
 
 
+@dataclass(frozen=True)
+class Reach:
+    """Bring the hand to a pose."""
+
+    goal: Pose
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        yield Phase("reach", lambda _: self.goal, IIWA.max_opening, arrived(within=0.001))
+
+
 @pytest.mark.parametrize(("x", "y"), [(0.21, -0.25), (0.21, 0.25), (0.36, -0.25), (0.36, 0.25)])
 def test_the_hand_reaches_low_over_the_start_regions_within_the_limits(x, y):
     vessel = beaker("beaker")
     simulation = Simulation(compile_scene([vessel], IIWA, LABORATORY, VESSEL_VIEW))
     simulation.reset({vessel: Placement(1.0, 0.7, 0.0)})
     world = SimulatedWorld(simulation)
-    motion = ReactiveMotion(simulation, world)
     goal = hand_at(world, np.array([x, y, world.bench_height + vessel.grip_height]))
     lower, upper, speed = (np.array(limit[:-1]) for limit in (IIWA.lower, IIWA.upper, IIWA.speed))
+    expert = Expert((Reach(goal),), world, ReactiveMotion(simulation, world))
+    expert.start()
     for _ in range(150):
-        command = motion.follow(goal, IIWA.max_opening, touches=frozenset(), holds=None)
+        command = expert.act().astype(float)
         joints = command[:-1]
         assert (np.abs(joints - simulation.command[:-1]) <= speed / 30).all()
         assert ((lower - 1e-6 <= joints) & (joints <= upper + 1e-6)).all()

@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ
 from labutopia_lerobot.substances.filling import Filling
-from labutopia_lerobot.substances.substance import SUBSTANCES, WATER
+from labutopia_lerobot.substances.substance import WATER
 from labutopia_lerobot.world.model import PHYSICS_HZ
 from liquid_experiments import FRONTS, collapse, filled, move_to, surface, swirl, world
 
@@ -88,7 +88,7 @@ def test_a_breaking_dam_runs_as_in_martin_and_moyces_experiment() -> None:
 
 
 def test_glycerol_brakes_a_swirl_as_fast_as_its_viscosity_and_far_faster_than_water() -> None:
-    water, ethanol, glycerol = map(swirl, SUBSTANCES)
+    water, ethanol, glycerol = map(swirl, ("water", "ethanol", "glycerol"))
     assert glycerol.rate == pytest.approx(glycerol.stokes, rel=0.25)
     assert glycerol.rate > 5 * water.rate
     assert ethanol.rate == pytest.approx(water.rate, rel=0.5)  # both below what particles can show
