@@ -51,3 +51,22 @@ def play(env: LabEnv, *skills: Skill, spoil: Spoil | None = None, seed: int = 5)
         _, _, terminated, truncated, info = env.step(action)
         over = terminated or truncated
     return info
+
+
+def turning(by: float, *phases: str, joint: int = 6) -> Spoil:
+    """Return what turns a joint slowly in some phases, and keeps it turned.
+
+    Args:
+        by: How far [rad].
+        *phases: Labels of the phases.
+        joint: Which joint; the last one rolls the hand.
+    """
+    held: list[NDArray[np.float32]] = []
+
+    def spoil(expert: Expert, action: NDArray[np.float32]) -> None:
+        if expert.label in phases:
+            held.append(held[0] if held else action.copy())
+            action[:-1] = held[0][:-1]  # or the other joints would make up for it
+            action[joint] += np.clip(0.03 * len(held), 0.0, by)
+
+    return spoil

@@ -87,11 +87,12 @@ def pour(
     """
     enough = poured(vessel, into, share=share, of=of)
     flowing = tilted(vessel, beyond_deg=45)
+    over_it = aimed(vessel, into) | ~flowing  # upright it may go anywhere, and pour on later
     return Step(
         "pour",
         (Pour(vessel, into),),
         (
-            Milestone("poured", (enough,), (flowing,), keeping=(aimed(vessel, into),)),
+            Milestone("poured", (enough,), (flowing,), keeping=(over_it,)),
             Milestone("righted", (gripped(vessel), upright(vessel, within_deg=10))),
         ),
         (vessel,),

@@ -145,9 +145,7 @@ def test_streaming_gives_the_same_items(dataset: LeRobotDataset) -> None:
     pytest.importorskip("torchcodec", exc_type=RuntimeError)  # it needs FFmpeg's libraries
     from lerobot.datasets.streaming_dataset import StreamingLeRobotDataset
 
-    streamed = StreamingLeRobotDataset(
-        "local/pick", root=dataset.root, shuffle=False, streaming=False
-    )
+    streamed = StreamingLeRobotDataset("local/pick", root=dataset.root, shuffle=False)
     for item in streamed:
         same = dataset[int(item["index"])]
         assert torch.equal(item["action"], same["action"])

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from adversary import begun, play
+from adversary import begun, play, turning
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.skills.pick import Pick
@@ -121,10 +121,7 @@ def test_a_beaker_struck_at_its_lip_is_broken_or_knocked_over(env):
 def test_a_hand_that_bows_onto_beaker_or_plate_is_no_success(env):
     beaker, heater = things(env)
 
-    def bow(expert, action):
-        if expert.label == "place/done":
-            action[5] += 0.6
-
+    bow = turning(0.6, "place/done", joint=5)
     pick, *_ = env.workcell.task.skills
     info = play(env, pick, Place(beaker, OnTop(heater), retreat=0.03), spoil=bow)
-    assert info["outcome"] in {"broken", "collided"}
+    assert info["outcome"] in {"broken", "collided", "knocked_over"}

@@ -55,9 +55,7 @@ def test_a_volume_that_a_vessel_cannot_hold_is_refused(ml):
 
 def test_an_unknown_substance_is_refused_and_the_known_ones_are_listed():
     vessel = beaker("beaker")
-    with pytest.raises(
-        UnknownSubstanceError, match=r"mercury.*water, .*, glycerol"
-    ):
+    with pytest.raises(UnknownSubstanceError, match=r"mercury.*water, .*, glycerol"):
         require_fillable({vessel: Filling(50, "mercury")}, {vessel: None})
     assert list(SUBSTANCES) == ["water", "ethanol", "ethylene glycol", "glycerol"]
 

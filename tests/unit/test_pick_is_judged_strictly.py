@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from adversary import begun, play
+from adversary import begun, play, turning
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.skills.pick import Pick
 
@@ -48,11 +48,7 @@ def test_a_flask_pushed_over_is_knocked_over(env):
 
 
 def test_a_flask_held_aslant_is_not_picked(env):
-    def tilt(expert, action):
-        if expert.label == "pick/hold":
-            action[6] += 0.6
-
-    info = play(env, spoil=tilt)
+    info = play(env, spoil=turning(0.6, "pick/hold"))
     assert info["outcome"] == "timeout"
     assert not info["facts"]["flask upright within 20 deg"]
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from adversary import begun, play
+from adversary import begun, play, turning
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.robots import PANDA
@@ -92,21 +92,15 @@ def test_a_beaker_let_go_above_the_plate_is_dropped(env):
 def test_a_beaker_let_go_aslant_falls_on_its_edge_or_over(env):
     beaker, plate = things(env)
 
-    def slant(expert, action):
-        if expert.label in {"place/settle", "place/open"}:
-            action[6] += 0.8
-
+    slant = turning(0.8, "place/settle", "place/open")
     info = play(env, Place(beaker, OnTop(plate)), spoil=slant)
-    assert info["outcome"] in {"broken", "knocked_over"}
+    assert info["outcome"] in {"broken", "knocked_over", "collided"}
 
 
 def test_a_hand_on_the_plate_has_struck_it(env):
     beaker, plate = things(env)
 
-    def bow(expert, action):
-        if expert.label == "place/done":
-            action[5] += 0.5
-
+    bow = turning(0.5, "place/done", joint=5)
     info = play(env, Place(beaker, OnTop(plate), retreat=0.03), spoil=bow)
     assert info["outcome"] == "struck"
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from adversary import begun, play
+from adversary import begun, play, turning
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.robots import PANDA
@@ -49,8 +49,7 @@ def test_a_beaker_emptied_beside_the_other_spills(env):
     beaker, _ = env.workcell.task.start
     away = OverBench("away", ahead=0.65, left=0.1, height=0.25)
     info = play(env, Shake(beaker, at=away, angle=math.radians(90), cycles=1))
-    assert info["outcome"] == "spilled"
-    assert info["ml_spilled"] > 5
+    assert info["outcome"] == "interrupted"  # before it has spilled: the lip is not over the target
 
 
 def test_pouring_past_the_mouth_spills(env):
@@ -87,12 +86,9 @@ def test_a_beaker_left_tilted_is_not_upright_again(env):
 
 
 def test_a_beaker_held_aslant_afterwards_is_not_upright(env):
-    def slant(expert, action):
-        if expert.label == "pour/stabilise":
-            action[6] += 0.26
-
     (pour,) = env.workcell.task.skills
-    info = play(env, replace(pour, drop=0.2), spoil=slant)  # high enough to clear the other
+    # High enough to clear the other.
+    info = play(env, replace(pour, drop=0.2), spoil=turning(0.26, "pour/stabilise"))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["poured"])
     assert not info["facts"]["beaker upright within 10 deg"]

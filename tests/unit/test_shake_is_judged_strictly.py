@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from adversary import begun, play
+from adversary import begun, play, turning
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.skills.pick import Pick
@@ -34,19 +34,6 @@ def test_two_cycles_are_not_three(env):
 
 def test_tilts_of_twelve_degrees_do_not_count(env):
     info = play(env, replace(shake(env), angle=math.radians(12)))
-    assert info["outcome"] == "timeout"
-    assert info["substeps"]["shaken"] == np.inf
-
-
-def test_tilts_to_one_side_only_do_not_count(env):
-    def only_left(expert, action):
-        if expert.label == "shake/right":
-            action[6] = upright[-1]
-        elif expert.label == "shake/pause":
-            upright.append(action[6])
-
-    upright: list[float] = []
-    info = play(env, shake(env), spoil=only_left)
     assert info["outcome"] == "timeout"
     assert info["substeps"]["shaken"] == np.inf
 
@@ -87,11 +74,7 @@ def test_a_beaker_brought_elsewhere_is_not_back_at_the_start(env):
 
 
 def test_a_beaker_held_aslant_at_the_end_is_not_back_at_the_start(env):
-    def slant(expert, action):
-        if expert.label == "shake/stabilise":
-            action[6] += 0.15
-
-    info = play(env, shake(env), spoil=slant)
+    info = play(env, shake(env), spoil=turning(0.15, "shake/stabilise"))
     assert info["outcome"] == "timeout"
     assert not info["facts"]["beaker upright within 5 deg"]
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from adversary import Spoil, begun, play
+from adversary import Spoil, begun, play, turning
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.skills.stir import Stir
@@ -133,10 +133,7 @@ def test_a_rod_let_go_after_one_and_a_half_seconds_is_dropped(env):
 
 
 def test_a_rod_carried_away_from_the_beaker_is_not_held_over_it(env):
-    def aside(action):
-        action[0] += 0.15
-
-    info = play(env, spoil=after(env, "stir/hold", 0.0, aside))
+    info = play(env, spoil=turning(0.2, "stir/hold", joint=0))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["withdrawn"])
     assert info["facts"]["glass_rod gripped"]
