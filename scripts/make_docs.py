@@ -88,17 +88,23 @@ def pouring() -> NDArray[np.uint8]:
 
 def start_and_end(task_id: str) -> NDArray[np.uint8]:
     """Return the first picture above the last, all cameras side by side."""
-    env = LabEnv(Setting(task_id))
-    observation, _ = env.reset(seed=0)
-    first = np.hstack(list(observation["pixels"].values()))
+    env = LabEnv(Setting(task_id, obs="state"))  # draws two moments only
+    env.reset(seed=0)
+    first = _all_cameras(env)
     expert = env.expert()
     expert.start()
     over = False
     while not over:
-        observation, _, terminated, truncated, _ = env.step(expert.act())
+        _, _, terminated, truncated, _ = env.step(expert.act())
         over = terminated or truncated
+    last = _all_cameras(env)
     env.close()
-    return np.vstack([first, np.hstack(list(observation["pixels"].values()))])
+    return np.vstack([first, last])
+
+
+def _all_cameras(env: LabEnv) -> NDArray[np.uint8]:
+    """Return what the cameras see now, side by side."""
+    return np.hstack(list(env.workcell.pictures(env.setting.cameras).values()))
 
 
 def task_table(rows: Rows) -> list[str]:
