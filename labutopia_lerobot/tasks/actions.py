@@ -86,7 +86,7 @@ def pour(
         of: What it was filled into, if not into the vessel in the hand.
     """
     enough = poured(vessel, into, share=share, of=of)
-    flowing = tilted(vessel, beyond_deg=45)
+    flowing = tilted(vessel, beyond_deg=60)
     over_it = aimed(vessel, into) | ~flowing  # upright it may go anywhere, and pour on later
     return Step(
         "pour",
