@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.colors import COLORS
+from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look, add_part
@@ -74,13 +75,13 @@ class ButtonPanel(Fixed):
         Returns:
             The body.
         """
-        for part, rgba, specular in (
+        add_materials(
+            spec,
+            self.name,
             ("shell", (0.86, 0.88, 0.89, 1.0), 0.2),
             ("front", (0.24, 0.28, 0.33, 1.0), 0.2),
             ("metal", (0.66, 0.68, 0.70, 1.0), 0.6),
-        ):
-            name = f"{self.name}_{part}"
-            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.5)
+        )
         body = parent.add_body(name=self.name)
         add_part(
             body,

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.openable import Drawer, Handle
 from labutopia_lerobot.labware.parts.solid import Vector, add_part
@@ -85,14 +86,14 @@ class Cabinet(Fixed):
         Returns:
             The body; its origin is the centre of the base, z up.
         """
-        for part, rgba, specular in (
+        add_materials(
+            spec,
+            self.name,
             ("shell", (0.56, 0.60, 0.64, 1.0), 0.2),
             ("front", (0.25, 0.45, 0.60, 1.0), 0.2),
             ("tray", (0.80, 0.82, 0.83, 1.0), 0.2),
             ("metal", (0.82, 0.83, 0.84, 1.0), 0.6),
-        ):
-            name = f"{self.name}_{part}"
-            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.5)
+        )
         box = parent.add_body(name=self.name)
         self._add_box(box)
         for level, drawer in enumerate(self.drawers):

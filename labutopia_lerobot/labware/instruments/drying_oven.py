@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
@@ -88,7 +89,9 @@ class DryingOven(Fixed):
         return box
 
     def _add_materials(self, spec: mujoco.MjSpec) -> None:
-        for part, rgba, specular in (
+        add_materials(
+            spec,
+            self.name,
             ("shell", (0.94, 0.93, 0.90, 1.0), 0.2),
             ("leaf", (0.74, 0.78, 0.82, 1.0), 0.3),
             ("inside", (0.62, 0.65, 0.68, 1.0), 0.4),
@@ -97,9 +100,7 @@ class DryingOven(Fixed):
             ("window", (0.10, 0.14, 0.17, 0.55), 0.8),
             ("display", (0.05, 0.06, 0.07, 1.0), 0.3),
             ("digits", (0.95, 0.35, 0.15, 1.0), 0.0),
-        ):
-            name = f"{self.name}_{part}"
-            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.5)
+        )
 
     def _add_box(self, body: mujoco.MjsBody) -> None:
         """Add the hollow box behind the door and the control column to the right of it."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.colors import COLORS
+from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, Vector, add_look, add_part
@@ -90,14 +91,14 @@ class Heater(Fixed):
         Returns:
             The body.
         """
-        for part, rgba, specular in (
+        add_materials(
+            spec,
+            self.name,
             ("shell", (0.20, 0.35, 0.50, 1.0), 0.2),
             ("ceramic", (0.90, 0.90, 0.88, 1.0), 0.5),
             ("print", (0.70, 0.70, 0.69, 1.0), 0.5),
             ("metal", (0.66, 0.68, 0.70, 1.0), 0.6),
-        ):
-            name = f"{self.name}_{part}"
-            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.5)
+        )
         body = parent.add_body(name=self.name)
         half, low = _SIDE / 2, (_TOP - _PLATE) / 2
         front = -half - _DECK_DEPTH / 2

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
@@ -119,7 +120,9 @@ class MuffleFurnace(Fixed):
         return box
 
     def _add_materials(self, spec: mujoco.MjSpec) -> None:
-        for part, rgba, specular in (
+        add_materials(
+            spec,
+            self.name,
             ("shell", (0.91, 0.92, 0.91, 1.0), 0.2),
             ("leaf", (0.46, 0.54, 0.60, 1.0), 0.3),
             ("brick", (0.97, 0.94, 0.87, 1.0), 0.0),
@@ -130,9 +133,7 @@ class MuffleFurnace(Fixed):
             ("display", (0.04, 0.05, 0.06, 1.0), 0.3),
             ("digits", (0.95, 0.25, 0.15, 1.0), 0.0),
             ("target", (0.30, 0.85, 0.40, 1.0), 0.0),
-        ):
-            name = f"{self.name}_{part}"
-            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.5)
+        )
 
     def _add_walls(
         self, body: mujoco.MjsBody, layer: str, material: str, outer: _Hollow, inner: _Hollow

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.lever import Lever
+from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.openable import Door
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
@@ -79,7 +80,9 @@ class VacuumOven(Fixed):
         Returns:
             The body; its origin is the centre of the base, z up.
         """
-        for part, rgba, specular in (
+        add_materials(
+            spec,
+            self.name,
             ("shell", (0.80, 0.83, 0.86, 1.0), 0.3),
             ("leaf", (0.30, 0.36, 0.42, 1.0), 0.3),
             ("inside", (0.60, 0.62, 0.64, 1.0), 0.5),
@@ -88,9 +91,7 @@ class VacuumOven(Fixed):
             ("grip", (0.75, 0.12, 0.08, 1.0), 0.3),
             ("window", (0.16, 0.22, 0.24, 0.55), 0.8),
             ("dial", (0.95, 0.95, 0.92, 1.0), 0.1),
-        ):
-            name = f"{self.name}_{part}"
-            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.5)
+        )
         box = parent.add_body(name=self.name)
         self._add_box(box)
         self._add_controls(box)

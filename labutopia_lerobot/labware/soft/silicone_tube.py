@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 
 from labutopia_lerobot.labware.parts.contact import SOLIMP
+from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look, add_part
 from labutopia_lerobot.labware.soft.shell import OWN_CONTYPE, Elastic
@@ -100,12 +101,13 @@ class SiliconeTube(Fixed):
         Returns:
             The body; its origin lies on the bench below the nozzle, x the way the tube leaves.
         """
-        for part, rgba, specular in (
+        add_materials(
+            spec,
+            self.name,
             ("rod", (0.86, 0.55, 0.22, 1.0), 0.3),
             ("metal", (0.66, 0.68, 0.70, 1.0), 0.6),
-        ):
-            name = f"{self.name}_{part}"
-            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.4)
+            shininess=0.4,
+        )
         body = parent.add_body(name=self.name)
         self._add_nozzle(body)
         self._add_tube(spec, body)

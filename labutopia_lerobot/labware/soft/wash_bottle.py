@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_look, add_part
 from labutopia_lerobot.labware.soft.shell import OWN_CONTYPE, SKIN, Elastic, Shell
@@ -166,14 +167,14 @@ class WashBottle(Fixed):
         Returns:
             The body.
         """
-        for part, rgba, specular in (
+        add_materials(
+            spec,
+            self.name,
             ("wall", (0.93, 0.95, 0.96, 1.0), 0.3),
             ("cap", (0.10, 0.32, 0.66, 1.0), 0.4),
             ("tube", (0.90, 0.92, 0.94, 1.0), 0.4),
             ("holder", (0.35, 0.38, 0.42, 1.0), 0.3),
-        ):
-            name = f"{self.name}_{part}"
-            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.5)
+        )
         body = parent.add_body(name=self.name)
         self._add_holder(body)
         self._add_cap(body)
