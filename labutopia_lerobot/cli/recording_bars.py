@@ -6,19 +6,10 @@ from types import TracebackType
 from typing import Self
 
 from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TaskID,
-    TextColumn,
-    TimeRemainingColumn,
-)
+from rich.progress import TaskID
 
 from labutopia_lerobot.datasets.candidate import Candidate
-
-_LOG_S = 10.0
-"""Time between two lines in a log file [s]."""
+from labutopia_lerobot.runtime.bars import LogLines, counting_bars
 
 
 class RecordingBars:
@@ -32,18 +23,11 @@ class RecordingBars:
     """
 
     def __init__(self, episodes: int, console: Console) -> None:
-        self._progress = Progress(
-            TextColumn("{task.description}"),
-            BarColumn(),
-            MofNCompleteColumn(),
-            TimeRemainingColumn(),
-            TextColumn("{task.fields[note]}"),
-            console=console,
-        )
-        self._console = console
+        self._progress = counting_bars(console)
+        self._lines = LogLines(console)
         self._playing = self._progress.add_task("Playing", total=episodes, note="")
         self._writing = self._progress.add_task("Writing", total=episodes, note="")
-        self._began = self._logged = time.monotonic()
+        self._began = time.monotonic()
         self._frames = self._failures = 0
 
     def __enter__(self) -> Self:
@@ -79,10 +63,6 @@ class RecordingBars:
         self._log(self._writing)
 
     def _log(self, bar: TaskID, note: str = "") -> None:
-        """Write a line of one of the bars where nothing can be drawn, if it is time."""
-        if self._console.is_terminal or time.monotonic() - self._logged < _LOG_S:
-            return
-        self._logged = time.monotonic()
         shown = self._progress.tasks[bar]
         counted = f"{shown.description} {shown.completed:.0f}/{shown.total:.0f}"
-        self._console.print(f"{counted}{note and ', '}{note}", markup=False)
+        self._lines.write(f"{counted}{note and ', '}{note}", at_once=shown.finished)

@@ -6,20 +6,11 @@ from types import TracebackType
 from typing import Self
 
 from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TaskID,
-    TextColumn,
-    TimeRemainingColumn,
-)
+from rich.progress import TaskID
 
 from labutopia_lerobot.evaluation.rollout import Pairing
 from labutopia_lerobot.evaluation.row import Row
-
-_LOG_S = 10.0
-"""Time between two lines in a log file [s]."""
+from labutopia_lerobot.runtime.bars import LogLines, counting_bars
 
 
 class LiveProgress:
@@ -32,16 +23,8 @@ class LiveProgress:
     """
 
     def __init__(self, pairings: Sequence[Pairing], episodes: int, console: Console) -> None:
-        self._bars = Progress(
-            TextColumn("{task.description}"),
-            BarColumn(),
-            MofNCompleteColumn(),
-            TimeRemainingColumn(),
-            TextColumn("{task.fields[note]}"),
-            console=console,
-            disable=not console.is_terminal,
-        )
-        self._console = console
+        self._bars = counting_bars(console)
+        self._lines = LogLines(console)
         self._all = self._bars.add_task("Playing", total=len(pairings) * episodes, note="")
         settings = (pairing.setting for pairing in pairings)
         self._of: dict[tuple[str, str], TaskID] = {
@@ -50,7 +33,7 @@ class LiveProgress:
         }
         self._successes = dict.fromkeys(self._of, 0)
         self._played = 0
-        self._began = self._logged = time.monotonic()
+        self._began = time.monotonic()
 
     def __enter__(self) -> Self:
         self._bars.start()
@@ -91,17 +74,10 @@ class LiveProgress:
         return f"{won}/{done} succeeded, {100 * won / done:.0f} %"
 
     def _log(self, row: Row, rate: float) -> None:
-        """Write a line where nothing can be drawn, if it is time, and when all is played."""
         bar = self._bars.tasks[self._all]
-        due = time.monotonic() - self._logged >= _LOG_S or bar.finished
-        if self._console.is_terminal or not due:
-            return
-        self._logged = time.monotonic()
         left_min = (bar.remaining or 0.0) / rate
-        self._console.print(
+        self._lines.write(
             f"Playing {bar.completed:.0f}/{bar.total:.0f}, {rate:.1f} episodes/min, "
             f"{left_min:.1f} min left; {row.task} {row.split}: {self._running(row)}",
-            markup=False,
-            highlight=False,
-            soft_wrap=True,
+            at_once=bar.finished,
         )

@@ -12,12 +12,13 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from labutopia_lerobot.cli import bench, record, recording_bars, replay, speed
+from labutopia_lerobot.cli import bench, record, replay, speed
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
+from labutopia_lerobot.runtime import bars
 from labutopia_lerobot.setting import option_help
 
 ROOT = Path(__file__).parents[2]
@@ -148,11 +149,11 @@ def test_in_a_terminal_what_is_going_on_vanishes_when_it_is_over():
 
 
 def test_a_recording_writes_lines_into_a_log_file(monkeypatch):
-    monkeypatch.setattr(recording_bars, "_LOG_S", 0.0)
+    monkeypatch.setattr(bars, "_LOG_S", 0.0)
     log = Console(file=StringIO())
-    bars = RecordingBars(3, log)
-    bars.resumed([])
+    shown = RecordingBars(3, log)
+    shown.resumed([])
     what = ("level1/pick", 0, 0, "success", "", 90, "machine", "", {}, {}, "Pick it up.", (), ())
-    bars.played(Candidate(*what))
+    shown.played(Candidate(*what))
     assert log.file.getvalue().startswith("Playing 1/3, ")  # type: ignore[attr-defined]
     assert "0 failed" in log.file.getvalue()  # type: ignore[attr-defined]

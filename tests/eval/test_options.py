@@ -15,6 +15,7 @@ from labutopia_lerobot.evaluation.config import (
 )
 from labutopia_lerobot.evaluation.evaluate import make_pairings
 from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.runtime import bars
 
 
 def test_a_checkpoint_alone_names_the_policy() -> None:
@@ -47,7 +48,7 @@ def row(**columns: Any) -> Row:
 
 @pytest.fixture
 def lines(monkeypatch: pytest.MonkeyPatch) -> StringIO:
-    monkeypatch.setattr(live, "_LOG_S", 0.0)
+    monkeypatch.setattr(bars, "_LOG_S", 0.0)
     return StringIO()
 
 
