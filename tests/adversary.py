@@ -18,8 +18,11 @@ type Spoil = Callable[[Expert, NDArray[np.float32]], None]
 
 
 def begun(task: str, **options: Any) -> LabEnv:
-    """Return an environment, without pictures, in which an episode has begun."""
-    env = LabEnv(Setting(task, obs="state", **options))
+    """Return an environment in which an episode has begun.
+
+    It makes no pictures and, unless told otherwise, has a third of the usual particles.
+    """
+    env = LabEnv(Setting(task, obs="state", **({"particles": 300} | options)))
     env.reset(seed=0)
     return env
 

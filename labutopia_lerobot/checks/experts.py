@@ -14,7 +14,7 @@ from labutopia_lerobot.world import CONTROL_HZ
 
 def expert_commands_are_never_clipped(env: LabEnv) -> None:
     """What the expert commands is what acts."""
-    _, info = play(env, expert, seed=100).trace[-1]
+    _, info = play(env, expert, 100).trace[-1]
     clipped, bad = info["clipped_actions"], info["nonfinite_actions"]
     require(clipped == 0, f"{clipped} commands of the expert were clipped")
     require(bad == 0, f"{bad} commands of the expert were not finite")
@@ -22,15 +22,14 @@ def expert_commands_are_never_clipped(env: LabEnv) -> None:
 
 def the_expert_touches_only_what_its_phases_list(env: LabEnv) -> None:
     """Every pair that may touch is declared."""
-    for seed in range(110, 112):
-        script = _play(env, seed)
-        pairs = ", ".join(f"{mover} and {other}" for mover, other in script.unexpected)
-        require(not pairs, f"seed {seed}: touched what no phase lists: {pairs}")
+    script = _play(env, seed=110)
+    pairs = ", ".join(f"{mover} and {other}" for mover, other in script.unexpected)
+    require(not pairs, f"seed 110: touched what no phase lists: {pairs}")
 
 
 def success_needs_two_seconds_of_the_goal(env: LabEnv) -> None:
     """The goal has held without a break before the episode ends."""
-    trace = play(env, expert, seed=100).trace
+    trace = play(env, expert, 100).trace
     held = 0
     for _, info in reversed(trace):
         if not all(info["facts"][fact.name] for fact in env.workcell.task.goal):

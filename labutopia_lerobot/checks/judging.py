@@ -41,25 +41,25 @@ def reading_facts_changes_nothing(env: LabEnv) -> None:
 
 def doing_nothing_does_not_succeed(env: LabEnv) -> None:
     """Neither at the end nor at any instant."""
-    _require_no_success(env, still)
+    _require_no_success(env, still, seeds=range(1))
 
 
 def random_actions_do_not_succeed(env: LabEnv) -> None:
     """Neither at the end nor at any instant."""
-    _require_no_success(env, random_walk)
+    _require_no_success(env, random_walk, seeds=range(2))
 
 
 def doing_nothing_ends_by_timeout_at_the_time_limit(env: LabEnv) -> None:
     """Nothing falls over by itself, and the clock is right."""
-    trace = play(env, still, seed=0).trace
+    trace = play(env, still, 0).trace
     outcome, steps = trace[-1][1]["outcome"], len(trace) - 1
     require(outcome == "timeout", f"doing nothing ends with {outcome} after {steps} steps")
     limit = env.workcell.task.max_steps
     require(steps == limit, f"doing nothing ends after {steps} steps, not {limit}")
 
 
-def _require_no_success(env: LabEnv, player: Player) -> None:
-    for seed in range(2):
+def _require_no_success(env: LabEnv, player: Player, seeds: range) -> None:
+    for seed in seeds:
         trace = play(env, player, seed).trace
         won = any(info["is_success"] or info["ever_success"] for _, info in trace)
         require(not won, f"seed {seed} succeeds")

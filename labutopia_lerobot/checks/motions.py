@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from labutopia_lerobot.checks.playing import expert
+from labutopia_lerobot.checks.playing import expert, play
 from labutopia_lerobot.checks.require import require
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.robots.hand_kinematics import HandKinematics
@@ -32,20 +32,11 @@ def motion_and_torque(env: LabEnv, seed: int) -> tuple[dict[str, float], dict[st
     Returns:
         Of the limits of the set-points' motion, and of the limits of the joints' torques.
     """
-    env.reset(seed=seed)
-    simulation, act = env.workcell.simulation, expert(env)
-    robot, model, data = simulation.scene.robot, simulation.scene.model, simulation.data
+    played, scene = play(env, expert, seed), env.workcell.simulation.scene
+    robot, model = scene.robot, scene.model
     servos = [model.actuator(joint.name).id for joint in robot.joints]
-    torques, points = [], [simulation.set_points]
-    simulation.watch = lambda: torques.append(data.actuator_force[servos])
-    over = False
-    while not over:
-        _, _, terminated, truncated, _ = env.step(act())
-        points.append(simulation.set_points)
-        over = terminated or truncated
-    simulation.watch = None
-    reached = np.abs(torques).max(axis=0) / model.actuator_forcerange[servos, 1]
-    motion = _motion(np.concatenate(points), robot, HandKinematics(model, robot))
+    reached = np.abs(played.torques).max(axis=0) / model.actuator_forcerange[servos, 1]
+    motion = _motion(played.set_points, robot, HandKinematics(model, robot))
     return motion, dict(zip((joint.name for joint in robot.joints), reached, strict=True))
 
 

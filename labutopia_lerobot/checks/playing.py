@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import Info, LabEnv, Observation
+from labutopia_lerobot.world import FloatArray
 
 type Actor = Callable[[], NDArray[np.float32]]
 """Returns the next action."""
@@ -23,24 +24,35 @@ class Played:
 
     Attributes:
         trace: What reset and every step gave.
+        set_points: What the servos were given, shape (physics steps, elements), radians or metres.
+        torques: What the joints' servos gave, shape (physics steps, joints), N m.
         state: Where the simulation ended, as bytes.
     """
 
     trace: list[tuple[Observation, Info]]
+    set_points: FloatArray
+    torques: FloatArray
     state: bytes
 
 
 @lru_cache(maxsize=8)
-def play(env: LabEnv, player: Player, seed: int) -> Played:
+def play(env: LabEnv, player: Player, seed: int, /) -> Played:
     """Play an episode to its end; several checks look at the same one."""
     trace = [env.reset(seed=seed)]
-    act = player(env)
+    simulation, act = env.workcell.simulation, player(env)
+    model, robot = simulation.scene.model, simulation.scene.robot
+    servos = [model.actuator(joint.name).id for joint in robot.joints]
+    torques, points = [], [simulation.set_points]
+    simulation.watch = lambda: torques.append(simulation.data.actuator_force[servos])
     over = False
     while not over:
         observation, _, terminated, truncated, info = env.step(act())
         trace.append((observation, info))
+        points.append(simulation.set_points)
         over = terminated or truncated
-    return Played(trace, env.workcell.simulation.state().tobytes())
+    simulation.watch = None
+    state = simulation.state().tobytes()
+    return Played(trace, np.concatenate(points), np.array(torques), state)
 
 
 def expert(env: LabEnv) -> Actor:

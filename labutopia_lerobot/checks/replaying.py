@@ -36,7 +36,7 @@ def same_seed_gives_the_same_trajectory_bit_for_bit(env: LabEnv) -> None:
 
 def recorded_actions_replayed_open_loop_give_the_same_states(env: LabEnv) -> None:
     """What acted is what is recorded."""
-    played = play(env, expert, seed=100)
+    played = play(env, expert, 100)
     actions = [info["applied_action"] for _, info in played.trace[1:]]
     env.reset(seed=100)
     for action in actions:
@@ -48,7 +48,7 @@ def recorded_actions_replayed_open_loop_give_the_same_states(env: LabEnv) -> Non
 
 def observations_are_in_space_own_their_memory_and_vary(env: LabEnv) -> None:
     """Nothing that was handed out changes later, and every number that should move does."""
-    observations = [observation for observation, _ in play(env, expert, seed=100).trace]
+    observations = [observation for observation, _ in play(env, expert, 100).trace]
     inside = all(env.observation_space.contains(observation) for observation in observations)
     require(inside, "an observation is not in the observation space")
     for key in ("agent_pos", "environment_state"):

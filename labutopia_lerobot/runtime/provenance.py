@@ -97,9 +97,10 @@ def _commit() -> dict[str, str | bool | None]:
     # A virtual environment may stand in the repository of somebody else, who tracks none of it.
     if _git("ls-files", "--error-unmatch", "__init__.py") is None:
         return {"commit": None, "uncommitted_changes": None}
-    # New files count within the package only: a run's own results may lie in the repository.
+    # New files count within the package only, as a run's own results may lie in the repository,
+    # and what Python compiled is none of them, though not every repository says so.
     edited = _git("status", "--short", "--untracked-files=no", ":/")
-    added = _git("status", "--short", ".")
+    added = _git("status", "--short", ".", ":(exclude,glob)**/__pycache__/**")
     return {"commit": _git("rev-parse", "HEAD"), "uncommitted_changes": bool(edited or added)}
 
 
