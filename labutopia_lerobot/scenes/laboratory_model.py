@@ -8,6 +8,7 @@ from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.textures import PATTERNS, SIZE, texture
 from labutopia_lerobot.scenes.views import CameraPose, View
 from labutopia_lerobot.world import BENCH, ROOM
+from labutopia_lerobot.world.model import SOLIMP, SOLREF
 
 _BOX = mujoco.mjtGeom.mjGEOM_BOX
 _BENCH_FRICTION = (0.5, 0.005, 0.0001)
@@ -27,6 +28,9 @@ def laboratory(room: Room, view: View) -> mujoco.MjSpec:
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
     spec.modelname = "laboratory"
+    # All that does not say otherwise is as hard as glass: MuJoCo takes the mean of the two.
+    spec.default.geom.solref[:] = SOLREF
+    spec.default.geom.solimp[:] = SOLIMP
     _materials(spec)
     _walls(spec)
     _bench(spec, room)

@@ -1,4 +1,4 @@
-"""Conventions of every MuJoCo model here: its rate, and the groups of its elements."""
+"""Conventions of every MuJoCo model: its rate, how hard contacts are, groups of elements."""
 
 PHYSICS_HZ = 300
 """Physics rate: ten steps per control period.
@@ -6,6 +6,14 @@ PHYSICS_HZ = 300
 Measured on an arm lifting a 0.2 kg flask by friction: at 1/150 s the grasp creeps and the flask
 buzzes on the bench, at 1/300 s neither does, at 1/600 s nothing improves but the price doubles.
 """
+
+SOLREF = (0.008, 1.0)
+"""Time constant [s] and damping ratio of contacts: critically damped, and as stiff as two physics
+steps of 1/300 s allow (MuJoCo, "Solver parameters")."""
+
+SOLIMP = (0.95, 0.99, 0.0005, 0.5, 2.0)
+"""Contacts are hard within half a millimetre. Measured: an 8 mm ball is stopped by the walls up to
+1.2 m/s at 300 steps per second, and goes through some of them at 1.5 m/s."""
 
 VISUAL_GROUP = 2
 """Geoms that are drawn."""

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.glass.profile import BOROSILICATE_DENSITY
-from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.contact import FRICTION
 from labutopia_lerobot.labware.parts.mounting import Loose
-from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, SOLIMP, SOLREF, VISUAL_GROUP
 
 LENGTH = 0.25
 """Length [m]. Original: 0.2, too short for fingers above a rack of 0.193 m; rods are usually 0.1 to

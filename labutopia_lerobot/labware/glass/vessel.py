@@ -9,10 +9,10 @@ import mujoco
 import numpy as np
 
 from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
-from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.contact import FRICTION
 from labutopia_lerobot.labware.parts.mesh import SEGMENTS, Mesh, bead, join, revolve
 from labutopia_lerobot.labware.parts.mounting import Loose
-from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, SOLIMP, SOLREF, VISUAL_GROUP
 
 FACETS = 16
 """Flat pieces around a wall: a neck of 22 mm radius is round to within 0.4 mm."""

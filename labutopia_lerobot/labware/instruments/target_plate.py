@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.colors import Color
-from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.contact import FRICTION
 from labutopia_lerobot.labware.parts.mesh import revolve
 from labutopia_lerobot.labware.parts.mounting import Loose
 from labutopia_lerobot.labware.parts.solid import BOX
-from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, SOLIMP, SOLREF, VISUAL_GROUP
 
 SIDE = 0.15
 """Side of the square [m] (original, `target_plat`)."""

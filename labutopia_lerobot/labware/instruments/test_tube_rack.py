@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP, SOLREF
+from labutopia_lerobot.labware.parts.contact import FRICTION
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.solid import BOX, Vector, add_look
-from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, SOLIMP, SOLREF
 
 WIDTH, LENGTH, HEIGHT = 0.085, 0.286, 0.193
 """Outer dimensions along x, y and z [m] (original)."""

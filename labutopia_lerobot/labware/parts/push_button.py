@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.parts.contact import SOLIMP, SOLREF
 from labutopia_lerobot.labware.parts.solid import (
     CYLINDER,
     UNTURNED,
@@ -13,7 +12,7 @@ from labutopia_lerobot.labware.parts.solid import (
     add_look,
     add_part,
 )
-from labutopia_lerobot.world.model import COLLISION_GROUP
+from labutopia_lerobot.world.model import COLLISION_GROUP, SOLIMP, SOLREF
 
 type Color = tuple[float, float, float, float]
 

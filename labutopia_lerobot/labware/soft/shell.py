@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.labware.glass.profile import Point
-from labutopia_lerobot.labware.parts.contact import FRICTION, SOLIMP
+from labutopia_lerobot.labware.parts.contact import FRICTION
 from labutopia_lerobot.world import FloatArray
-from labutopia_lerobot.world.model import PHYSICS_HZ, VISUAL_GROUP
+from labutopia_lerobot.world.model import PHYSICS_HZ, SOLIMP, VISUAL_GROUP
 
 _SOLREF = (1.0 / PHYSICS_HZ, 1.0)
 """Time constant [s] and damping ratio of contacts: one physics step. MuJoCo scales a contact's

@@ -7,13 +7,12 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.parts.contact import SOLIMP
 from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look, add_part
 from labutopia_lerobot.labware.soft.shell import OWN_CONTYPE, Elastic
 from labutopia_lerobot.world import FloatArray
-from labutopia_lerobot.world.model import PHYSICS_HZ, VISUAL_GROUP
+from labutopia_lerobot.world.model import PHYSICS_HZ, SOLIMP, VISUAL_GROUP
 
 SILICONE = Elastic(young=3.0e6, poisson=0.49, density=1150.0, damping=0.02)
 """Silicone rubber. Modulus: tubing of Shore A 50 to 78 has 2.1 to 4 MPa (table 2 of the article
