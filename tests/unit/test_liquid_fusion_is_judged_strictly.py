@@ -19,9 +19,9 @@ TASK = "level4/liquid_fusion"
 
 @dataclass(frozen=True)
 class PourPart(Pour):
-    """Pour slowly, and stop when a share has arrived."""
+    """Pour slowly, and stop when a share has arrived: a quarter is then on its way."""
 
-    share: float = 0.7
+    share: float = 0.47
 
     def phases(self, world: World) -> Iterator[Phase]:
         def enough(world: World, target, elapsed) -> bool:
@@ -66,7 +66,7 @@ def test_less_than_four_fifths_of_a_liquid_is_not_poured(monkeypatch):
     assert info["outcome"] == "timeout"
     liquid = env.workcell.world.liquid
     share = liquid.from_in("blue_beaker", "large_beaker") / liquid.originated_in("blue_beaker")
-    assert 0.70 <= share < 0.80
+    assert 0.65 <= share < 0.80
     assert not np.isfinite(info["substeps"]["2_pour/poured"])
 
 
