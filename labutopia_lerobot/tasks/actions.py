@@ -279,9 +279,17 @@ def either(*mishaps: Mapping[str, Predicate]) -> dict[str, Predicate]:
     return {name: reduce(or_, (each[name] for each in mishaps)) for name in mishaps[0]}
 
 
-def sparing(bystanders: Iterable[Thing], *steps: Step) -> tuple[Step, ...]:
-    """Return steps during which things that stand on the bench must not be touched."""
-    spared = struck(*bystanders)
+def sparing(
+    bystanders: Iterable[Thing], *steps: Step, but_for: frozenset[str] = frozenset()
+) -> tuple[Step, ...]:
+    """Return steps during which things must be touched by nothing but the bench.
+
+    Args:
+        bystanders: The things.
+        *steps: The steps.
+        but_for: Contact names of what else they may stand on.
+    """
+    spared = struck(*bystanders, but_for=but_for)
     return tuple(replace(step, never={**step.never, "struck": spared}) for step in steps)
 
 
