@@ -282,13 +282,7 @@ def either(*mishaps: Mapping[str, Predicate]) -> dict[str, Predicate]:
 def sparing(
     bystanders: Iterable[Thing], *steps: Step, but_for: frozenset[str] = frozenset()
 ) -> tuple[Step, ...]:
-    """Return steps during which things must be touched by nothing but the bench.
-
-    Args:
-        bystanders: The things.
-        *steps: The steps.
-        but_for: Contact names of what else they may stand on.
-    """
+    """Return steps during which nothing but the bench, and what may, touches some things."""
     spared = struck(*bystanders, but_for=but_for)
     return tuple(replace(step, never={**step.never, "struck": spared}) for step in steps)
 
