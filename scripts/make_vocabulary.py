@@ -176,6 +176,7 @@ def _call(function: Callable[..., Any]) -> str:
             parts.append("*")
         default = "" if parameter.default is parameter.empty else f" = {_value(parameter.default)}"
         star = "*" if parameter.kind is parameter.VAR_POSITIONAL else ""
+        keyword_only = keyword_only or bool(star)
         parts.append(f"{star}{parameter.name}: {_type(parameter.annotation)}{default}")
     return f"{function.__name__}({', '.join(parts)})"
 

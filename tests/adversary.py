@@ -1,6 +1,7 @@
 """Playing a task badly on purpose: what the tests of strict judging share."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -8,13 +9,30 @@ import pytest
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.places import WhereItStood
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.task import Task
+from labutopia_lerobot.world import FloatArray, World
 
 type Spoil = Callable[[Expert, NDArray[np.float32]], None]
 """Changes an action in place, knowing where the expert is."""
+
+
+@dataclass(frozen=True)
+class Beside(WhereItStood):
+    """A point ahead of where a thing stood.
+
+    Attributes:
+        ahead: By how much [m].
+    """
+
+    ahead: float = 0.05
+
+    def position_w(self, world: World) -> FloatArray:
+        point: FloatArray = super().position_w(world) + np.array([self.ahead, 0.0, 0.0])
+        return point
 
 
 def begun(task: str, **options: Any) -> LabEnv:

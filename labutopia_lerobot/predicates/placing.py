@@ -63,9 +63,10 @@ def withdrawn(thing: Standing, *, by: float) -> Predicate:
     return Predicate(f"hand withdrawn {by:g} m from {thing.name}", holds)
 
 
-def struck(thing: Thing, *, but_for: frozenset[str] = frozenset()) -> Predicate:
+def struck(*things: Thing, but_for: frozenset[str] = frozenset()) -> Predicate:
     """Something touches a bystander: anything but the bench and what may."""
-    allowed = but_for | {BENCH}
+    names, allowed = [thing.name for thing in things], but_for | {BENCH}
     return Predicate(
-        f"{thing.name} struck", lambda world: bool(world.touched_by(thing.name) - allowed)
+        f"{' or '.join(names)} struck",
+        lambda world: any(world.touched_by(name) - allowed for name in names),
     )

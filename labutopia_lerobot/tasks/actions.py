@@ -4,8 +4,10 @@ Tasks of all levels share them (paper, appendix "Task Details"); what a number c
 its line. A task that does an action twice gives the step another name (`Step.named`).
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import reduce
+from operator import or_
 
 from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates import (
@@ -104,18 +106,19 @@ def aimed(vessel: OpenVessel, into: OpenVessel) -> Predicate:
     return lip_over(vessel, into, below=0.20)  # original: 0.1 to 0.2
 
 
-def place(thing: Standing, on: Destination, *, within: float) -> Step:
+def place(thing: Standing, on: Destination, *, within: float, hover: float = 0.10) -> Step:
     """Place: set down upright with the base in full contact, and let go.
 
     Args:
         thing: What is in the hand.
         on: Where to.
         within: How far off it may stand [m].
+        hover: Height above that from which the expert lowers it [m].
     """
     there = near(thing, on, within=within)
     return Step(
         "place",
-        (Place(thing, on),),
+        (Place(thing, on, hover),),
         (
             Milestone("carried", (there, gripped(thing))),
             Milestone("placed", (there, standing_on(thing, on))),
@@ -271,14 +274,17 @@ def mishaps(
     }
 
 
-def either(first: Mapping[str, Predicate], second: Mapping[str, Predicate]) -> dict[str, Predicate]:
-    """Return what must happen to neither of two vessels, from the `mishaps` of each."""
-    return {name: first[name] | second[name] for name in first}
+def either(*mishaps: Mapping[str, Predicate]) -> dict[str, Predicate]:
+    """Return what must happen to none of several vessels, from the `mishaps` of each."""
+    return {name: reduce(or_, (each[name] for each in mishaps)) for name in mishaps[0]}
 
 
-def sparing(thing: Thing, *steps: Step) -> tuple[Step, ...]:
-    """Return steps during which a thing that stands on the bench must not be touched."""
-    return tuple(replace(step, never={**step.never, "struck": struck(thing)}) for step in steps)
+def sparing(
+    bystanders: Iterable[Thing], *steps: Step, but_for: frozenset[str] = frozenset()
+) -> tuple[Step, ...]:
+    """Return steps during which nothing but the bench, and what may, touches some things."""
+    spared = struck(*bystanders, but_for=but_for)
+    return tuple(replace(step, never={**step.never, "struck": spared}) for step in steps)
 
 
 def stirring_mishaps(rod: Graspable, vessel: OpenVessel, rack: Thing) -> dict[str, Predicate]:

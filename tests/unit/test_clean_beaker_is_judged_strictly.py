@@ -1,26 +1,15 @@
 """Near misses of clean_beaker that a person would call failures."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from adversary import begun, begun_with, play
-from labutopia_lerobot.places import WhereItStood
+from adversary import Beside, begun, begun_with, play
 from labutopia_lerobot.skills import Pick, Place, Shake
 from labutopia_lerobot.tasks.level4.clean_beaker import clean_beaker
-from labutopia_lerobot.world import FloatArray, World
 
 TASK = "level4/clean_beaker"
-
-
-@dataclass(frozen=True)
-class Beside(WhereItStood):
-    """Five centimetres ahead of where a thing stood."""
-
-    def position_w(self, world: World) -> FloatArray:
-        point: FloatArray = super().position_w(world) + np.array([0.05, 0.0, 0.0])
-        return point
 
 
 def skills_of(env):

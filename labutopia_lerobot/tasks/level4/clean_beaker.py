@@ -36,13 +36,13 @@ def clean_beaker() -> Task:
         },
         steps=(
             *actions.sparing(
-                dirty,
+                (dirty,),
                 actions.pick(full).named("1_pick"),
                 actions.pour(full, dirty).named("2_pour"),
                 actions.place(full, home, within=within).named("3_place"),
             ),
             *actions.sparing(
-                full,
+                (full,),
                 actions.pick(dirty).named("4_pick"),
                 actions.shake(dirty, middle).named("5_shake"),
                 actions.pour(dirty, waste, share=rinsed, of=full).named("6_pour"),

@@ -1,0 +1,1 @@
+"""Level 4, beyond the paper: further long-horizon manipulation tasks."""
