@@ -69,3 +69,12 @@ def struck(thing: Thing, *, but_for: frozenset[str] = frozenset()) -> Predicate:
     return Predicate(
         f"{thing.name} struck", lambda world: bool(world.touched_by(thing.name) - allowed)
     )
+
+
+def touching(thing: Thing, *others: Thing) -> Predicate:
+    """The thing touches one of the others."""
+    names = frozenset(other.name for other in others)
+    return Predicate(
+        f"{thing.name} touching {' or '.join(sorted(names))}",
+        lambda world: bool(world.touched_by(thing.name) & names),
+    )

@@ -104,18 +104,22 @@ def aimed(vessel: OpenVessel, into: OpenVessel) -> Predicate:
     return lip_over(vessel, into, below=0.20)  # original: 0.1 to 0.2
 
 
-def place(thing: Standing, on: Destination, *, within: float) -> Step:
+def place(
+    thing: Standing, on: Destination, *, within: float, through: Destination | None = None
+) -> Step:
     """Place: set down upright with the base in full contact, and let go.
 
     Args:
         thing: What is in the hand.
         on: Where to.
         within: How far off it may stand [m].
+        through: What the expert carries it through, to a place inside something; None elsewhere.
     """
     there = near(thing, on, within=within)
+    inside = Place(thing, on, retreat=0.06, through=through)  # ours: where walls are near
     return Step(
         "place",
-        (Place(thing, on),),
+        (Place(thing, on) if through is None else inside,),
         (
             Milestone("carried", (there, gripped(thing))),
             Milestone("placed", (there, standing_on(thing, on))),
