@@ -60,6 +60,34 @@ class OnTop:
 
 
 @dataclass(frozen=True)
+class OnShelf:
+    """A place on a shelf inside something, wherever that stands.
+
+    Attributes:
+        name: How it is called in the name of a fact.
+        shelf: The shelf; the frame of its name lies in the middle of its top, x away from the
+            door, z up.
+        inward: From the middle of the shelf away from the door [m].
+        left: To the left of that, for who stands before the door [m].
+    """
+
+    name: str
+    shelf: Thing
+    inward: float = 0.0
+    left: float = 0.0
+
+    @property
+    def support(self) -> str:
+        return self.shelf.name
+
+    def position_w(self, world: World) -> FloatArray:
+        """Return the point, shape (3,), metres, world frame."""
+        frame = world.frame(self.shelf.name)
+        point: FloatArray = frame.position_w + frame.rotation_w @ (self.inward, self.left, 0.0)
+        return point
+
+
+@dataclass(frozen=True)
 class WhereItStood:
     """Where a thing stood on the bench when the episode began.
 

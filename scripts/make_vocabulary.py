@@ -16,7 +16,7 @@ from labutopia_lerobot import layout, places, predicates, skills, task, world
 from labutopia_lerobot.setting import option_help
 from labutopia_lerobot.skills import posture, skill
 from labutopia_lerobot.substances import filling
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 from piece_pictures import makers, needs_only_a_name, picture
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -63,6 +63,8 @@ def _chapters() -> Iterator[str]:
         yield from _with_attributes(kind)
     yield from _chapter("Actions", "labutopia_lerobot.tasks.actions")
     yield from _functions(f for f in vars(actions).values() if _defined_in(f, actions))
+    yield from _chapter("Mishaps", "labutopia_lerobot.tasks.mishaps")
+    yield from _functions(f for f in vars(mishaps).values() if _defined_in(f, mishaps))
     yield from _chapter("Predicates", "labutopia_lerobot.predicates")
     yield from _functions(
         fact for name in predicates.__all__ if inspect.isfunction(fact := getattr(predicates, name))

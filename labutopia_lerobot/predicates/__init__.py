@@ -17,10 +17,18 @@ from labutopia_lerobot.predicates.openables import (
     closed,
     faster,
     grasped,
+    latched,
     less_open,
     opened,
 )
-from labutopia_lerobot.predicates.placing import near, released, standing_on, struck, withdrawn
+from labutopia_lerobot.predicates.placing import (
+    near,
+    released,
+    standing_on,
+    struck,
+    touching,
+    withdrawn,
+)
 from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.predicates.squeezing import dispensed, spout_over
 from labutopia_lerobot.predicates.stirring import immersed, moving, off_axis, over_mouth
@@ -51,6 +59,7 @@ __all__ = [
     "gripped",
     "immersed",
     "knocked_over",
+    "latched",
     "less_open",
     "lifted",
     "lip_over",
@@ -73,6 +82,7 @@ __all__ = [
     "switched_on",
     "tilted",
     "touched",
+    "touching",
     "turns",
     "upright",
     "withdrawn",

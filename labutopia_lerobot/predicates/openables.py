@@ -23,6 +23,20 @@ class Bar(Thing, Protocol):
         ...
 
 
+class Engaging(Protocol):
+    """What keeps a shut door shut."""
+
+    @property
+    def joint(self) -> str:
+        """Name of the joint that tells whether it does [m]."""
+        ...
+
+    @property
+    def engaged_within(self) -> float:
+        """Position of that joint below which it does, if the door is closed [m]."""
+        ...
+
+
 class Openable(Thing, Protocol):
     """A door or drawer on one joint."""
 
@@ -38,6 +52,15 @@ class Openable(Thing, Protocol):
 
     def spell(self, position: float) -> str:
         """Write a joint position [rad or m] with a unit."""
+        ...
+
+
+class Latching(Openable, Protocol):
+    """A door that may have a catch."""
+
+    @property
+    def catch(self) -> Engaging | None:
+        """What keeps it shut, or None."""
         ...
 
 
@@ -60,6 +83,21 @@ def closed(part: Openable) -> Predicate:
     """Door or drawer is closed without a gap."""
     return Predicate(
         f"{part.name} closed", lambda world: world.joint(part.joint) < part.closed_within
+    )
+
+
+def latched(part: Latching) -> Predicate:
+    """Door is closed without a gap, and its catch has dropped in.
+
+    Raises:
+        ValueError: If the door has no catch.
+    """
+    shut, catch = closed(part), part.catch
+    if catch is None:
+        raise ValueError(f"{part.name} has no catch that could keep it shut")
+    return Predicate(
+        f"{part.name} latched",
+        lambda world: shut.holds(world) and world.joint(catch.joint) < catch.engaged_within,
     )
 
 

@@ -70,3 +70,12 @@ def struck(*things: Thing, but_for: frozenset[str] = frozenset()) -> Predicate:
         f"{' or '.join(names)} struck",
         lambda world: any(world.touched_by(name) - allowed for name in names),
     )
+
+
+def touching(thing: Thing, *others: Thing) -> Predicate:
+    """The thing touches one of the others."""
+    names = frozenset(other.name for other in others)
+    return Predicate(
+        f"{thing.name} touching {' or '.join(sorted(names))}",
+        lambda world: bool(world.touched_by(thing.name) & names),
+    )

@@ -60,6 +60,13 @@ DOOR_VIEW = View(
 """Over the robot's left shoulder, and from above and behind: a camera that faces the robot would
 see the back of an instrument. As in the original's door and drawer tasks."""
 
+OVEN_VIEW = View(
+    front=CameraPose((-0.7, -1.3, 1.7), (0.548, 0.72, -0.35), _UP, 50.0),
+    top=CameraPose((-1.0, -0.1, 3.6), (0.423, 0.0, -0.906), _FORWARD, 29.3),
+)
+"""Over the robot's right shoulder, where the open door does not hide the chamber, and from above
+and behind, as `DOOR_VIEW`."""
+
 PRESS_VIEW = View(
     front=CameraPose((-0.1, 1.8, 1.5), (0.2, -0.95, -0.2), _UP, 22.0),
     top=CameraPose((0.15, -0.08, 3.012), (0.0, 0.0, -1.0), _FORWARD, 23.7),

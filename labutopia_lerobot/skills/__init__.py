@@ -1,6 +1,7 @@
 """Skills: what scripted experts can do, one class per action."""
 
 from labutopia_lerobot.skills.close import Close
+from labutopia_lerobot.skills.go import Go
 from labutopia_lerobot.skills.open import Open
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
@@ -10,4 +11,4 @@ from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 
-__all__ = ["Close", "Open", "Pick", "Place", "Pour", "Press", "Shake", "Squeeze", "Stir"]
+__all__ = ["Close", "Go", "Open", "Pick", "Place", "Pour", "Press", "Shake", "Squeeze", "Stir"]

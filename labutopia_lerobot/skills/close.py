@@ -15,14 +15,20 @@ class Close:
 
     Attributes:
         part: The door or drawer.
+        heading: Where the hand points all the while, to the left of straight ahead of the robot
+            [rad], which a wide swing needs; None for a hand that turns with the door.
+        beyond: How far beyond the stop the hand aims [share of what is still no gap]: lightly, so
+            that none is left; more where a catch must click.
     """
 
     part: Operable
+    heading: float | None = None
+    beyond: float = 0.4
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield approach, reach, settle, grip, move, pause, release and leave."""
         done = closed(self.part)
-        beyond = -0.4 * self.part.closed_within  # lightly against the stop, so that no gap is left
+        beyond = -self.beyond * self.part.closed_within
         yield from move_by_handle(
-            self.part, world, beyond, lambda w, target, elapsed: done.holds(w)
+            self.part, world, beyond, lambda w, target, elapsed: done.holds(w), self.heading
         )

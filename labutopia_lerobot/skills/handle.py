@@ -18,12 +18,19 @@ from labutopia_lerobot.world import Pose, World
 
 _OPENING = 0.05
 """Distance between the pads around a bar [m]: keeps the outer finger 2 cm off the door."""
+_NARROW = 0.040
+"""The same for a hand that keeps its heading, and is aslant to the open door [m]."""
 _SQUEEZE = 0.012
 """How much narrower than the bar the closed gripper is commanded [m]: the full force."""
 _STANDOFF = 0.10
 """Distance at which the last approach starts and the hand's retreat ends [m] (original: 0.08)."""
 _LEAD = 0.05
 """How far ahead of the handle the hand is sent [m]: a chord of the arc that strays by 1 mm."""
+_LITTLE_LEAD = 0.02
+"""The same for a hand that keeps its heading: what strays from the arc pulls at one finger."""
+_YIELD = 0.8
+"""Share of what the bar has rolled along the pads that such a hand lets be. It rolls as the hand
+turns about it; an arm that pushed back jams it until one finger opens."""
 
 
 class Jointed(Protocol):
@@ -58,28 +65,40 @@ class Turning(Bar, Jointed, Protocol):
         ...
 
 
-def move_by_handle(part: Operable, world: World, to: float, reached: Condition) -> Iterator[Phase]:
+def move_by_handle(
+    part: Operable, world: World, to: float, reached: Condition, heading: float | None = None
+) -> Iterator[Phase]:
     """Yield approach, reach, settle, grip, turn where that must be, move, pause, release and leave.
 
     While it moves, the hand is carried along with the handle: along an arc about the hinge, with
-    its orientation turned by the same angle (spherical linear interpolation), or straight.
+    its orientation turned by the same angle (spherical linear interpolation), or straight. A hand
+    with a heading keeps that instead, and an upright bar turns between its fingers: beyond about
+    60 degrees no arm follows a door from outside.
 
     Args:
         part: The door or drawer.
         world: The world.
         to: Joint position to move to [rad or m].
         reached: When that is near enough.
+        heading: Where the hand points all the while, to the left of straight ahead of the robot
+            [rad]; None for a hand that is carried along.
     """
     handle = part.handle
+    opening = _OPENING if heading is None else _NARROW
     touches = frozenset({handle.name})
     shut = max(0.0, handle.diameter - _SQUEEZE)
     held = grasped(handle)
     yield Phase(
-        "approach", lambda w: _grasp(handle, w).advanced(-_STANDOFF), _OPENING, arrived(0.01, 0.1)
+        "approach",
+        lambda w: _grasp(handle, w, heading).advanced(-_STANDOFF),
+        opening,
+        arrived(0.01, 0.1),
     )
-    yield Phase("reach", lambda w: _grasp(handle, w), _OPENING, arrived(0.004), touches, speed=0.15)
-    here = _grasp(handle, world)
-    yield Phase("settle", lambda w: here, _OPENING, waited(0.2), touches)
+    yield Phase(
+        "reach", lambda w: _grasp(handle, w, heading), opening, arrived(0.004), touches, speed=0.15
+    )
+    here = _grasp(handle, world, heading)
+    yield Phase("settle", lambda w: here, opening, waited(0.2), touches)
     yield Phase(
         "grip",
         lambda w: here,
@@ -99,37 +118,47 @@ def move_by_handle(part: Operable, world: World, to: float, reached: Condition) 
             touches,
             speed=0.15,
         )
-    onward = _onward(handle, part, to, world)
+    onward = _onward(handle, part, to, world, turning=heading is None)
     yield Phase("move", onward, shut, reached, touches, speed=0.15, timeout_s=10.0)
     yield Phase("pause", onward, shut, waited(0.3), touches)
     there = onward(world)  # still against the stop: a hand that gave way would drag the bar along
-    yield Phase("release", lambda w: there, _OPENING, waited(0.5), touches)
+    yield Phase("release", lambda w: there, opening, waited(0.5), touches)
     away = there.advanced(-_STANDOFF)
-    yield Phase("leave", lambda w: away, _OPENING, arrived(0.01, 0.1), touches)
+    yield Phase("leave", lambda w: away, opening, arrived(0.01, 0.1), touches)
 
 
-def _onward(handle: Bar, part: Jointed, to: float, world: World) -> Target:
-    """Return where the hand on a handle would be once a joint has moved on, by `_LEAD` at most."""
-    in_hand = world.frame(handle.name).inverse() @ world.gripper
+def _onward(handle: Bar, part: Jointed, to: float, world: World, *, turning: bool = True) -> Target:
+    """Return where the hand on a handle would be once a joint has moved on, by `_LEAD` at most.
+
+    It turns with the handle, or keeps the orientation that it has.
+    """
+    hand, lead = world.gripper, _LEAD if turning else _LITTLE_LEAD
+    in_hand = world.frame(handle.name).inverse() @ hand
 
     def target(world: World) -> Pose:
         bar = world.frame(handle.name)
         way = to - world.joint(part.joint)
         moved = part.carried(bar, world, way)
         distance = bar.distance_to(moved)
-        if distance > _LEAD:
-            moved = part.carried(bar, world, way * _LEAD / distance)
-        return moved @ in_hand
+        if distance > lead:
+            moved = part.carried(bar, world, way * lead / distance)
+        if turning:
+            return moved @ in_hand
+        rolled = world.gripper.position_w - bar.position_w
+        return Pose(moved.position_w + _YIELD * rolled, hand.rotation_w)
 
     return target
 
 
-def _grasp(handle: Bar, world: World) -> Pose:
+def _grasp(handle: Bar, world: World, heading: float | None) -> Pose:
     """Gripper pose around the bar: as the robot reaches it, the fingers closing across the bar."""
     frame, approach = world.frame(handle.name), world.robot.handle_approach
     up = np.array([0.0, 0.0, 1.0])
-    left = np.cross(up, frame.x_axis)
-    level = math.cos(approach.yaw) * frame.x_axis + math.sin(approach.yaw) * left
+    if heading is None:
+        ahead, yaw = frame.x_axis, approach.yaw
+    else:
+        ahead, yaw = world.robot_base.x_axis, heading
+    level = math.cos(yaw) * ahead + math.sin(yaw) * np.cross(up, ahead)
     forward = math.cos(approach.pitch) * level - math.sin(approach.pitch) * up
     across = np.cross(forward, frame.z_axis)
     across /= np.linalg.norm(across)

@@ -16,11 +16,14 @@ class Open:
         part: The door or drawer.
         to: Position of its joint to open it to [rad or m].
         within: How far short of that the hand may let go [share of `to`].
+        heading: Where the hand points all the while, to the left of straight ahead of the robot
+            [rad], which a wide swing needs; None for a hand that turns with the door.
     """
 
     part: Operable
     to: float
     within: float = 0.02
+    heading: float | None = None
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield approach, reach, settle, grip, move, pause, release and leave."""
@@ -30,4 +33,5 @@ class Open:
             world,
             self.to,
             lambda w, target, elapsed: w.joint(self.part.joint) > enough,
+            self.heading,
         )

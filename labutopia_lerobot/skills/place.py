@@ -20,6 +20,8 @@ class Place:
         align: Height above that at which it is lined up anew, before it touches down [m].
         press: How far below that the touch-down aims, so that it surely comes [m].
         retreat: How far the open hand draws back, along its own axis [m] (original: 0.15).
+        through: What the thing is carried through on the way there, and the hand on the way back,
+            such as the opening of an oven; None for the straight way.
     """
 
     thing: Thing
@@ -28,6 +30,7 @@ class Place:
     align: float = 0.008
     press: float = 0.004
     retreat: float = 0.15
+    through: Destination | None = None
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield above, lower, align, settle, open, retract and done."""
@@ -40,6 +43,9 @@ class Place:
         above, near = end.moved(z=self.hover), end.moved(z=self.align)
         far = arrived(within=0.015)
         there = arrived(within=0.004)
+        if self.through is not None:
+            before = carried(upright_in_hand(world, thing, self.through.position_w(world)))
+            yield Phase("before", lambda w: before, shut, far, own, thing)
         yield Phase("above", lambda w: above, shut, far, own, thing)
         yield Phase("lower", lambda w: near, shut, there, own | support, thing, speed=0.15)
         below = carrier(world, thing)(upright_in_hand(world, thing, point)).moved(z=-self.press)
@@ -49,6 +55,9 @@ class Place:
         yield Phase("open", lambda w: here, wide, waited(0.5), own | support)
         back = here.advanced(-self.retreat)
         yield Phase("retract", lambda w: back, wide, far, own, speed=0.15)
+        if self.through is not None:
+            back = before
+            yield Phase("out", lambda w: back, wide, far, own)
         yield Phase("done", lambda w: back, wide, waited(0.1), own)
 
     def _landed(self, world: World, target: Pose, elapsed: float) -> bool:

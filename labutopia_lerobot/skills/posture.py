@@ -30,8 +30,19 @@ def hand_at(world: World, point_w: FloatArray, approach: Approach | None = None)
     """
     dx, dy, _ = point_w - world.robot_base.position_w
     approach = approach or world.robot.vessel_approach
-    yaw, level = math.atan2(dy, dx) + approach.yaw, math.cos(approach.pitch)
-    forward = np.array([level * math.cos(yaw), level * math.sin(yaw), -math.sin(approach.pitch)])
+    return pointing(point_w, math.atan2(dy, dx) + approach.yaw, approach.pitch)
+
+
+def pointing(point_w: FloatArray, yaw: float, pitch: float) -> Pose:
+    """Return the gripper pose at a point whose fingers close horizontally.
+
+    Args:
+        point_w: Where the point between the pads should be, shape (3,), metres, world frame.
+        yaw: Where the hand points, to the left of the world's x axis [rad].
+        pitch: Below the horizontal [rad].
+    """
+    level = math.cos(pitch)
+    forward = np.array([level * math.cos(yaw), level * math.sin(yaw), -math.sin(pitch)])
     side = np.array([math.sin(yaw), -math.cos(yaw), 0.0])
     return Pose(point_w, np.column_stack([np.cross(side, forward), side, forward]))
 

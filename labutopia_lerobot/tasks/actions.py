@@ -4,22 +4,15 @@ Tasks of all levels share them (paper, appendix "Task Details"); what a number c
 its line. A task that does an action twice gives the step another name (`Step.named`).
 """
 
-from collections.abc import Iterable, Mapping
-from dataclasses import replace
-from functools import reduce
-from operator import or_
-
 from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates import (
     Predicate,
     closed,
-    falling,
     faster,
     fingered,
     grasped,
     gripped,
     immersed,
-    knocked_over,
     less_open,
     lifted,
     lip_over,
@@ -33,10 +26,8 @@ from labutopia_lerobot.predicates import (
     pressed,
     pushed,
     released,
-    spilled,
     standing_on,
     steady,
-    struck,
     swings,
     tilted,
     turns,
@@ -106,7 +97,14 @@ def aimed(vessel: OpenVessel, into: OpenVessel) -> Predicate:
     return lip_over(vessel, into, below=0.20)  # original: 0.1 to 0.2
 
 
-def place(thing: Standing, on: Destination, *, within: float, hover: float = 0.10) -> Step:
+def place(
+    thing: Standing,
+    on: Destination,
+    *,
+    within: float,
+    hover: float = 0.10,
+    through: Destination | None = None,
+) -> Step:
     """Place: set down upright with the base in full contact, and let go.
 
     Args:
@@ -114,11 +112,13 @@ def place(thing: Standing, on: Destination, *, within: float, hover: float = 0.1
         on: Where to.
         within: How far off it may stand [m].
         hover: Height above that from which the expert lowers it [m].
+        through: What the expert carries it through, to a place inside something; None elsewhere.
     """
     there = near(thing, on, within=within)
+    retreat = 0.15 if through is None else 0.06  # original; ours: where walls are near
     return Step(
         "place",
-        (Place(thing, on, hover),),
+        (Place(thing, on, hover, retreat=retreat, through=through),),
         (
             Milestone("carried", (there, gripped(thing))),
             Milestone("placed", (there, standing_on(thing, on))),
@@ -253,46 +253,3 @@ def press(button: Button, *, hold: float) -> Step:
     in_by_finger = (fingered(button), pressed(button), pushed(button, with_force=2.0))
     pressing = Milestone("pressed", in_by_finger)
     return Step("press", (Press(button, hold),), (pressing,), (button,))
-
-
-def mishaps(
-    vessel: Standing, *, spill: float | None, pouring: Predicate | None = None
-) -> dict[str, Predicate]:
-    """Return what must not happen to a vessel that is handled.
-
-    Args:
-        vessel: What is handled.
-        spill: Share of its content that may be spilled (paper: "without spilling"; the number is
-            ours); None for an empty one.
-        pouring: What excuses a tilt where no liquid is simulated.
-    """
-    spilling = {} if spill is None else {"spilled": spilled(vessel, share=spill, unless=pouring)}
-    return {
-        "knocked_over": knocked_over(vessel, beyond_deg=30),
-        **spilling,
-        "dropped": falling(vessel, faster_than=0.4),  # paper: no drop; ours: 10 mm, less a step
-    }
-
-
-def either(*mishaps: Mapping[str, Predicate]) -> dict[str, Predicate]:
-    """Return what must happen to none of several vessels, from the `mishaps` of each."""
-    return {name: reduce(or_, (each[name] for each in mishaps)) for name in mishaps[0]}
-
-
-def sparing(
-    bystanders: Iterable[Thing], *steps: Step, but_for: frozenset[str] = frozenset()
-) -> tuple[Step, ...]:
-    """Return steps during which nothing but the bench, and what may, touches some things."""
-    spared = struck(*bystanders, but_for=but_for)
-    return tuple(replace(step, never={**step.never, "struck": spared}) for step in steps)
-
-
-def stirring_mishaps(rod: Graspable, vessel: OpenVessel, rack: Thing) -> dict[str, Predicate]:
-    """Return what must not happen while a rod from a rack stirs in a vessel."""
-    return {
-        "knocked_over": knocked_over(rod, beyond_deg=30),
-        "dropped": falling(rod, faster_than=0.4),  # as `mishaps`
-        "spilled": spilled(vessel, share=0.01),  # paper: "without causing spillage"
-        "struck": struck(vessel),
-        "rack_struck": struck(rack, but_for=frozenset({rod.name})),
-    }

@@ -5,9 +5,11 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.catch import Catch
 from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.openable import Door, Handle
+from labutopia_lerobot.labware.parts.shelf import Shelf
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
 
 _DEPTH, _WIDTH, _HEIGHT = 0.576, 0.741, 0.630
@@ -22,6 +24,10 @@ _FOOT = 0.018
 """Height of the feet, on which door and box are level [m]."""
 _WALL = 0.040
 """Insulated wall [m]."""
+_LEG = 0.030
+"""Width of the legs of its stand, of square tube, and thickness of the plate on them [m]."""
+_CATCH_INSET = 0.050
+"""From the door's free edge to its catch [m]."""
 
 _DOOR_MASS = 6.5
 """Two skins of 0.8 mm steel (4.1 kg), a double pane of 4 mm glass (1.4 kg), frame and wool [kg]."""
@@ -47,19 +53,32 @@ class DryingOven(Fixed):
     Attributes:
         name: Name of its root body; prefix of all its elements.
         ajar: How far the door stands open at the start [rad].
+        latching: Whether a roller catch keeps the door shut.
+        stand: Height of the stand below it [m]; 0 for none.
+        shelf_height: Of the shelf's middle above the feet [m]; it hangs on rails.
     """
 
     name: str
     ajar: float = 0.0
+    latching: bool = False
+    stand: float = 0.0
+    shelf_height: float = (_FOOT + _HEIGHT) / 2
 
     @property
     def door(self) -> Door[Handle]:
+        name = f"{self.name}_door"
         handle = Handle(f"{self.name}_handle", _HANDLE_LENGTH)
-        return Door(f"{self.name}_door", handle, widest=_WIDEST, closed_within=_SEAL)
+        catch = Catch(f"{name}_catch") if self.latching else None
+        return Door(name, handle, _WIDEST, _SEAL, catch)
+
+    @property
+    def shelf(self) -> Shelf:
+        """Where to put things."""
+        return Shelf(f"{self.name}_shelf")
 
     @property
     def bodies(self) -> frozenset[str]:
-        return frozenset({self.name, self.door.name, self.door.handle.name})
+        return frozenset({self.name, self.shelf.name, self.door.name, self.door.handle.name})
 
     @property
     def footprint_radius(self) -> float:
@@ -73,19 +92,25 @@ class DryingOven(Fixed):
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.
 
-        Sites: frames of the door's joint and handle (see `Door`, `Handle`).
+        Sites: frames of the door's joint, of its handle and of the shelf (see `Door`, `Handle`,
+        `Shelf`).
 
         Returns:
             The body; its origin is the centre of the base, z up.
         """
         self._add_materials(spec)
         box = parent.add_body(name=self.name)
+        if self.stand:
+            self._add_stand(box)
         self._add_box(box)
-        hinge = (-_DEPTH / 2, _WIDTH / 2, _FOOT)
+        hinge = (-_DEPTH / 2, _WIDTH / 2, self.stand + _FOOT)
         door = self.door.add_to(
             spec, box, hinge, ajar=self.ajar, friction=_FRICTION, damping=_DAMPING
         )
         self._add_door(door)
+        if self.door.catch is not None:
+            edge = (-_DOOR_THICKNESS / 2, _CATCH_INSET - _DOOR_WIDTH, _DOOR_HEIGHT)
+            self.door.catch.add_to(box, door, hinge, edge, f"{self.name}_metal")
         return box
 
     def _add_materials(self, spec: mujoco.MjSpec) -> None:
@@ -102,10 +127,21 @@ class DryingOven(Fixed):
             ("digits", (0.95, 0.35, 0.15, 1.0), 0.0),
         )
 
+    def _add_stand(self, body: mujoco.MjsBody) -> None:
+        """Add four legs and the plate that the oven stands on."""
+        x, y, half = _DEPTH / 2, _WIDTH / 2, _LEG / 2
+        material = f"{self.name}_trim"
+        plate, top = (x, y, half), (0.0, 0.0, self.stand - half)
+        add_part(body, f"{self.name}_stand_plate", plate, top, material)
+        leg = (half, half, self.stand / 2 - half)
+        for corner, (end, side) in enumerate(((-1, -1), (-1, 1), (1, -1), (1, 1))):
+            at = (end * (x - half), side * (y - half), self.stand / 2 - half)
+            add_part(body, f"{self.name}_stand_leg_{corner}", leg, at, material)
+
     def _add_box(self, body: mujoco.MjsBody) -> None:
         """Add the hollow box behind the door and the control column to the right of it."""
         x, y = _DEPTH / 2, _WIDTH / 2
-        bottom, top = _FOOT, _HEIGHT
+        bottom, top = self.stand + _FOOT, self.stand + _HEIGHT
         middle, tall = (bottom + top) / 2, (top - bottom) / 2
         right = y - _DOOR_WIDTH  # where the door ends and the control column begins
         chamber, wide = (y + right) / 2, _DOOR_WIDTH / 2
@@ -120,9 +156,10 @@ class DryingOven(Fixed):
         }
         for wall, (size, pos) in walls.items():
             add_part(body, f"{self.name}_{wall}", size, pos, f"{self.name}_shell")
-        shelf = (x - _WALL, wide - _WALL / 2, 0.003)
-        add_part(body, f"{self.name}_shelf", shelf, (0, chamber, middle), f"{self.name}_inside")
-        add_feet(body, self.name, (x, y), _FOOT, f"{self.name}_trim")
+        plate = (2 * (x - _WALL), 2 * wide - _WALL)
+        level = (0.0, chamber - half, self.stand + self.shelf_height)
+        self.shelf.add_to(body, plate, level, f"{self.name}_inside")
+        add_feet(body, self.name, (x, y), _FOOT, f"{self.name}_trim", above=self.stand)
         self._add_controls(body, -x, column)
 
     def _add_controls(self, body: mujoco.MjsBody, front: float, column: float) -> None:
@@ -133,13 +170,13 @@ class DryingOven(Fixed):
             ("digits", "digits", (0.003, 0.030, 0.012), 0.49),
             ("power", "display", (0.004, 0.015, 0.022), 0.15),
         ):
-            pos = (front, column, height)
+            pos = (front, column, self.stand + height)
             add_look(body, f"{self.name}_{part}", size, pos, f"{self.name}_{material}")
         add_look(
             body,
             f"{self.name}_knob",
             (0.028, 0.010, 0.0),
-            (front - 0.008, column, 0.33),
+            (front - 0.008, column, self.stand + 0.33),
             f"{self.name}_metal",
             shape=CYLINDER,
             quat=(_QUARTER, 0.0, _QUARTER, 0.0),

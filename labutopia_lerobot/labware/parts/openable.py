@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.labware.parts.catch import Catch
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_part
 from labutopia_lerobot.world import Pose, World
 from labutopia_lerobot.world.model import COLLISION_GROUP
@@ -75,12 +76,14 @@ class Door[Grip]:
         handle: What to hold it by.
         widest: Angle at which it stops [rad].
         closed_within: Angle below which there is no gap [rad].
+        catch: What keeps it shut, if anything; whoever builds the door adds it to it.
     """
 
     name: str
     handle: Grip
     widest: float
     closed_within: float
+    catch: Catch | None = None
 
     @property
     def joint(self) -> str:

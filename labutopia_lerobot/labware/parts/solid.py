@@ -78,7 +78,13 @@ def add_look(
 
 
 def add_feet(
-    body: mujoco.MjsBody, name: str, base: tuple[float, float], height: float, material: str
+    body: mujoco.MjsBody,
+    name: str,
+    base: tuple[float, float],
+    height: float,
+    material: str,
+    *,
+    above: float = 0.0,
 ) -> None:
     """Add four round feet to be seen, `<name>_foot_0` to `_3`, near the corners of a base.
 
@@ -86,11 +92,12 @@ def add_feet(
         body: What stands on them.
         name: Prefix of the geoms.
         base: Half depth and half width of the base, whose centre is the body's origin [m].
-        height: From the bench to the base [m].
+        height: From what they stand on to the base [m].
         material: Name of a material of the spec.
+        above: How high they stand above the body's origin [m].
     """
     x, y = base
     for foot, (side, end) in enumerate(((-1, -1), (-1, 1), (1, -1), (1, 1))):
-        pos = (side * 0.85 * x, end * 0.85 * y, height / 2)
+        pos = (side * 0.85 * x, end * 0.85 * y, above + height / 2)
         size = (0.02, height / 2, 0.0)
         add_look(body, f"{name}_foot_{foot}", size, pos, material, shape=CYLINDER)

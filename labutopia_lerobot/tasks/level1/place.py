@@ -11,7 +11,7 @@ from labutopia_lerobot.predicates import struck
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 
 
 def place() -> Task:
@@ -33,7 +33,7 @@ def place() -> Task:
         steps=(actions.place(vessel, OnTop(plate), within=within),),
         goal=actions.left_standing(vessel, OnTop(plate), within=within),
         never={
-            **actions.mishaps(vessel, spill=None),
+            **mishaps.handling(vessel, spill=None),
             "struck": struck(plate, but_for=frozenset({vessel.name})),
         },
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz

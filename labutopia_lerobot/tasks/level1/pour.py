@@ -11,7 +11,7 @@ from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 
 
 def pour() -> Task:
@@ -43,7 +43,7 @@ def pour_from(vessel: Vessel) -> Task:
         ),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            **actions.mishaps(vessel, spill=0.05, pouring=actions.aimed(vessel, target)),
+            **mishaps.handling(vessel, spill=0.05, pouring=actions.aimed(vessel, target)),
             "struck": struck(target),
         },
         time_limit_s=1500 / 60,  # original: 1500 steps at 60 Hz

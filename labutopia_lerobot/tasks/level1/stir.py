@@ -12,7 +12,7 @@ from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 
 
 def stir() -> Task:
@@ -44,7 +44,7 @@ def stir() -> Task:
             steady(rod, below=0.05),  # ours: as in Pick; a long rod shows every tremble of a hand
         ),
         contents={vessel: filling},
-        never=actions.stirring_mishaps(rod, vessel, rack),
+        never=mishaps.stirring(rod, vessel, rack),
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
         view=WIDEST_VESSEL_VIEW,
     )

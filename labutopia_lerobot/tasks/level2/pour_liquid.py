@@ -12,7 +12,7 @@ from labutopia_lerobot.predicates import struck, upright
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 
 
 def pour_liquid() -> Task:
@@ -44,7 +44,7 @@ def pour_from(vessel: Vessel) -> Task:
         goal=actions.left_standing(vessel, bench, within=within),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            **actions.mishaps(vessel, spill=0.05, pouring=actions.aimed(vessel, target)),
+            **mishaps.handling(vessel, spill=0.05, pouring=actions.aimed(vessel, target)),
             "struck": struck(target),
         },
         # The original's 1000 steps at 60 Hz have no setting down; ours: twice the expert's median.

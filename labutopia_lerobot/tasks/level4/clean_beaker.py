@@ -11,7 +11,7 @@ from labutopia_lerobot.predicates import struck
 from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 
 
 def clean_beaker() -> Task:
@@ -35,13 +35,13 @@ def clean_beaker() -> Task:
             waste: OnBench(x=(0.18, 0.30), y=(-0.36, -0.28)),
         },
         steps=(
-            *actions.sparing(
+            *mishaps.sparing(
                 (dirty,),
                 actions.pick(full).named("1_pick"),
                 actions.pour(full, dirty).named("2_pour"),
                 actions.place(full, home, within=within).named("3_place"),
             ),
-            *actions.sparing(
+            *mishaps.sparing(
                 (full,),
                 actions.pick(dirty).named("4_pick"),
                 actions.shake(dirty, middle).named("5_shake"),
@@ -55,9 +55,9 @@ def clean_beaker() -> Task:
         ),
         contents={full: Filling(ml=80)},  # ours: a quarter of what a beaker holds
         never={
-            **actions.either(
-                actions.mishaps(full, spill=0.05, pouring=actions.aimed(full, dirty)),
-                actions.mishaps(dirty, spill=0.05, pouring=actions.aimed(dirty, waste)),
+            **mishaps.of_any(
+                mishaps.handling(full, spill=0.05, pouring=actions.aimed(full, dirty)),
+                mishaps.handling(dirty, spill=0.05, pouring=actions.aimed(dirty, waste)),
             ),
             "waste_struck": struck(waste),
         },

@@ -18,7 +18,7 @@ from labutopia_lerobot.scenario import Draw
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 from labutopia_lerobot.tasks.level1.open_door import BEGUN, HASTY
 
 JOBS = {
@@ -41,20 +41,20 @@ def open_transport_pour(draw: Draw) -> Task:
     blue = TargetPlate("blue_plate", color=PORCELAIN, glaze=COLORS["blue"])
     plates, within = frozenset({red.name, blue.name}), 0.04  # as transport_beaker
     steps = {
-        "open": actions.sparing(
+        "open": mishaps.sparing(
             (vessel, flask),
             actions.open_by_handle(
                 door, to=OPEN_TO, begun=BEGUN, pull=math.radians(33), hasty=HASTY
             ).named("open"),
             but_for=plates,
         ),
-        "transport": actions.sparing(
+        "transport": mishaps.sparing(
             (flask,),
             actions.pick(vessel).named("transport_pick"),
             actions.place(vessel, OnTop(red), within=within).named("transport_place"),
             but_for=plates,
         ),
-        "pour": actions.sparing(
+        "pour": mishaps.sparing(
             (vessel,),
             actions.pick(flask).named("pour_pick"),
             actions.pour(flask, target).named("pour"),
@@ -85,9 +85,9 @@ def open_transport_pour(draw: Draw) -> Task:
         ),
         contents={vessel: Filling(ml=100), flask: Filling(ml=100)},  # ours: a third of each
         never={
-            **actions.either(
-                actions.mishaps(vessel, spill=0.01),  # as transport_beaker
-                actions.mishaps(flask, spill=0.05, pouring=actions.aimed(flask, target)),
+            **mishaps.of_any(
+                mishaps.handling(vessel, spill=0.01),  # as transport_beaker
+                mishaps.handling(flask, spill=0.05, pouring=actions.aimed(flask, target)),
             ),
             "target_struck": struck(target),
             "red_plate_struck": struck(red, but_for=frozenset({vessel.name})),
