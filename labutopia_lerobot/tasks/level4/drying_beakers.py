@@ -63,6 +63,8 @@ def drying_beakers() -> Task:
         ),
         # Original: oven at x 0.55 to 0.60, y 0.13 to 0.18, beakers at x 0.15 to 0.20, y 0.23 to
         # 0.28 and 0.35 to 0.40, where the door, which it leaves open, would be shut over the hand.
+        # Ours: an oven further left has its open door's handle out of reach, further right the
+        # forearm meets that door, further back the arm is stretched out over the shelf.
         start={
             oven: OnBench(x=(0.57, 0.60), y=(-0.045, -0.005), yaw=(-YAW, YAW)),
             large: OnBench(x=(0.00, 0.06), y=(-0.14, -0.06)),
