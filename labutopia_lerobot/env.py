@@ -15,7 +15,7 @@ from labutopia_lerobot.features import (
     observation_space,
 )
 from labutopia_lerobot.scenario import Scenario
-from labutopia_lerobot.setting import Setting, require_choices
+from labutopia_lerobot.setting import Setting, UnknownOptionError, require_choices
 from labutopia_lerobot.sim.workcell import Workcell, Workcells
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.task import SUCCESS, TIMEOUT
@@ -44,6 +44,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         render_mode: `rgb_array`.
 
     Raises:
+        TaskError: If the task does not have the step of the setting.
         UnknownOptionError: If the task does not have the axes of the setting.
         ImpossibleStartError: If things cannot stand where the task wants them.
         ImpossibleFillingError: If vessels cannot hold what the task puts into them.
@@ -104,11 +105,16 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
         Raises:
             TaskError: If there is no such step.
+            UnknownOptionError: If a step is played alone, which has its own beginning.
         """
         seed = None if seed is None else operator.index(seed)  # NumPy's integers too, no floats
         super().reset(seed=seed)
         self.seed = int(self.np_random.integers(2**31)) if seed is None else seed
         after = (options or {}).get("after")
+        if after is not None and self.setting.step is not None:
+            raise UnknownOptionError(
+                f"step={self.setting.step} begins behind the step before it: leave `after` out"
+            )
         self._playing = self._workcells.begin(self.seed, after)
         return self._observe(), self._info()
 

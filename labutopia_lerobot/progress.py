@@ -49,6 +49,8 @@ class Progress:
     Args:
         task: What is judged.
         after: Step behind which the episode begins: its milestones and those before have latched.
+        until: Step with which it ends, as soon as that is done; the last is done when the goal has
+            held. None for the last.
 
     Attributes:
         history: Every named predicate of the task, when it held.
@@ -56,24 +58,27 @@ class Progress:
         counted: How much of its count the first milestone that has not latched has seen.
         outcome: "running", "success", "timeout", "diverged", "interrupted" (a milestone's `keeping`
             broke), or the key of the breach: of a `never`, "broken" or "collided".
-        ever: Whether the goal held at any instant after the last step.
+        ever: Whether the goal held at any instant after the last step, or `until` was done.
 
     Raises:
-        TaskError: If there is no step `after`.
+        TaskError: If there is no step `after` or `until`.
     """
 
-    def __init__(self, task: Task, after: str | None = None) -> None:
+    def __init__(self, task: Task, after: str | None = None, until: str | None = None) -> None:
         self._task = task
         self._predicates = task.facts
         self._breaches = task.breaches
-        self._hold_steps = round(HOLD_S * CONTROL_HZ)
-        self._course = [(step, milestone) for step in task.steps for milestone in step.milestones]
         done = task.steps_until(after) if after is not None else ()
+        played = task.steps_until(until) if until is not None else task.steps
+        whole = len(played) == len(task.steps)
+        self._goal, hold_s = (task.goal, HOLD_S) if whole else ((), 0.0)
+        self._hold_steps = round(hold_s * CONTROL_HZ)
+        self._course = [(step, milestone) for step in played for milestone in step.milestones]
         self._latched = sum(len(step.milestones) for step in done)
         self.history = {name: History() for name in self._predicates}
         self.milestones: dict[str, float | None] = {
             milestone.name: 0.0 if index < self._latched else None
-            for index, (_, milestone) in enumerate(self._course)
+            for index, milestone in enumerate(task.milestones)
         }
         self.outcome = RUNNING
         self.ever = False
@@ -95,14 +100,14 @@ class Progress:
 
     @property
     def step(self) -> Step | None:
-        """The first step that is not done, or None behind the last."""
+        """The first step that is not done, or None behind the last that is played."""
         return self._course[self._latched][0] if self._latched < len(self._course) else None
 
     @property
     def awaited(self) -> tuple[Predicate, ...]:
         """What must hold next: for the first milestone that has not latched, or else the goal."""
         if self._latched == len(self._course):
-            return self._task.goal
+            return self._goal
         milestone = self._course[self._latched][1]
         if self._passed == len(milestone.via):
             following = milestone.when
@@ -173,7 +178,7 @@ class Progress:
         return enough and self._holds(*milestone.when)
 
     def _clock_the_goal(self) -> None:
-        if self.step is None and self._holds(*self._task.goal):
+        if self.step is None and self._holds(*self._goal):
             self.ever = True
             self._goal_since = self._steps if self._goal_since is None else self._goal_since
         else:

@@ -64,6 +64,8 @@ class Setting:
         particles: In how many particles the liquid of a task is divided.
         robot: What plays, an arm of `robots.ROBOTS`.
         room: Where, one of `scenes.ROOMS`.
+        step: A step of the task, such as 3_place, to be played alone: the expert plays those
+            before it, and the episode is over when it is done; null for the whole task.
 
     Raises:
         UnknownOptionError: If a value is impossible; the message says which are possible.
@@ -82,6 +84,7 @@ class Setting:
     particles: int = PARTICLES
     robot: str = DEFAULT_ROBOT
     room: str = DEFAULT_ROOM
+    step: str | None = None
 
     def __post_init__(self) -> None:
         for name in ("cameras", "axes"):

@@ -40,6 +40,22 @@ def success_needs_two_seconds_of_the_goal(env: LabEnv) -> None:
     require(held >= least, f"the goal held for {held} control steps only, not {least:g}")
 
 
+def a_step_can_begin_where_the_one_before_is_done(env: LabEnv) -> None:
+    """The expert wins too if every step is begun anew in the moment in which it may begin.
+
+    There a policy per step takes over, and there the demonstrations of a single step begin.
+    """
+    env.reset(seed=100)
+    *before, _ = env.workcell.task.steps
+    if before:
+        info = env.reset(seed=100, options={"after": before[-1].name})[1]
+        tries = info["prelude_failures"] + 1
+        require(tries == 1, f"seed 100: it took {tries} tries to play the steps before one by one")
+        _finish(env)
+        outcome = env.workcell.progress.outcome
+        require(outcome == SUCCESS, f"seed 100, played step by step, ends with {outcome}")
+
+
 def the_expert_wins_at_least_nine_of_ten(env: LabEnv) -> None:
     """Of the first ten seeds from 100, with as much liquid as everywhere else."""
     usual = LabEnv(replace(env.setting, particles=PARTICLES))
@@ -57,6 +73,11 @@ def the_expert_wins_at_least_nine_of_ten(env: LabEnv) -> None:
 def _play(env: LabEnv, seed: int) -> Expert:
     """Play the expert's episode to its end; return the expert."""
     env.reset(seed=seed)
+    return _finish(env)
+
+
+def _finish(env: LabEnv) -> Expert:
+    """Play the expert from a reset on to the end of the episode; return the expert."""
     script = env.expert()
     script.start()
     over = False
@@ -70,5 +91,6 @@ CHECKS = (
     expert_commands_are_never_clipped,
     the_expert_touches_only_what_its_phases_list,
     success_needs_two_seconds_of_the_goal,
+    a_step_can_begin_where_the_one_before_is_done,
     the_expert_wins_at_least_nine_of_ten,
 )

@@ -34,7 +34,7 @@ def main() -> None:
     parser.add_argument(
         "--batch-size", type=int, help="frames per step (default: the recipe's)", metavar="FRAMES"
     )
-    parser.add_argument("--out", type=Path, help="default: outputs/train/POLICY/LEVEL/TASK")
+    parser.add_argument("--out", type=Path, help="default: outputs/train/POLICY/LEVEL/TASK[/STEP]")
     arguments = parser.parse_args()
     command = training_command(
         arguments.policy, arguments.dataset, arguments.epochs, arguments.batch_size, arguments.out
@@ -64,13 +64,12 @@ def training_command(
     for name, value in {"epochs": epochs, "batch-size": batch_size}.items():
         if value is not None and value < 1:
             raise RecipeError(f"--{name} {value} is too small: at least 1")
-    name = "/".join(dataset.resolve().parts[-2:])
     command = [
         "lerobot-train",
         f"--config_path={file}",
         f"--dataset.repo_id=local/{dataset.resolve().name}",
         f"--dataset.root={dataset}",
-        f"--output_dir={out or Path('outputs/train') / policy / name}",
+        f"--output_dir={out or Path('outputs/train') / policy / _place(dataset)}",
     ]
     size = batch_size or recipe["batch_size"]
     if batch_size is not None:
@@ -104,6 +103,15 @@ def trained_frames(episodes: Iterable[tuple[str, int]], recipe: dict[str, Any]) 
         for lengths in of.values()
         for frames in lengths[: len(lengths) - math.ceil(len(lengths) * split)]
     )
+
+
+def _place(dataset: Path) -> str:
+    """Return where, below a policy's folder, evaluations look for what a dataset trains."""
+    name = "/".join(dataset.resolve().parts[-2:])
+    file = dataset / "meta" / "labutopia.json"
+    recorded = read_json_object(file, RecipeError).get("config", {}) if file.is_file() else {}
+    step = recorded.get("step")
+    return name if step is None else f"{name.removesuffix(f'-{step}')}/{step}"
 
 
 def _policies() -> list[str]:

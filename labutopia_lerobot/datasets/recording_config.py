@@ -43,7 +43,8 @@ class RecordingConfig:
         launcher: `local`, or `ray`: on every machine of a Ray cluster, whatever `workers` says.
         seed: Candidate i resets with `seed + i`.
         root: Folder of the dataset, or of those of several tasks; `outputs/datasets/<task>` when
-            empty, and `outputs/datasets/level<level>` for several tasks together.
+            empty, and `outputs/datasets/level<level>` for several tasks together; of a step
+            `<task>-<step>`.
         repo_id: Name of the dataset on the Hub; `local/<name of the task or level>` when empty.
     """
 
@@ -81,11 +82,12 @@ class RecordingConfig:
             RecordingOptionError: If one folder or name is given for several datasets.
             UnknownTaskError: If no task is named, or one that does not exist.
         """
-        tasks = self.tasks
+        tasks, step = self.tasks, getattr(self, "step", None)
+        only = "" if step is None else f"-{step}"
         if len(tasks) == 1 or self.together:
             task = tasks if len(tasks) > 1 else tasks[0]
             name = "+".join(f"level{level}" for level in _listed(self.level)) if self.level else ""
-            name = tasks[0] if len(tasks) == 1 else name or "together"
+            name = (tasks[0] if len(tasks) == 1 else name or "together") + only
             yield self._one(task, self.root or f"outputs/datasets/{name}", name)
             return
         if self.repo_id:
@@ -94,7 +96,8 @@ class RecordingConfig:
                 "leave it out, or record them with together=true"
             )
         for task in tasks:
-            yield self._one(task, f"{self.root or 'outputs/datasets'}/{task}", task)
+            name = task + only
+            yield self._one(task, f"{self.root or 'outputs/datasets'}/{name}", name)
 
     def setting(self, task: str) -> Setting:
         """Return what is played and observed of a task.

@@ -74,8 +74,9 @@ def open_checkpoint(
     obs: str | None = None,
     device: str | None = None,
     rename: Mapping[str, str] | None = None,
+    one_of_several: bool = False,
 ) -> Checkpoint:
-    """Find the checkpoint for a task and make sure that it can play it.
+    """Find the checkpoint for a task, or a step of it, and make sure that it can play it.
 
     The elements of `environment_state` are compared by name while the dataset of the training is on
     this machine, since LeRobot keeps the shapes only; otherwise by number. Then a checkpoint of
@@ -88,11 +89,12 @@ def open_checkpoint(
         obs: What it must have been trained on, `pixels` or `state`, or None for either.
         device: Device of torch, or None for CUDA where there is one.
         rename: Our key -> what the policy calls it; None or empty for the checkpoint's own.
+        one_of_several: See `find_checkpoint`.
 
     Raises:
         CheckpointError: If there is none, or it cannot play the task.
     """
-    folder = find_checkpoint(str(path), policy, setting.task, obs)
+    folder = find_checkpoint(str(path), policy, setting.task, obs, setting.step, one_of_several)
     checkpoint_files(folder)
     require_harmless(folder)
     base = adapted(folder)

@@ -26,36 +26,66 @@ _INNER = tuple(
 training (`--ema.enable=true`), it evaluates the average itself, and so do we."""
 
 
-def find_checkpoint(path: str, policy: str | None, task_id: str, obs: str | None) -> Path:
-    """Return the folder of the checkpoint for a task, with links such as `last` followed.
+def find_checkpoint(
+    path: str,
+    policy: str | None,
+    task_id: str,
+    obs: str | None,
+    step: str | None = None,
+    one_of_several: bool = False,
+) -> Path:
+    """Return the folder of the checkpoint for a task or step, with links such as `last` followed.
 
     Args:
         path: A `pretrained_model` folder, an `output_dir` of `lerobot-train`, a folder that holds
-            either of them per task, such as `level1/pick`, or a Hub id, which is downloaded.
+            either of them per task, such as `level1/pick`, or per step of it, such as
+            `level4/clean_beaker/3_place` or, of one task, `3_place`, or a Hub id, which is
+            downloaded.
         policy: LeRobot's name of the policy, for what is said if there is none.
         task_id: The task.
         obs: `pixels` or `state`, likewise.
+        step: Its step, or None for the whole task.
+        one_of_several: Whether other steps are played by other policies, so that what `path` holds
+            itself is none of them.
 
     Raises:
         CheckpointError: If there is none.
     """
-    for folder in (Path(path) / task_id, Path(path)):
+    place = task_id if step is None else f"{task_id}/{step}"
+    folders = [Path(path) / place, *([] if step is None else [Path(path) / step])]
+    for folder in folders if one_of_several else [*folders, Path(path)]:
         for inner in ("", *_INNER):
             if (folder / inner / CONFIG).is_file():
                 return (folder / inner).resolve()
-    downloaded = None if Path(path).exists() else download(path)
+    downloaded = None if one_of_several or Path(path).exists() else download(path)
     if downloaded is not None:
         return downloaded.resolve()
-    name = task_id.rpartition("/")[2]
+    raise CheckpointError(_nothing_there(Path(path), policy, task_id, obs, step, one_of_several))
+
+
+def _nothing_there(
+    path: Path,
+    policy: str | None,
+    task_id: str,
+    obs: str | None,
+    step: str | None,
+    one_of_several: bool,
+) -> str:
+    """Return that a place holds no checkpoint, with the commands that make one."""
+    place, named, only = task_id, task_id, ""
+    if step is not None:
+        place, named, only = f"{task_id}/{step}", f"{task_id}-{step}", f" step={step}"
+    wanted = [CONFIG, "checkpoints/last/pretrained_model", place]
+    looked = place if one_of_several else f"{', '.join(wanted[:-1])} nor {wanted[-1]}"
     recorded, recipe = (" obs=state", "train_state") if obs == "state" else ("", "train")
     file = shipped("policies") / str(policy) / f"{recipe}.json"
     settings = f"--config_path={file}" if file.is_file() else f"--policy.type={policy or 'act'}"
-    raise CheckpointError(
-        f"No checkpoint for {task_id} at policy.path={path}: it has neither {CONFIG}, nor "
-        f"checkpoints/last/pretrained_model, nor {task_id}. Make one:\n"
-        f"  labutopia-record task={task_id}{recorded}\n"
-        f"  lerobot-train {settings} --dataset.repo_id=local/{name} "
-        f"--dataset.root=outputs/datasets/{task_id} --output_dir={Path(path) / task_id}"
+    return (
+        f"No checkpoint for {task_id}{only} at policy.path={path}, which holds no {looked}. "
+        "Make one:\n"
+        f"  labutopia-record task={task_id}{only}{recorded}\n"
+        f"  lerobot-train {settings} --dataset.repo_id=local/{named.rpartition('/')[2]} "
+        f"--dataset.root=outputs/datasets/{named} --output_dir={path / place}"
     )
 
 

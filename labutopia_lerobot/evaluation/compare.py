@@ -123,7 +123,8 @@ def _episodes(rows: Iterable[Row], which: str) -> Mapping[tuple[Any, ...], Row]:
     """Return the rows by what tells which episode it was."""
     found: dict[tuple[Any, ...], Row] = {}
     for row in rows:
-        key = (row.task, row.split, *row.axes, row.play, row.seed, row.liquid, row.robot, row.room)
+        played = (row.task, row.step, row.split, *row.axes, row.play)
+        key = (*played, row.seed, row.liquid, row.robot, row.room)
         if key in found:
             raise NothingCommonError(
                 f"The {which} result holds {row.task}, split {row.split}, seed {row.seed} twice, "

@@ -9,9 +9,12 @@ from typing import Any
 from omegaconf import MISSING
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.row import SINGLE, STAGED
 from labutopia_lerobot.evaluation.uncertainty.planning import require_precision
 from labutopia_lerobot.registry import choose_tasks, levels_with_tasks
 from labutopia_lerobot.setting import SPLITS, require_choices, with_setting
+
+BOTH = "both"
 
 
 class EvaluationOptionError(UserError, ValueError):
@@ -25,7 +28,8 @@ class PolicyConfig:
     Attributes:
         name: `expert`, `random`, `still`, `remote`, LeRobot's name of a learned policy, or null for
             whatever type the checkpoint is.
-        path: Checkpoint of a learned policy: a folder, one with a checkpoint per task, or a Hub id
+        path: Checkpoint of a learned policy: a folder, one with a checkpoint per task
+            (`level4/clean_beaker`) or per step of it (`level4/clean_beaker/3_place`), or a Hub id
             such as `org/name` or `org/name@revision`. With `remote`, where LeRobot's server finds
             it.
         device: Device of torch for a learned policy; CUDA where there is one when null.
@@ -64,7 +68,9 @@ class EvaluationConfig:
         task: Task id, or the bare name of a task of the level.
         level: 1 to 5, a list of these, or `all`.
         split: `id`, `train`, `ood`, or a list.
-        episodes: Episodes per task and split.
+        play: `single`: one policy plays all steps of a task. `staged`: one policy per step, each
+            from the moment in which the step before it is done. Or `both`, one after the other.
+        episodes: Episodes per task, split and way of playing.
         seed: Episode i resets with `seed + i`; training seeds begin at 0.
         obs: `pixels` or `state`; what the checkpoint was trained on, or else `state`, when null.
         workers: Processes that play; the result does not depend on it.
@@ -72,7 +78,7 @@ class EvaluationConfig:
             told apart from `versus`; `episodes` are then the most that are played.
         versus: Result folder of another policy, to be told apart from with `until`.
         episodes_for: Play nothing; tell how many episodes this precision costs, such as 0.05.
-        videos: How many successes and how many failures to film, per task and split.
+        videos: How many successes and how many failures to film, of each of these.
         out: Folder of the result.
     """
 
@@ -80,6 +86,7 @@ class EvaluationConfig:
     task: str | None = None
     level: Any = None
     split: Any = "id"
+    play: str = SINGLE
     episodes: int = 100
     seed: int = 100_000
     obs: str | None = None
@@ -103,6 +110,11 @@ class EvaluationConfig:
     def splits(self) -> list[str]:
         return list(dict.fromkeys(_listed(self.split)))
 
+    @property
+    def plays(self) -> list[str]:
+        """Ways of playing: `single`, `staged`, or the one and then the other."""
+        return [SINGLE, STAGED] if self.play == BOTH else [self.play]
+
     def check(self) -> None:
         """Check every value that stands for itself.
 
@@ -117,6 +129,7 @@ class EvaluationConfig:
                     f"{name}={getattr(self, name)} is too small: {name} is at least {least}"
                 )
         require_choices("split", self.splits, SPLITS)
+        require_choices("play", [self.play], (SINGLE, STAGED, BOTH))
         if self.versus is not None and self.until is None:
             raise EvaluationOptionError("versus= needs until=, such as until=0.05")
         if self.until is not None:

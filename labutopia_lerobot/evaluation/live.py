@@ -9,12 +9,12 @@ from rich.console import Console
 from rich.progress import TaskID
 
 from labutopia_lerobot.evaluation.rollout import Pairing
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.row import SINGLE, Row, Series
 from labutopia_lerobot.runtime.bars import LogLines, counting_bars
 
 
 class LiveProgress:
-    """One bar for all episodes, with rate and time left, and one per task with its successes.
+    """One bar for all episodes, with rate and time left, and one per series with its successes.
 
     Args:
         pairings: What is played.
@@ -26,10 +26,9 @@ class LiveProgress:
         self._bars = counting_bars(console)
         self._lines = LogLines(console)
         self._all = self._bars.add_task("Playing", total=len(pairings) * episodes, note="")
-        settings = (pairing.setting for pairing in pairings)
-        self._of: dict[tuple[str, str], TaskID] = {
-            (s.task, s.split): self._bars.add_task(f"{s.task} {s.split}", total=episodes, note="")
-            for s in settings
+        self._of: dict[Series, TaskID] = {
+            pairing.series: self._bars.add_task(_told(pairing.series), total=episodes, note="")
+            for pairing in pairings
         }
         self._successes = dict.fromkeys(self._of, 0)
         self._played = 0
@@ -62,15 +61,14 @@ class LiveProgress:
         self._log(row, rate)
 
     def _count(self, row: Row) -> None:
-        key = row.task, row.split
-        self._successes[key] += row.success
+        self._successes[row.series] += row.success
         self._bars.advance(self._all)
-        self._bars.advance(self._of[key])
-        self._bars.update(self._of[key], note=self._running(row))
+        self._bars.advance(self._of[row.series])
+        self._bars.update(self._of[row.series], note=self._running(row))
 
     def _running(self, row: Row) -> str:
-        done = round(self._bars.tasks[self._of[row.task, row.split]].completed)
-        won = self._successes[row.task, row.split]
+        done = round(self._bars.tasks[self._of[row.series]].completed)
+        won = self._successes[row.series]
         return f"{won}/{done} succeeded, {100 * won / done:.0f} %"
 
     def _log(self, row: Row, rate: float) -> None:
@@ -78,6 +76,11 @@ class LiveProgress:
         left_min = (bar.remaining or 0.0) / rate
         self._lines.write(
             f"Playing {bar.completed:.0f}/{bar.total:.0f}, {rate:.1f} episodes/min, "
-            f"{left_min:.1f} min left; {row.task} {row.split}: {self._running(row)}",
+            f"{left_min:.1f} min left; {_told(row.series)}: {self._running(row)}",
             at_once=bar.finished,
         )
+
+
+def _told(series: Series) -> str:
+    task, split, play = series
+    return " ".join([task, split, *([play] if play != SINGLE else [])])

@@ -1,6 +1,6 @@
 """What the rows of an evaluation come from: options, code, versions, weights."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -12,6 +12,7 @@ from labutopia_lerobot.evaluation.harmless import CONFIG, CheckpointError
 from labutopia_lerobot.evaluation.json_object import read_json_object
 from labutopia_lerobot.evaluation.rollout import Pairing
 from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.staged import Staged
 from labutopia_lerobot.runtime import provenance
 
 _FREE = ("out", "workers", "videos")
@@ -29,17 +30,14 @@ def origin(config: EvaluationConfig, pairings: Sequence[Pairing]) -> dict[str, A
         CheckpointError: If a file of a checkpoint cannot be read.
     """
     tasks_dir = pairings[0].setting.tasks_dir
+    tasks = dict.fromkeys(pairing.setting.task for pairing in pairings)
     # Of each once, whatever its splits: weights may be large.
-    policies = {pairing.setting.task: pairing.make_policy for pairing in pairings}
+    checkpoints = {name: each for pairing in pairings for name, each in _checkpoints(pairing)}
     return {
         "config": {name: value for name, value in asdict(config).items() if name not in _FREE},
-        "code": provenance.code(policies, tasks_dir),
+        "code": provenance.code(tasks, tasks_dir),
         "versions": provenance.versions(),
-        "checkpoints": {
-            task: _weights(policy)
-            for task, policy in policies.items()
-            if isinstance(policy, Checkpoint)
-        },
+        "checkpoints": {name: _weights(checkpoint) for name, checkpoint in checkpoints.items()},
     }
 
 
@@ -62,6 +60,15 @@ def full_provenance(
         "machine": provenance.machine(),
         "config": asdict(config),
     }
+
+
+def _checkpoints(pairing: Pairing) -> Iterator[tuple[str, Checkpoint]]:
+    """Yield what plays, by its task or, where it plays a step only, by task and step."""
+    made = pairing.make_policy
+    for maker in [maker for _, maker in made.makers] if isinstance(made, Staged) else [made]:
+        if isinstance(maker, Checkpoint):
+            step = maker.setting.step
+            yield pairing.setting.task + (f"/{step}" if step else ""), maker
 
 
 def _weights(checkpoint: Checkpoint) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 """What plays an episode, and the three reference policies that need no training."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -26,7 +27,10 @@ class Policy(Protocol):
     """
 
     def start(self, env: LabEnv, seed: int) -> None:
-        """Begin an episode of an environment that has just been reset with this seed."""
+        """Begin an episode of an environment that has just been reset with this seed.
+
+        Of a policy per step, every one begins in the moment in which its step does.
+        """
         ...
 
     def act(self, observation: Observation) -> Action:
@@ -44,11 +48,19 @@ PolicyMaker = Callable[[], Policy]
 
 
 class ExpertPolicy:
-    """The scripted expert of the task; it looks at the world, not at the observation."""
+    """The scripted expert of the task; it looks at the world, not at the observation.
+
+    Args:
+        step: The step whose skills it plays, or None for all that the episode is about.
+    """
+
+    def __init__(self, step: str | None = None) -> None:
+        self._step = step
 
     def start(self, env: LabEnv, seed: int) -> None:
         """Begin with the first skill."""
-        self._expert = env.expert()
+        steps = {step.name: step.skills for step in env.workcell.task.steps}
+        self._expert = env.workcell.expert(None if self._step is None else steps[self._step])
         self._expert.start()
 
     def act(self, observation: Observation) -> Action:
@@ -59,6 +71,21 @@ class ExpertPolicy:
     def failure(self) -> str | None:
         """Which phase it could not finish in this episode, or None."""
         return self._expert.failure
+
+
+@dataclass(frozen=True)
+class ExpertOfStep:
+    """Makes the expert of one step, which knows nothing of the others.
+
+    Attributes:
+        step: Name of the step.
+    """
+
+    step: str
+
+    def __call__(self) -> ExpertPolicy:
+        """Make the policy."""
+        return ExpertPolicy(self.step)
 
 
 class StillPolicy:
@@ -105,3 +132,8 @@ REFERENCE_POLICIES: dict[str, PolicyMaker] = {
     "random": RandomPolicy,
     "still": StillPolicy,
 }
+
+
+def reference_of_step(policy: str, step: str) -> PolicyMaker:
+    """Return what makes a reference policy for one step; all but the expert are as ever."""
+    return ExpertOfStep(step) if policy == "expert" else REFERENCE_POLICIES[policy]

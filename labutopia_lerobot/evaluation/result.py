@@ -18,7 +18,13 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.row import Row, UnreadableResultError, from_columns
+from labutopia_lerobot.evaluation.row import (
+    SINGLE,
+    Row,
+    Series,
+    UnreadableResultError,
+    from_columns,
+)
 from labutopia_lerobot.evaluation.statistics import Summary
 from labutopia_lerobot.evaluation.stored_actions import decode, encode
 from labutopia_lerobot.runtime.claim import differences, locked, write_whole
@@ -55,7 +61,7 @@ class ResultFolder:
 
     def add(self, row: Row, actions: NDArray[np.float32]) -> None:
         """Keep a row and its actions, shape (steps, elements), whatever happens next."""
-        named = {"task": row.task, "split": row.split, "seed": row.seed}
+        named = {"task": row.task, "split": row.split, "play": row.play, "seed": row.seed}
         _append(self.path / ACTIONS, named | encode(actions))
         _append(self.path / ROWS, asdict(row))
 
@@ -67,7 +73,7 @@ class ResultFolder:
         """
         kept = read_actions(self.path / ACTIONS)
         try:
-            return [decode(kept[row.task, row.split, row.seed]) for row in self.rows]
+            return [decode(kept[row.series, row.seed]) for row in self.rows]
         except (KeyError, ValueError) as error:
             raise UnreadableResultError(
                 f"{self.path / ACTIONS} lacks actions of a row: {error}. Choose another out="
@@ -123,8 +129,9 @@ def claim(path: Path, origin: dict[str, Any]) -> Iterator[ResultFolder]:
 
 def film_of(folder: Path, row: Row) -> Path:
     """Return where the film of an episode lies, if there is one."""
-    name = f"{row.task.replace('/', '-')}_{row.split}_seed{row.seed}_{row.outcome}.mp4"
-    return folder / VIDEOS / name
+    how = [row.play] if row.play != SINGLE else []
+    words = [row.task.replace("/", "-"), row.split, *how, f"seed{row.seed}", row.outcome]
+    return folder / VIDEOS / f"{'_'.join(words)}.mp4"
 
 
 def film_of_expert(film: Path) -> Path:
@@ -141,15 +148,16 @@ def read_rows(file: Path) -> list[Row]:
     return [from_columns(Row, columns, file) for columns in _lines(file, "row")]
 
 
-def read_actions(file: Path) -> dict[tuple[str, str, int], dict[str, Any]]:
-    """Return task, split and seed -> the actions of that episode, as JSON (see `stored_actions`).
+def read_actions(file: Path) -> dict[tuple[Series, int], dict[str, Any]]:
+    """Return series and seed -> the actions of that episode, as JSON (see `stored_actions`).
 
     Raises:
         UnreadableResultError: If a line of the file holds none, or there is no such file.
     """
     try:
         return {
-            (line["task"], line["split"], line["seed"]): line for line in _lines(file, "action")
+            ((line["task"], line["split"], line.get("play", SINGLE)), line["seed"]): line
+            for line in _lines(file, "action")
         }
     except (OSError, KeyError) as error:
         raise UnreadableResultError(f"{file} holds no actions: {error}") from None

@@ -10,16 +10,13 @@ from labutopia_lerobot.env import Info, LabEnv
 from labutopia_lerobot.evaluation.causes import cause_of
 from labutopia_lerobot.evaluation.policies import Policy, PolicyMaker, PolicyUnreachable
 from labutopia_lerobot.evaluation.precision import Precision
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.row import SINGLE, Row, Series
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 from labutopia_lerobot.sim.workcell import Workcell
 from labutopia_lerobot.task import POLICY_UNREACHABLE
 from labutopia_lerobot.world import CONTROL_HZ
-
-PLAY = "single"
-"""How sequences are played: one policy from beginning to end."""
 
 
 @dataclass(frozen=True)
@@ -30,11 +27,18 @@ class Pairing:
         setting: What is played and observed.
         policy: What the policy is called.
         make_policy: Makes it.
+        play: How it plays the steps, `single` or `staged`.
     """
 
     setting: Setting
     policy: str
     make_policy: PolicyMaker
+    play: str = SINGLE
+
+    @property
+    def series(self) -> Series:
+        """Task, split and way of playing."""
+        return self.setting.task, self.setting.split, self.play
 
 
 @dataclass(frozen=True)
@@ -65,7 +69,7 @@ def play(pairing: Pairing, seed: int) -> Episode:
         setting = pairing.setting
         error.add_note(
             f"In the episode of {setting.task}, split {setting.split}, seed {seed}, played by "
-            f"{pairing.policy}"
+            f"{pairing.policy}, {pairing.play}"
         )
         raise
 
@@ -117,18 +121,19 @@ def _row(pairing: Pairing, seed: int, steps: int, info: Info, workcell: Workcell
         axes=list(setting.axes),
         drawn=info["drawn"],
         policy=pairing.policy,
-        play=PLAY,
+        play=pairing.play,
         obs=setting.obs,
         robot=setting.robot,
         room=setting.room,
+        step=setting.step,
         seed=seed,
         success=info["is_success"],
         ever_success=info["ever_success"],
         outcome=info["outcome"],
         steps=steps,
         seconds=round(steps / CONTROL_HZ, 3),
-        substeps=latched,
-        step_times={step.name: latched[step.milestones[-1].name] for step in workcell.task.steps},
+        substeps={m.name: latched[m.name] for step in workcell.steps for m in step.milestones},
+        step_times={step.name: latched[step.milestones[-1].name] for step in workcell.steps},
         facts=info["facts"],
         history={
             name: {"first": _time(fact.first), "last": _time(fact.last), "times": fact.times}

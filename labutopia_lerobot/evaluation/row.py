@@ -10,6 +10,15 @@ from labutopia_lerobot.robots import DEFAULT_ROBOT
 from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.scenes import DEFAULT_ROOM
 
+SINGLE = "single"
+"""One policy plays all steps (the paper's SP and, step by step, S1 to Sk)."""
+
+STAGED = "staged"
+"""One policy per step, switched on the milestones of the steps (the paper's A1 to Ak)."""
+
+Series = tuple[str, str, str]
+"""Task, split and way of playing: what the episodes of one run belong to, one per seed."""
+
 
 class UnreadableResultError(UserError):
     """A result that cannot be read; the message names the file and what is wrong."""
@@ -25,7 +34,7 @@ class Row:
         axes: Axes that were to vary, or with `ood` to be shifted, beside the task's own.
         drawn: Axis -> what the episode drew on it.
         policy: What the policy is called.
-        play: How the sequence was played.
+        play: How its steps were played, `single` or `staged`.
         obs: `pixels` or `state`.
         seed: What the environment was reset with.
         success: Whether the goal held for as long as it must.
@@ -62,6 +71,8 @@ class Row:
         deg_off_place: How far it is off its direction at the end [deg]; the worst.
         unwanted_contacts: "what and what" -> control steps in which they touched though they should
             not; None in rows of earlier versions.
+        step: The step that was played alone, behind the expert's of those before it; then the row
+            has its sub-steps only, and success is that it was done. None for the whole task.
     """
 
     task: str
@@ -102,6 +113,12 @@ class Row:
     mm_off_place: float | None = None
     deg_off_place: float | None = None
     unwanted_contacts: dict[str, int] | None = None
+    step: str | None = None
+
+    @property
+    def series(self) -> Series:
+        """Task, split and way of playing."""
+        return self.task, self.split, self.play
 
 
 def from_columns[Kind](kind: type[Kind], columns: Mapping[str, Any], file: Path) -> Kind:

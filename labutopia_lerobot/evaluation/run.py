@@ -9,14 +9,16 @@ from rich.progress import track
 from labutopia_lerobot.evaluation.config import EvaluationConfig
 from labutopia_lerobot.evaluation.evaluate import evaluate, in_order, make_pairings
 from labutopia_lerobot.evaluation.films import choose, film, require_camera
-from labutopia_lerobot.evaluation.found import find_results
+from labutopia_lerobot.evaluation.found import FoundResult, find_results
 from labutopia_lerobot.evaluation.live import LiveProgress
 from labutopia_lerobot.evaluation.origin import full_provenance, origin
 from labutopia_lerobot.evaluation.reporting.cost import cost_table
+from labutopia_lerobot.evaluation.reporting.entry import entries
+from labutopia_lerobot.evaluation.reporting.levels import step_table
 from labutopia_lerobot.evaluation.reporting.table import as_text
 from labutopia_lerobot.evaluation.result import ResultFolder, claim
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.row import STAGED, Row
 from labutopia_lerobot.evaluation.statistics import summarise
 from labutopia_lerobot.evaluation.stopping import Seen, StoppingRule
 from labutopia_lerobot.evaluation.table import summary_table
@@ -51,6 +53,9 @@ def run(config: EvaluationConfig, console: Console) -> Path | None:
         file = folder.finish(rows, summaries, full_provenance(began, config, rows))
         means, anytime = config.level is not None, config.until is not None
         console.print(summary_table(summaries, level_means=means, anytime=anytime))
+        if STAGED in config.plays:
+            told = entries([FoundResult(folder.path, True, tuple(rows), {})])
+            console.print(as_text(step_table(told)), markup=False)
         _film(config, episodes, folder)
     console.print(f"Wrote {file}", soft_wrap=True, markup=False, highlight=False)
     return file
@@ -62,9 +67,9 @@ def _play(
     """Return every episode in order; only those without a row are played."""
     seeds = range(config.seed, config.seed + config.episodes)
     seen = Seen(StoppingRule(config.until) if config.until else None, config.seed, _rival(config))
-    of = {(pairing.setting.task, pairing.setting.split): pairing for pairing in pairings}
+    of = {pairing.series: pairing for pairing in pairings}
     kept = zip(folder.rows, folder.actions(), strict=True)
-    episodes = [Episode(of[row.task, row.split], row, actions) for row, actions in kept]
+    episodes = [Episode(of[row.series], row, actions) for row, actions in kept]
     for episode in episodes:
         seen.note(episode.row)
     played = evaluate(pairings, seeds, config.workers, tuple(episodes), seen.enough)

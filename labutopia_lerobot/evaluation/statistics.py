@@ -35,6 +35,7 @@ class Summary:
         anytime95: Confidence interval that stays valid whenever one stops (see `anytime`).
         step_rates: Step -> share of the episodes in which it and all before it were done.
         axes: Axes that varied, or were shifted, beside the task's own.
+        step: The step that was played alone, or None.
     """
 
     task: str
@@ -57,15 +58,16 @@ class Summary:
     anytime95: Interval | None = None
     step_rates: dict[str, float] = field(default_factory=dict)
     axes: tuple[str, ...] = ()
+    step: str | None = None
 
 
 def summarise(rows: Sequence[Row]) -> list[Summary]:
-    """Return one summary per task, split, axes, policy, play, obs and liquid, in order."""
+    """Return one summary per task, step, split, axes, policy, play, obs and liquid, in order."""
     return [_summary(list(group)) for _, group in groupby(rows, key=_conditions)]
 
 
 def _conditions(row: Row) -> tuple[object, ...]:
-    return row.task, row.split, row.axes, row.policy, row.play, row.obs, row.liquid
+    return row.task, row.step, row.split, row.axes, row.policy, row.play, row.obs, row.liquid
 
 
 def _summary(rows: Sequence[Row]) -> Summary:
@@ -97,4 +99,5 @@ def _summary(rows: Sequence[Row]) -> Summary:
             for name in first.step_times
         },
         axes=tuple(first.axes),
+        step=first.step,
     )

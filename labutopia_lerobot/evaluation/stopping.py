@@ -6,7 +6,7 @@ from itertools import count, takewhile
 
 import numpy as np
 
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.row import Row, Series
 from labutopia_lerobot.evaluation.uncertainty.anytime import confidence_sequence, log_evidence
 from labutopia_lerobot.evaluation.uncertainty.planning import require_precision
 
@@ -52,7 +52,7 @@ class StoppingRule:
 
 
 class Seen:
-    """What a run has seen, and whether that is enough, task by task and split by split.
+    """What a run has seen, and whether that is enough, series by series.
 
     Args:
         rule: When it is enough; None if every episode is to be played.
@@ -62,27 +62,28 @@ class Seen:
 
     def __init__(self, rule: StoppingRule | None, seed: int, rival: Iterable[Row] = ()) -> None:
         self._rule, self._seed = rule, seed
-        self._won: dict[tuple[str, str, int], bool] = {}
-        self._rival = {(row.task, row.split, row.seed): row.success for row in rival}
-        self._needed: dict[tuple[str, str], int | None] = {}
+        self._won: dict[tuple[Series, int], bool] = {}
+        self._rival = {(row.series, row.seed): row.success for row in rival}
+        self._needed: dict[Series, int | None] = {}
 
     def note(self, row: Row) -> None:
         """Take note of an episode, in whatever order they are finished."""
-        self._won[row.task, row.split, row.seed] = row.success
-        of, mine = (row.task, row.split), self._won
+        of = row.series
+        self._won[of, row.seed] = row.success
         if self._rule is not None and self._needed.get(of) is None:
-            self._needed[of] = self._rule.enough(self._run(mine, *of), self._run(self._rival, *of))
+            run, rival = self._run(self._won, of), self._run(self._rival, of)
+            self._needed[of] = self._rule.enough(run, rival)
 
-    def enough(self, task: str, split: str) -> bool:
-        """Tell whether no more episodes are needed of a task and split."""
-        return self._needed.get((task, split)) is not None
+    def enough(self, series: Series) -> bool:
+        """Tell whether no more episodes are needed of a series."""
+        return self._needed.get(series) is not None
 
     def counts(self, row: Row) -> bool:
         """Tell whether an episode belongs to the result, or was begun before it was enough."""
-        needed = self._needed.get((row.task, row.split))
+        needed = self._needed.get(row.series)
         return needed is None or row.seed - self._seed < needed
 
-    def _run(self, won: dict[tuple[str, str, int], bool], task: str, split: str) -> list[bool]:
+    def _run(self, won: dict[tuple[Series, int], bool], series: Series) -> list[bool]:
         """Return the successes from the first seed on, up to the first that is not there."""
-        keys = ((task, split, seed) for seed in count(self._seed))
+        keys = ((series, seed) for seed in count(self._seed))
         return [won[key] for key in takewhile(won.__contains__, keys)]

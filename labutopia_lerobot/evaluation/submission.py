@@ -61,14 +61,13 @@ def pack(folder: Path, file: Path) -> None:
         )
     result = read_json_object(folder / RESULT, SubmissionError)
     kept = read_actions(folder / ACTIONS)
-    missing = [
-        row for row in result["rows"] if (row["task"], row["split"], row["seed"]) not in kept
-    ]
+    rows = [from_columns(Row, columns, folder / RESULT) for columns in result["rows"]]
+    missing = [row for row in rows if (row.series, row.seed) not in kept]
     if missing:
         raise SubmissionError(
             f"{folder / ACTIONS} lacks the actions of {len(missing)} episodes. Evaluate anew"
         )
-    actions = [kept[row["task"], row["split"], row["seed"]] for row in result["rows"]]
+    actions = [kept[row.series, row.seed] for row in rows]
     write_whole(file, result | {"actions": actions})
 
 
@@ -138,6 +137,7 @@ def _again(submission: Submission, index: int) -> Row:
         particles=options.get("particles", Setting.particles),
         robot=row.robot,
         room=row.room,
+        step=row.step,
     )
     maker = StoredActions(np.ascontiguousarray(actions, "<f4").tobytes(), actions.shape[1])
-    return play(Pairing(setting, row.policy, maker), row.seed).row
+    return play(Pairing(setting, row.policy, maker, row.play), row.seed).row

@@ -8,6 +8,7 @@ from rich import box
 from rich.table import Table
 
 from labutopia_lerobot.evaluation.policies import REFERENCE_POLICIES
+from labutopia_lerobot.evaluation.row import SINGLE
 from labutopia_lerobot.evaluation.statistics import Summary
 from labutopia_lerobot.task import HOLD_S
 
@@ -26,23 +27,22 @@ _MEAN_CAPTION = " Mean: each task of the level counts the same."
 def summary_table(
     summaries: Sequence[Summary], *, level_means: bool, anytime: bool = False
 ) -> Table:
-    """Return a table with a line per task, split and policy; it fits 80 columns.
+    """Return a table with a line per task, split, policy and way of playing; it fits 80 columns.
 
-    What all lines have in common, the policy or the split, stands in the title.
+    What all lines have in common, such as the policy or the split, stands in the title.
 
     Args:
         summaries: What to show, ordered by task.
-        level_means: Whether a line per level, split and policy follows its tasks.
+        level_means: Whether a line per level, and each of these, follows its tasks.
         anytime: Whether what was seen decided when to stop: only `anytime95` is valid then.
     """
-    policies = list(dict.fromkeys(map(_policy, summaries)))
-    splits = list(dict.fromkeys(summary.split for summary in summaries))
-    varying = {"Policy": len(policies) > 1, "Split": len(splits) > 1}
+    parts = [_part(summary) for summary in summaries]
+    policies, splits, plays = (list(dict.fromkeys(words)) for words in zip(*parts, strict=True))
+    varying = [len(words) > 1 for words in (policies, splits, plays)]
     state = any(_STATE_MARK in policy for policy in policies)
     empty = any(_EMPTY_MARK in policy for policy in policies)
-    common = [] if varying["Policy"] else policies
-    if not varying["Split"]:
-        common = [*common, f"split {splits[0]}"]
+    told = (policies[0], f"split {splits[0]}", "" if plays[0] == SINGLE else plays[0])
+    common = [words for words, varies in zip(told, varying, strict=True) if words and not varies]
     interval = "Confidence sequence, valid whenever one stops" if anytime else "Wilson interval"
     notes = {_STATE_CAPTION: state, _EMPTY_CAPTION: empty, _MEAN_CAPTION: level_means}
     table = Table(
@@ -53,28 +53,31 @@ def summary_table(
         box=box.SIMPLE_HEAD,
         padding=(0, 1, 0, 0),
     )
-    for name in ("Policy", "Split", "Task"):
-        if varying.get(name, True):
+    for name, shown in zip(("Policy", "Split", "Played", "Task"), (*varying, True), strict=True):
+        if shown:
             table.add_column(name, no_wrap=True)
     for name in ("Success", "95 %", "Ever", "Time"):
         table.add_column(name, justify="right", no_wrap=True)
     table.add_column("Sub-steps")
 
     def heading(summary: Summary) -> list[str]:
-        names = {"Policy": _policy(summary), "Split": summary.split}
-        return [name for kind, name in names.items() if varying[kind]]
+        return [word for word, shown in zip(_part(summary), varying, strict=True) if shown]
 
     for level, of_level in groupby(summaries, key=lambda summary: summary.task.split("/")[0]):
         group = list(of_level)
         for summary in group:
             table.add_row(*heading(summary), *_cells(summary, anytime))
         if level_means:
-            parts = dict.fromkeys((summary.policy, summary.split) for summary in group)
-            for part in parts:
-                of_part = [line for line in group if (line.policy, line.split) == part]
+            for part in dict.fromkeys(map(_part, group)):
+                of_part = [line for line in group if _part(line) == part]
                 table.add_row(*heading(of_part[0]), *_mean_cells(level, of_part))
         table.add_section()
     return table
+
+
+def _part(summary: Summary) -> tuple[str, str, str]:
+    """Return policy, split and way of playing."""
+    return _policy(summary), summary.split, summary.play
 
 
 def _policy(summary: Summary) -> str:
@@ -88,7 +91,7 @@ def _cells(summary: Summary, anytime: bool) -> list[str]:
     low, high = (anytime and summary.anytime95) or summary.wilson95
     seconds = summary.mean_seconds_to_success
     return [
-        summary.task,
+        summary.task if summary.step is None else f"{summary.task} {summary.step}",
         f"{summary.successes}/{summary.n}",
         f"{100 * low:.0f} to {_percent(high)}",
         _percent(summary.ever_rate),

@@ -56,9 +56,13 @@ def canonical_task(setting: Setting) -> Task:
 
     Raises:
         AxisError: If the task declares an axis wrongly.
+        TaskError: If the task does not have the step of the setting.
         UnknownOptionError: If the task does not have the axes of the setting.
     """
-    return _scenario(setting, Draw(setting.split, setting.axes)).task
+    task = _scenario(setting, Draw(setting.split, setting.axes)).task
+    if setting.step is not None:
+        task.steps_until(setting.step)
+    return task
 
 
 def _scenario(setting: Setting, draw: Draw) -> Scenario:

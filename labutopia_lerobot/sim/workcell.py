@@ -30,7 +30,7 @@ from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.substances.filling import require_fillable
-from labutopia_lerobot.task import DIVERGED
+from labutopia_lerobot.task import DIVERGED, Step
 
 _TRIES = 5
 """Starts that a reset tries; more failures than that are a defect of the task."""
@@ -48,6 +48,7 @@ class Workcell:
 
     Attributes:
         task: The task of the episode in play.
+        steps: Those of its steps that the episode is about.
         simulation: The physics.
         world: The read-only view of it that predicates and skills get.
         progress: The judge of the episode in play.
@@ -57,6 +58,7 @@ class Workcell:
     def __init__(self, scenario: Scenario, setting: Setting) -> None:
         self._setting = setting
         self.task = task = scenario.task
+        self.steps = task.steps
         pieces = (*task.start, *scenario.variation.bystanders)
         robot, room = load_robot(setting.robot), load_room(setting.room)
         self._workspace = Workspace.of(room, robot)
@@ -84,8 +86,10 @@ class Workcell:
         return Renderer(scene.model, self._setting.width, self._setting.height, liquids)
 
     def expert(self, skills: Sequence[Skill] | None = None) -> Expert:
-        """Return an expert that plays skills, those of the steps to come by default; `start` it."""
-        return Expert(self.task.skills if skills is None else skills, self.world, self.motion)
+        """Return an expert that plays skills, those of `steps` by default; `start` it."""
+        if skills is None:
+            skills = [skill for step in self.steps for skill in step.skills]
+        return Expert(skills, self.world, self.motion)
 
     def begin(self, scenario: Scenario, rng: np.random.Generator, after: str | None = None) -> bool:
         """Begin an episode: things stand, vessels are full, the prelude has been played.
@@ -93,7 +97,8 @@ class Workcell:
         Args:
             scenario: What the episode has drawn.
             rng: Where its random numbers come from.
-            after: Step behind which the episode begins; the expert plays up to its end.
+            after: Step behind which the episode begins, which the expert plays up to there; None
+                for the start or, if a step is played alone, for the one before that.
 
         Returns:
             Whether prelude and steps went well; if not, this start is no good.
@@ -102,6 +107,13 @@ class Workcell:
             TaskError: If the task has no step `after`.
         """
         self.task = task = scenario.task
+        until = self._setting.step
+        played = task.steps if until is None else task.steps_until(until)
+        if after is not None:
+            before = task.steps_until(after)
+        else:
+            before = () if until is None else played[:-1]
+        self.steps = played[len(before) :]
         variation = scenario.variation
         self._appearance.show(variation)
         layout = sample_layout(task.start, rng)
@@ -115,11 +127,11 @@ class Workcell:
         self.simulation.reset(layout, variation.robot_start)
         self.simulation.fill(rng)
         self.filter.start(self.simulation.command)
-        if not self._play(task.prelude) or (after is not None and not self._play_until(after)):
+        if not self._play(task.prelude) or not self._play_steps(before):
             return False
         self.filter.start(self.simulation.command)
         self.simulation.start_clock()
-        self.progress = Progress(task, after)
+        self.progress = Progress(task, before[-1].name if before else None, until)
         self.progress.update(self.world)
         return True
 
@@ -171,20 +183,23 @@ class Workcell:
                 return False
         return True
 
-    def _play_until(self, step: str) -> bool:
-        """Let the expert play the steps up to one; tell whether all their milestones latched."""
-        steps = self.task.steps_until(step)
-        expert = self.expert([skill for played in steps for skill in played.skills])
-        expert.start()
+    def _play_steps(self, steps: Sequence[Step]) -> bool:
+        """Let the expert play the first steps, each until it is done; tell whether all went well.
+
+        Who plays the next step takes over at the very moment in which one is done: so do policies
+        that are trained on single steps.
+        """
         self.simulation.start_clock()
         self.progress = Progress(self.task)
-        while not expert.finished and not self.progress.over:
-            self.step(expert.act())
-            if expert.failure:
-                return False
-        milestones = (milestone for played in steps for milestone in played.milestones)
-        latched = all(self.progress.milestones[m.name] is not None for m in milestones)
-        return latched and not self.progress.over
+        self.progress.update(self.world)
+        for step in steps:
+            expert = self.expert(step.skills)
+            expert.start()
+            while self.progress.step is step and not self.progress.over:
+                self.step(expert.act())
+                if expert.failure:
+                    return False
+        return not self.progress.over
 
 
 class Workcells:

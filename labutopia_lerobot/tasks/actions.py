@@ -105,7 +105,9 @@ def place(
     hover: float = 0.10,
     through: Destination | None = None,
 ) -> Step:
-    """Place: set down upright with the base in full contact, and let go.
+    """Place: set down upright with the base in full contact, let go, and draw the hand back.
+
+    Only then can the next action begin: around what stands there, the hand can go nowhere else.
 
     Args:
         thing: What is in the hand.
@@ -123,6 +125,8 @@ def place(
             Milestone("carried", (there, gripped(thing))),
             Milestone("placed", (there, standing_on(thing, on))),
             Milestone("released", (standing_on(thing, on), released(thing))),
+            # Paper: "the end effector retracts"; original, TransportBeaker: gripper 0.05 m away.
+            Milestone("retracted", (standing_on(thing, on), withdrawn(thing, by=0.05))),
         ),
         (thing,),
     )

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from lerobot.datasets.lerobot_dataset import LeRobotDataset
 
+from labutopia_lerobot.cli.recipe import training_command
 from labutopia_lerobot.cli.record import parse
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.declaration import dataset_features
@@ -25,6 +26,7 @@ from labutopia_lerobot.datasets.tables import (
     OUTCOME,
     RECORDING,
     SEED,
+    SETTING,
     column,
     read_episodes,
     read_frames,
@@ -296,6 +298,25 @@ def test_failures_are_kept_with_their_causes(tmp_path: Path) -> None:
     assert [row[SEED] for row in rows] == list(range(len(rows)))
     assert sum(row[OUTCOME] == "success" for row in rows) == 2
     assert verify(root).faults == []
+
+
+def test_one_step_is_recorded_from_where_the_expert_comes_to_it(tmp_path: Path) -> None:
+    overrides = ["task=level2/operate_drawer", "step=close", "obs=state", "episodes=1"]
+    (config,) = parse(overrides).datasets()
+    assert config.root == "outputs/datasets/level2/operate_drawer-close"
+    root = recording(tmp_path / "dataset", *overrides)
+    steps = column(read_frames(root), "annotation.step").tolist()
+    assert set(steps) == {"close", ""}
+    assert read_json(root, RECORDING)["config"]["step"] == "close"
+    (row,) = read_episodes(root)
+    assert json.loads(row[SETTING])["step"] == "close"
+    verdict = verify(root)
+    assert (verdict.faults, verdict.unchecked) == ([], [])
+    assert "--output_dir=outputs/train/act/" + f"{tmp_path.name}/dataset/close" in training_command(
+        "act", root, None, None, None
+    )
+    with pytest.raises(UserError, match=r"no step 'shut'\. Steps of this task: open, close"):
+        recording(tmp_path / "other", *overrides, "step=shut")
 
 
 def test_every_frame_tells_what_came_of_it_and_what_was_being_done(picked: Path) -> None:

@@ -43,7 +43,7 @@ def test_a_policy_elsewhere_is_asked_by_one_worker_unless_told_otherwise() -> No
 
 def row(**columns: Any) -> Row:
     every = dict.fromkeys(Row.__dataclass_fields__)
-    return Row(**(every | {"task": "level1/pick", "split": "id"} | columns))
+    return Row(**(every | {"task": "level1/pick", "split": "id", "play": "single"} | columns))
 
 
 @pytest.fixture

@@ -25,7 +25,7 @@ def test_the_order_in_which_episodes_are_finished_decides_nothing() -> None:
         seen = Seen(RULE, 100_000)
         for row in order:
             seen.note(row)
-        assert seen.enough("level1/pick", "id")
+        assert seen.enough(("level1/pick", "id", "single"))
         kept.append([row.seed for row in ROWS if seen.counts(row)])
     assert kept[0] == kept[1] == kept[2]
     assert len(kept[0]) == RULE.enough([row.success for row in ROWS])
@@ -35,24 +35,25 @@ def test_a_gap_in_the_seeds_is_waited_for() -> None:
     seen = Seen(RULE, 100_000)
     for row in ROWS[1:]:
         seen.note(row)
-    assert not seen.enough("level1/pick", "id")
+    assert not seen.enough(("level1/pick", "id", "single"))
     seen.note(ROWS[0])
-    assert seen.enough("level1/pick", "id")
+    assert seen.enough(("level1/pick", "id", "single"))
 
 
-def test_tasks_and_splits_are_enough_each_by_itself() -> None:
+def test_tasks_splits_and_ways_of_playing_are_enough_each_by_itself() -> None:
     seen = Seen(RULE, 100_000)
     for row in ROWS:
         seen.note(row)
-    assert not seen.enough("level1/pick", "ood")
+    assert not seen.enough(("level1/pick", "ood", "single"))
     assert seen.counts(replace(ROWS[-1], split="ood"))
+    assert seen.counts(replace(ROWS[-1], play="staged"))
 
 
 def test_without_a_rule_every_episode_is_played() -> None:
     seen = Seen(None, 100_000)
     for row in ROWS:
         seen.note(row)
-    assert not seen.enough("level1/pick", "id")
+    assert not seen.enough(("level1/pick", "id", "single"))
     assert all(seen.counts(row) for row in ROWS)
 
 
@@ -61,7 +62,7 @@ def test_a_rival_on_the_same_seeds_is_told_apart_from() -> None:
     seen = Seen(StoppingRule(0.02), 100_000, rival)
     for row in ROWS:
         seen.note(row)
-    assert seen.enough("level1/pick", "id")
+    assert seen.enough(("level1/pick", "id", "single"))
     assert sum(map(seen.counts, ROWS)) < 60
 
 

@@ -54,6 +54,7 @@ def test_a_hand_that_stays_around_the_beaker_has_not_withdrawn(env):
     info = play(env, Place(beaker, OnTop(plate), retreat=0.0))
     assert info["outcome"] == "timeout"
     assert np.isfinite(info["substeps"]["released"])
+    assert not np.isfinite(info["substeps"]["retracted"])
     assert not info["ever_success"]
 
 

@@ -116,3 +116,37 @@ def test_what_is_awaited_is_the_next_of_a_course_with_what_is_kept_and_at_last_t
     assert awaited() == ["end", "kept"]
     tell(progress, world, "end", "kept")
     assert awaited() == ["goal"]
+
+
+TWO = replace(
+    TASK,
+    steps=(
+        Step("begin", (), (Milestone("first", (fact("a"),)),), never={"early": fact("x")}),
+        Step("end", (), (Milestone("second", (fact("b"),)), Milestone("third", (fact("c"),)))),
+    ),
+)
+
+
+def test_a_step_that_is_played_alone_is_over_as_soon_as_it_is_done():
+    progress, world = Progress(TWO, until="begin"), Story()
+    tell(progress, world, "b", "goal", steps=70)
+    assert progress.outcome == "running"
+    tell(progress, world, "a")
+    assert (progress.outcome, progress.ever, progress.step) == ("success", True, None)
+    assert progress.milestones["second"] is None
+
+
+def test_a_step_that_is_played_alone_may_be_spoilt_even_while_it_is_done():
+    progress, world = Progress(TWO, until="begin"), Story()
+    tell(progress, world, "a", "x")
+    assert progress.outcome == "early"
+
+
+def test_the_last_step_played_alone_is_done_when_the_goal_has_held():
+    progress, world = Progress(TWO, after="begin", until="end"), Story()
+    tell(progress, world, "a", "x", "goal", steps=70)
+    assert progress.outcome == "running"
+    tell(progress, world, "b", "c", "goal", steps=60)
+    assert progress.outcome == "running"
+    tell(progress, world, "goal")
+    assert progress.outcome == "success"

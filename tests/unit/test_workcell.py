@@ -8,7 +8,7 @@ from gymnasium.error import ResetNeeded
 
 from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.task import TaskError
 
 
@@ -54,20 +54,41 @@ def test_an_episode_can_begin_behind_a_step_with_the_liquid_in_place():
     assert info["ml_poured"] > 80
     assert [time for time in info["substeps"].values() if np.isfinite(time)] == [0.0] * 4
     assert env.workcell.world.time == 0.0
-    skills = env.workcell.task.steps[2].skills
-    expert = env.workcell.expert(skills)
-    expert.start()
-    over = False
-    while not over:
-        _, _, terminated, truncated, info = env.step(expert.act())
-        over = terminated or truncated
-    assert info["outcome"] == "success"
+    assert play_from_here(env)["outcome"] == "success"
 
 
 def test_an_unknown_step_is_an_error_that_lists_the_steps():
     env = begun("level2/heat_beaker", particles=100)
     with pytest.raises(TaskError, match="Steps of this task: pick, place, press"):
         env.reset(seed=0, options={"after": "pour"})
+
+
+def test_a_step_played_alone_begins_where_the_one_before_is_done_and_ends_where_it_is():
+    env = begun("level2/heat_beaker", step="place", liquid="off")
+    first = env.workcell.world.time
+    assert (first, env.workcell.progress.step.name) == (0.0, "place")
+    info = play_from_here(env)
+    assert info["outcome"] == "success"
+    assert np.isfinite(info["substeps"]["retracted"])
+    assert not np.isfinite(info["substeps"]["pressed"])
+    assert env.workcell.world.time < 10.0
+
+
+def play_from_here(env):
+    expert, over = env.expert(), False
+    expert.start()
+    while not over:
+        *_, terminated, truncated, info = env.step(expert.act())
+        over = terminated or truncated
+    return info
+
+
+def test_a_step_played_alone_has_its_own_beginning():
+    env = begun("level2/operate_drawer", step="open")
+    with pytest.raises(UnknownOptionError, match="step=open begins behind the step before it"):
+        env.reset(seed=0, options={"after": "open"})
+    with pytest.raises(TaskError, match=r"no step 'shut'\. Steps of this task: open, close"):
+        begun("level2/operate_drawer", step="shut")
 
 
 def test_a_missed_grasp_is_tried_once_more():

@@ -9,6 +9,7 @@ from labutopia_lerobot.evaluation.reporting.entry import Entry, conditions
 from labutopia_lerobot.evaluation.reporting.levels import success
 from labutopia_lerobot.evaluation.reporting.outcomes import cause_told, failures
 from labutopia_lerobot.evaluation.reporting.paper import printed
+from labutopia_lerobot.evaluation.row import SINGLE
 
 _COLOURS = 8
 _LEFT, _RIGHT, _TOP, _BOTTOM = 40, 190, 10, 190
@@ -73,7 +74,8 @@ def _colour(cause: str, causes: Sequence[str]) -> int:
 
 def slopes(entries: Sequence[Entry]) -> list[dict[str, Any]]:
     """Return a chart per policy that was played under several conditions: a line per task."""
-    ordered = sorted(entries, key=lambda entry: entry.policy)
+    usual = (entry for entry in entries if entry.play == SINGLE and entry.step is None)
+    ordered = sorted(usual, key=lambda entry: entry.policy)
     charts = []
     for policy, group in groupby(ordered, key=lambda entry: entry.policy):
         of_policy = list(group)
@@ -142,9 +144,8 @@ def _spread(positions: Sequence[float]) -> list[float]:
 
 
 def _named(entry: Entry) -> dict[str, Any]:
-    play = f", {entry.play}" if entry.play != "single" else ""
     return {
         "task": entry.task,
-        "heading": f"{entry.policy}, {entry.condition}{play}",
+        "heading": f"{entry.policy}, {entry.played}",
         "n": len(entry.rows),
     }

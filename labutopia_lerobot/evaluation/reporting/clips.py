@@ -33,7 +33,7 @@ def clips(entries: Sequence[Entry]) -> Iterator[dict[str, Any]]:
             yield {
                 "task": row.task,
                 "seed": row.seed,
-                "heading": f"{entry.policy}, {entry.condition}",
+                "heading": f"{entry.policy}, {entry.played}",
                 "cause": cause_told(row),
                 "step": failed_in(row),
                 "seconds": f"{row.seconds:.1f}",

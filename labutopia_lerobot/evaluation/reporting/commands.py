@@ -7,10 +7,10 @@ from typing import Any
 
 from labutopia_lerobot.evaluation.config import EvaluationConfig
 from labutopia_lerobot.evaluation.reporting.entry import Entry
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.row import SINGLE, Row
 
 _PROGRAM = ("python", "eval/run.py")
-_OF_THE_ROW = ("task", "level", "split", "policy", "seed", "episodes", "axes", "obs")
+_OF_THE_ROW = ("task", "level", "split", "play", "policy", "seed", "episodes", "axes", "obs")
 """Options that the rows tell, and those that they make needless."""
 
 _OF_THE_RUN = ("out", "workers", "videos", "until", "versus", "episodes_for")
@@ -36,6 +36,7 @@ def _command(entry: Entry, seed: int, episodes: int) -> str:
         "policy": row.policy,
         **{f"policy.{name}": config.get("policy", {}).get(name) for name in ("path", "device")},
         "split": row.split,
+        "play": None if row.play == SINGLE else row.play,
         "axes": row.axes or None,
         "obs": row.obs,
         "seed": seed,

@@ -6,7 +6,7 @@ from functools import cached_property
 from itertools import groupby
 
 from labutopia_lerobot.evaluation.found import FoundResult
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.row import SINGLE, Row
 from labutopia_lerobot.evaluation.statistics import Summary, summarise
 from labutopia_lerobot.evaluation.uncertainty.proportion import Interval
 from labutopia_lerobot.robots import DEFAULT_ROBOT
@@ -47,8 +47,19 @@ class Entry:
 
     @property
     def play(self) -> str:
-        """How sequences were played: `single` or `staged`."""
+        """How steps were played: `single` or `staged`."""
         return self.rows[0].play
+
+    @property
+    def step(self) -> str | None:
+        """The step that was played alone, or None."""
+        return self.rows[0].step
+
+    @property
+    def played(self) -> str:
+        """The condition, and what is unusual about how the steps were played."""
+        alone = [] if self.step is None else [f"{self.step} alone"]
+        return ", ".join([self.condition, *([self.play] if self.play != SINGLE else alone)])
 
     @cached_property
     def summary(self) -> Summary:
@@ -70,7 +81,7 @@ class Entry:
 
 
 def entries(results: Sequence[FoundResult]) -> list[Entry]:
-    """Return what results hold, by task, policy and condition.
+    """Return what results hold, by task, policy and condition; `single` before `staged`.
 
     Two results with the same policy, as two checkpoints of one kind, are told apart by where they
     lie.
@@ -86,7 +97,7 @@ def entries(results: Sequence[FoundResult]) -> list[Entry]:
         else entry
         for entry in found
     ]
-    return sorted(told, key=lambda entry: (entry.task, entry.policy, _order(entry.condition)))
+    return sorted(told, key=lambda e: (e.task, e.policy, _order(e.condition), e.play, e.step or ""))
 
 
 def condition(row: Row) -> str:
@@ -111,15 +122,15 @@ def _order(condition: str) -> tuple[int, str]:
 
 def _of_result(result: FoundResult) -> Iterable[Entry]:
     def heading(row: Row) -> tuple[str, ...]:
-        return row.task, _policy(row), condition(row), row.play
+        return row.task, _policy(row), condition(row), row.play, row.step or ""
 
-    for (_, policy, shown, _), rows in groupby(sorted(result.rows, key=heading), key=heading):
+    for (_, policy, shown, *_), rows in groupby(sorted(result.rows, key=heading), key=heading):
         ordered = tuple(sorted(rows, key=lambda row: row.seed))
         yield Entry(policy, shown, ordered, result)
 
 
 def _heading(entry: Entry) -> tuple[str, ...]:
-    return entry.task, entry.policy, entry.condition, entry.play
+    return entry.task, entry.policy, entry.condition, entry.play, entry.step or ""
 
 
 def _policy(row: Row) -> str:

@@ -6,9 +6,8 @@ from itertools import groupby
 from labutopia_lerobot.evaluation.reporting.entry import ID, OOD, Entry, conditions
 from labutopia_lerobot.evaluation.reporting.paper import NAMES, Printed, printed
 from labutopia_lerobot.evaluation.reporting.table import Cell, Rate, Table
+from labutopia_lerobot.evaluation.row import SINGLE, STAGED
 from labutopia_lerobot.evaluation.uncertainty.proportion import wilson
-
-SINGLE, STAGED = "single", "staged"
 
 _SIZES = "_sizes"
 """How the names of the tasks of the size test end."""
@@ -21,20 +20,25 @@ _INFERRED = (
 
 
 def level_tables(entries: Sequence[Entry]) -> list[Table]:
-    """Return the tables of levels 1 and 2, level 3, the size test, and of levels 4 and 5.
+    """Return the tables of levels 1 and 2, level 3, the size test, levels 4 and 5, single steps.
 
-    What has no row has no table, and no column.
+    What has no row has no table, and no column. A task that was played staged, or whose level is
+    above 3, is told step by step.
     """
-    small = [entry for entry in entries if entry.level < 3]
-    third = [entry for entry in entries if entry.level == 3]
+    alone = [entry for entry in entries if entry.step is not None]
+    whole = [entry for entry in entries if entry.step is None]
+    staged = {entry.task for entry in whole if entry.play == STAGED}
+    long = [entry for entry in whole if entry.level > 3 or entry.task in staged]
+    small = [entry for entry in whole if entry.level < 3 and entry.play == SINGLE]
+    third = [entry for entry in whole if entry.level == 3 and entry.play == SINGLE]
     sizes = [entry for entry in third if entry.task.endswith(_SIZES)]
     others = [entry for entry in third if not entry.task.endswith(_SIZES)]
-    long = [entry for entry in entries if entry.level > 3]
     return [
         *([_by_task(small)] if small else []),
         *([_by_condition(others, "Level 3")] if others else []),
         *([_by_condition(sizes, "Size test")] if sizes else []),
-        *([_by_step(long)] if long else []),
+        *([step_table(long)] if long else []),
+        *([_alone(alone)] if alone else []),
     ]
 
 
@@ -100,8 +104,8 @@ def _by_condition(entries: Sequence[Entry], title: str) -> Table:
     return _table(title, head, lines, entries)
 
 
-def _by_step(entries: Sequence[Entry]) -> Table:
-    """Per task and policy: SP, S1..Sk and A1..Ak, and each step given the one before."""
+def step_table(entries: Sequence[Entry]) -> Table:
+    """Return, per task and policy, SP, S1..Sk and A1..Ak, and each step given the one before."""
     count = max(len(entry.rows[0].step_times) for entry in entries)
     several = len(conditions(entries)) > 1
     lines: list[tuple[Cell, ...]] = []
@@ -126,6 +130,17 @@ def _by_step(entries: Sequence[Entry]) -> Table:
     levels = sorted({entry.level for entry in entries})
     title = " and ".join(f"level {level}" for level in levels).capitalize()
     return _table(title, head, lines, entries, note)
+
+
+def _alone(entries: Sequence[Entry]) -> Table:
+    """A line per step that was played alone."""
+    lines: list[tuple[Cell, ...]] = [
+        (entry.task, entry.policy, entry.condition, str(entry.step), success(entry))
+        for entry in entries
+    ]
+    note = " Every episode begins where the expert has done the steps before."
+    head = ("Task", "Policy", "Condition", "Step", "done")
+    return _table("Steps played alone", head, lines, entries, note)
 
 
 def _by(entries: Iterable[Entry]) -> Iterator[tuple[tuple[str, str], list[Entry]]]:

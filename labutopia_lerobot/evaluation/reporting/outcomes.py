@@ -34,7 +34,7 @@ def failure_table(entries: Sequence[Entry]) -> Table:
         found = failures(entry)
         for (step, cause), count in found.most_common():
             share = Rate(count, found.total(), wilson(count, found.total()))
-            lines.append((entry.task, entry.policy, entry.condition, step, cause, share))
+            lines.append((entry.task, entry.policy, entry.played, step, cause, share))
     head = ("Task", "Policy", "Condition", "Failed in", "Cause", "Of the failures")
     note = "Every failed episode has one cause. Failed in: the first step that was not done."
     return Table("Failures", head, tuple(lines), note)
@@ -51,7 +51,7 @@ def precision_table(entries: Sequence[Entry]) -> Table:
         ):
             measured = [_median(of, rows) for of in (*_MEASURES.values(), _over(pace, entry))]
             if rows and any(cell is not None for cell in (*measured, _touched(rows))):
-                named = (entry.task, entry.policy, entry.condition, whose)
+                named = (entry.task, entry.policy, entry.played, whose)
                 lines.append((*named, *measured, _touched(rows)))
     head = (
         "Task",
@@ -83,7 +83,8 @@ def expert_seconds(entries: Iterable[Entry]) -> Mapping[tuple[Any, ...], float]:
 
 def scene(row: Row) -> tuple[Any, ...]:
     """Return what tells in which scene an episode was played, whoever played it."""
-    return row.task, row.split, tuple(row.axes), row.seed, row.liquid, row.robot, row.room
+    axes = tuple(row.axes)
+    return row.task, row.step, row.split, axes, row.seed, row.liquid, row.robot, row.room
 
 
 _MEASURES: dict[str, Callable[[Row], float | None]] = {

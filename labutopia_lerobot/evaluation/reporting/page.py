@@ -86,7 +86,7 @@ def _content(results: Sequence[FoundResult]) -> dict[str, Any]:
         "commands": [
             {
                 "task": entry.task,
-                "heading": f"{entry.policy}, {entry.condition}",
+                "heading": f"{entry.policy}, {entry.played}",
                 "command": command(entry),
             }
             for entry in found
