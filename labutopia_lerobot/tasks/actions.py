@@ -117,7 +117,8 @@ def place(
         through: What the expert carries it through, to a place inside something; None elsewhere.
     """
     there = near(thing, on, within=within)
-    retreat = 0.15 if through is None else 0.06  # original; ours: where walls are near
+    # Original, TransportBeaker; ours: drawn back a little where walls are near, and then out.
+    retreat, away = (0.15, 0.05) if through is None else (0.06, 0.15)
     return Step(
         "place",
         (Place(thing, on, hover, retreat=retreat, through=through),),
@@ -125,8 +126,8 @@ def place(
             Milestone("carried", (there, gripped(thing))),
             Milestone("placed", (there, standing_on(thing, on))),
             Milestone("released", (standing_on(thing, on), released(thing))),
-            # Paper: "the end effector retracts"; original, TransportBeaker: gripper 0.05 m away.
-            Milestone("retracted", (standing_on(thing, on), withdrawn(thing, by=0.05))),
+            # Paper: "the end effector retracts".
+            Milestone("retracted", (standing_on(thing, on), withdrawn(thing, by=away))),
         ),
         (thing,),
     )

@@ -42,10 +42,12 @@ def drying_beakers() -> Task:
     swing = actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=PULL, hasty=HASTY)
     swing = replace(
         swing,
-        skills=(Open(door, PULL, heading=HEADING), Go((outside, inside), HEADING)),
+        skills=(Open(door, PULL, heading=HEADING),),
         milestones=(*swing.milestones, Milestone("wide", wide)),  # pulled, or pushed from inside
         touches=(door, door.handle),
     )
+    pick = actions.pick(large)
+    pick = replace(pick, skills=(Go((outside, inside), HEADING), *pick.skills))
     shut = Step(
         "close",
         (Go((inside, outside), HEADING), Close(door, HEADING, beyond=2.0)),
@@ -72,7 +74,7 @@ def drying_beakers() -> Task:
         },
         steps=(
             swing.named("1_open"),
-            actions.pick(large).named("2_pick"),
+            pick.named("2_pick"),
             actions.place(large, right, within=within, through=mouth).named("3_place"),
             actions.pick(small).named("4_pick"),
             actions.place(small, middle, within=within, through=mouth).named("5_place"),
