@@ -1,28 +1,32 @@
 """Why an expert did not succeed, in the words of the task."""
 
+from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.skills.expert import Expert
-from labutopia_lerobot.task import HOLD_S, INTERRUPTED, SUCCESS, TIMEOUT, Task
+from labutopia_lerobot.task import COLLIDED, HOLD_S, INTERRUPTED, SUCCESS, TIMEOUT, Task
+from labutopia_lerobot.world import World
 
 
-def why_failed(task: Task, progress: Progress, expert: Expert) -> list[str]:
+def why_failed(task: Task, progress: Progress, expert: Expert, world: World) -> list[str]:
     """Return what kept an episode that is over from success, line by line; nothing if it succeeded.
 
     Args:
         task: What was played.
         progress: Who judged it.
         expert: Who played it.
+        world: Where it was played, as it is at the end.
     """
     if progress.outcome == SUCCESS:
         return []
     missing = [name for name, time in progress.milestones.items() if time is None]
     step = "the goal" if progress.step is None else f"step '{progress.step.name}'"
     lines = [
-        f"Ended in {step}: {_ending(task, progress)}",
+        f"Ended in {step}: {_ending(task, progress, world)}",
         f"Expert: {_expert(expert)}",
+        *([] if expert.finished else [f"Hand: {expert.shortfall}"]),
         f"Milestones not reached: {', '.join(missing) or 'none'}",
     ]
-    false = [fact.name for fact in progress.awaited if not progress.facts[fact.name]]
+    false = [_missed(fact, world) for fact in progress.awaited if not progress.facts[fact.name]]
     awaited = f"for '{missing[0]}'" if missing else "for the goal"
     if false:
         lines.append(f"Did not hold at the end, {awaited}: {'; '.join(false)}")
@@ -38,7 +42,14 @@ def why_failed(task: Task, progress: Progress, expert: Expert) -> list[str]:
     return lines
 
 
-def _ending(task: Task, progress: Progress) -> str:
+def _missed(fact: Predicate, world: World) -> str:
+    """Return a fact that does not hold, and by how much where that is measured."""
+    off = {} if fact.off is None else fact.off(world)
+    amounts = ", ".join(f"{amount:.3g} {unit}" for unit, amount in off.items())
+    return f"{fact.name} (off by {amounts})" if amounts else fact.name
+
+
+def _ending(task: Task, progress: Progress, world: World) -> str:
     """Return what ended the episode."""
     if progress.outcome == TIMEOUT:
         return (
@@ -49,7 +60,13 @@ def _ending(task: Task, progress: Progress) -> str:
         return "what a milestone must keep ceased to hold"
     step = {} if progress.step is None else progress.step.never
     breach = {**step, **task.breaches}.get(progress.outcome)
-    return progress.outcome if breach is None else f"{progress.outcome} ({breach.name})"
+    if breach is None:
+        return progress.outcome
+    because = "" if breach.because is None else f": {breach.because(world)}"
+    cure = "; is the hand to? Then name it in `touches` of the step" * (
+        progress.outcome == COLLIDED
+    )
+    return f"{progress.outcome} ({breach.name}){because}{cure}"
 
 
 def _expert(expert: Expert) -> str:

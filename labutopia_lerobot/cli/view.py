@@ -51,7 +51,7 @@ def main() -> None:
 
 
 def _write_files(env: LabEnv, seed: int, folder: Path) -> None:
-    """Write the first picture and the whole episode, all cameras side by side."""
+    """Write the first picture above the last, and the whole episode; cameras side by side."""
     _make(folder)
     with doing(Console(stderr=True), f"Playing {env.setting.task}, seed {seed}"):
         observation, _ = env.reset(seed=seed)
@@ -64,7 +64,7 @@ def _write_files(env: LabEnv, seed: int, folder: Path) -> None:
             frames.append(np.hstack(list(observation["pixels"].values())))
             over = terminated or truncated
     stem = folder / env.setting.task.replace("/", "-")
-    Image.fromarray(frames[0]).save(stem.with_suffix(".png"))
+    Image.fromarray(np.vstack([frames[0], frames[-1]])).save(stem.with_suffix(".png"))
     write_video(stem.with_suffix(".mp4"), frames)
     _tell(env, expert, f". Wrote {stem}.png and {stem}.mp4")
 
@@ -87,7 +87,7 @@ def _tell(env: LabEnv, expert: Expert, more: str = "") -> None:
     """Print how an episode that is over has ended, and why if it failed."""
     cell = env.workcell
     lines = [f"{env.setting.task}, seed {env.seed}: {cell.progress.outcome}{more}"]
-    lines += [f"  {line}" for line in why_failed(cell.task, cell.progress, expert)]
+    lines += [f"  {line}" for line in why_failed(cell.task, cell.progress, expert, cell.world)]
     Console(soft_wrap=True, highlight=False).print("\n".join(lines), markup=False)
 
 

@@ -1,5 +1,7 @@
 """What no task forgives: glass that is knocked, and a robot that runs into things."""
 
+from collections.abc import Iterator
+
 from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Thing, World
 
@@ -21,15 +23,19 @@ def broken(*things: Thing) -> Predicate:
     """One of the things is knocked or pressed too hard, against anything but the rubber pads."""
     names = [thing.name for thing in things]
 
-    def holds(world: World) -> bool:
-        return any(
-            world.approach_speed(name, other) > _KNOCK or world.contact_force(name, other) > _LOAD
-            for name in names
-            for other in world.touched_by(name) - {LEFT_PAD, RIGHT_PAD}
-        )
+    def blows(world: World) -> Iterator[str]:
+        for name in names:
+            for other in sorted(world.touched_by(name) - {LEFT_PAD, RIGHT_PAD}):
+                speed, load = world.approach_speed(name, other), world.contact_force(name, other)
+                if speed > _KNOCK or load > _LOAD:
+                    yield f"{name} met {other} at {speed:.2f} m/s, with {load:.1f} N"
 
     which = " or ".join(names) or "nothing"
-    return Predicate(f"{which} knocked at {_KNOCK:g} m/s or pressed with {_LOAD:g} N", holds)
+    return Predicate(
+        f"{which} knocked at {_KNOCK:g} m/s or pressed with {_LOAD:g} N",
+        lambda world: any(blows(world)),
+        because=lambda world: "; ".join(blows(world)),
+    )
 
 
 def collided(*sparing: Thing) -> Predicate:
@@ -39,11 +45,15 @@ def collided(*sparing: Thing) -> Predicate:
     allowed = {ARM: robot, **dict.fromkeys((HAND, LEFT_PAD, RIGHT_PAD), robot | spared)}
     but = f" but {', '.join(sorted(spared))}" if spared else ""
 
-    def holds(world: World) -> bool:
-        return any(
-            world.contact_force(part, other) > _PUSH
-            for part, others in allowed.items()
-            for other in world.touched_by(part) - others
-        )
+    def pushes(world: World) -> Iterator[str]:
+        for part, others in allowed.items():
+            for other in sorted(world.touched_by(part) - others):
+                force = world.contact_force(part, other)
+                if force > _PUSH:
+                    yield f"{part} pushed {other} with {force:.1f} N"
 
-    return Predicate(f"robot pushes anything{but} with {_PUSH:g} N", holds)
+    return Predicate(
+        f"robot pushes anything{but} with {_PUSH:g} N",
+        lambda world: any(pushes(world)),
+        because=lambda world: "; ".join(pushes(world)),
+    )

@@ -17,12 +17,14 @@ class Predicate:
         holds: The answer for a world.
         off: By how much the world misses what is asked for at its best, unit -> amount (`mm`,
             `deg`, `ml`), whether the fact holds or not; None where nothing is measured. It decides
-            nothing.
+            nothing: `labutopia-view` shows it of what did not hold, result rows have it.
+        because: What makes it hold just now, in words, for who looks at a failure; decides nothing.
     """
 
     name: str
     holds: Callable[[World], bool]
     off: Callable[[World], Mapping[str, float]] | None = None
+    because: Callable[[World], str] | None = None
 
     def __invert__(self) -> "Predicate":
         """Return the fact that this one does not hold: `~gripped(flask)`."""

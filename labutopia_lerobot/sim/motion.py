@@ -7,6 +7,7 @@ position, speed and acceleration, without letting any pair of bodies come nearer
 """
 
 import itertools
+from collections.abc import Iterator
 
 import mink
 import mujoco
@@ -28,6 +29,8 @@ _MARGIN = 0.004
 """Distance that is kept between any two bodies [m]."""
 _HORIZON = 0.08
 """Distance below which a pair takes part in the program [m]."""
+_NEAR = 2 * _MARGIN
+"""Distance below which the margin may be what keeps the hand from its target [m]."""
 _GAIN = 0.85 / CONTROL_HZ
 """Share of the distance left that one control period may use up, per second: mink bounds a step by
 `gain * distance / dt`."""
@@ -87,14 +90,7 @@ class ReactiveMotion:
         self._look(holds)
         quat_wxyz, position = target.quat_wxyz, target.position_w
         self._track.set_target(mink.SE3(np.concatenate([quat_wxyz, position])))
-        load = holds.name if holds is not None else None
-        avoid = [
-            limit
-            for (mover, obstacle), limit in self._clearances.items()
-            if mover in (ARM, HAND, load)
-            and not (obstacle in touches and mover != ARM)
-            and obstacle != load
-        ]
+        avoid = [self._clearances[pair] for pair in self._kept_apart(touches, holds)]
         limits, commands, joints = self._command_limits, self._simulation.commands, self._joints
         before, last = commands[-2:]
         least, greatest = limits.changes(before, last)
@@ -118,6 +114,36 @@ class ReactiveMotion:
             change[:joints] = velocity[self._drives.joint_dofs] / CONTROL_HZ
         command: FloatArray = last + change
         return command
+
+    def kept_from(
+        self, *, touches: frozenset[str], holds: Thing | None
+    ) -> dict[tuple[str, str], float]:
+        """Return what is kept apart and is near each other, with the distance [m].
+
+        Args:
+            touches: As in `follow`.
+            holds: As in `follow`.
+        """
+        self._look(holds)
+        data = self._configuration.data
+        gaps = {
+            pair: min(
+                mujoco.mj_geomDistance(self._model, data, a, b, _HORIZON, None)
+                for a, b in self._clearances[pair].geom_id_pairs
+            )
+            for pair in self._kept_apart(touches, holds)
+        }
+        return {pair: gap for pair, gap in gaps.items() if gap < _NEAR}
+
+    def _kept_apart(
+        self, touches: frozenset[str], holds: Thing | None
+    ) -> Iterator[tuple[str, str]]:
+        """Yield each mover (arm, hand, load) with what it must not touch."""
+        load = holds.name if holds is not None else None
+        for mover, obstacle in self._clearances:
+            may_touch = obstacle in touches and mover != ARM
+            if mover in (ARM, HAND, load) and obstacle != load and not may_touch:
+                yield mover, obstacle
 
     def _look(self, holds: Thing | None) -> None:
         """Bring the planning model up to date with the command in force and the live world."""
@@ -207,7 +233,7 @@ def _copy_hulls(scene: Scene, hulls: list[int], body: mujoco.MjsBody, prefix: st
 
 def _clearances(
     model: mujoco.MjModel, robot: Robot, pieces: tuple[Piece, ...]
-) -> dict[tuple[str, str], mink.Limit]:
+) -> dict[tuple[str, str], mink.CollisionAvoidanceLimit]:
     """Return one distance limit for every mover (arm, hand, load) and obstacle (bench, body)."""
     loads = {
         piece.name: _geoms_below(model, _LOAD + piece.name) for piece in pieces if piece.movable

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.robots.braking import longest_step
-from labutopia_lerobot.skills.skill import Phase, Skill
+from labutopia_lerobot.skills.skill import Phase, PhaseError, Skill
 from labutopia_lerobot.world import (
     ARM,
     CONTROL_HZ,
@@ -31,6 +31,10 @@ _TURN_ACCELERATION = 5.0
 """Greatest change of the gripper's angular velocity [rad/s^2]."""
 
 
+_TINY = 1e-6
+"""By how much an opening may be beyond the gripper's [m]: commands are in single precision."""
+
+
 class Motion(Protocol):
     """Turns a wanted gripper pose and opening into commands, reactively."""
 
@@ -40,9 +44,17 @@ class Motion(Protocol):
         """Return the next command, shape (elements,): joint targets [rad] and opening [m]."""
         ...
 
+    def kept_from(
+        self, *, touches: frozenset[str], holds: Thing | None
+    ) -> dict[tuple[str, str], float]:
+        """Return what is kept apart and is near each other, with the distance [m]."""
+        ...
+
 
 class Expert:
     """A finite-state machine over the phases of a task's skills.
+
+    Whatever plays a phase raises `PhaseError` if the phase asks for what no hand can do.
 
     Attributes:
         finished: Whether the last phase is done.
@@ -77,7 +89,38 @@ class Expert:
         if label is None or phase is None:
             return False
         self.label, self._phase, self._began = label, phase, self._world.time
+        widest = self._world.robot.max_opening
+        if not -_TINY <= phase.opening <= widest + _TINY:
+            raise PhaseError(
+                f"{label}: its opening is {phase.opening:g} m, but the pads are from 0 to "
+                f"{widest:g} m apart"
+            )
         return True
+
+    def _target(self) -> Pose:
+        """Return where the present phase wants the gripper now."""
+        target = self._phase.target(self._world)
+        if not isinstance(target, Pose):
+            raise PhaseError(
+                f"{self.label}: its target returned {type(target).__name__}, not a Pose, such as "
+                "hand_at(world, point_w) or Pose(position_w, rotation_w)"
+            )
+        return target
+
+    @property
+    def shortfall(self) -> str:
+        """How far the hand is from the target of the phase in play, and what may be in its way."""
+        target, gripper, phase = self._target(), self._world.gripper, self._phase
+        degrees = np.degrees(gripper.angle_to(target))
+        near = self._motion.kept_from(touches=phase.touches, holds=phase.holds)
+        kept = "".join(
+            f"; {mover} kept from {other}, {1e3 * gap:.0f} mm away"
+            for (mover, other), gap in near.items()
+        )
+        cure = " (`touches` of a phase lists what hand and load may touch)"
+        listed = cure if any(mover != ARM for mover, _ in near) else ""
+        away = f"{1e3 * gripper.distance_to(target):.0f} mm and {degrees:.0f} deg"
+        return f"{away} from the target of {self.label}{kept}{listed}"
 
     def act(self) -> NDArray[np.float32]:
         """Return the next action, shape (elements,): joint targets [rad] and opening [m].
@@ -85,14 +128,14 @@ class Expert:
         After the last phase, or after a failure, the last target is kept.
         """
         self._count_unexpected_touches()
-        target = self._phase.target(self._world)
+        target = self._target()
         elapsed = self._world.time - self._began
         late = elapsed > self._phase.timeout_s
         given_up = late and self._phase.may_fail
         done = given_up or self._phase.done(self._world, target, elapsed)
         if self.failure is None and done:
             self.finished = not self._next_phase()
-            target = self._phase.target(self._world)
+            target = self._target()
         elif self.failure is None and late:
             self.failure = f"{self.label} not done after {self._phase.timeout_s:g} s"
         self._reference = self._towards(target)

@@ -20,7 +20,10 @@ def horizontal(direction: FloatArray) -> FloatArray:
 
 
 def hand_at(world: World, point_w: FloatArray, approach: Approach | None = None) -> Pose:
-    """Return the comfortable gripper pose at a point, shape (3,), metres, world frame.
+    """Return the gripper pose at a point, shape (3,), metres, world frame, the fingers level.
+
+    The hand (z) points as the approach says, relative to the bearing of the point from the robot's
+    base: by default as the robot's arm likes it for vessels, to the right and a little down.
 
     Args:
         world: Where the robot stands.

@@ -1,9 +1,11 @@
 """A skill is a sequence of phases; a phase moves the gripper until a condition holds."""
 
+import inspect
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
+from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.world import Pose, Thing, World
 
 Target = Callable[[World], Pose]
@@ -13,21 +15,32 @@ Condition = Callable[[World, Pose, float], bool]
 """Whether a phase is done: the world, the phase's present target, seconds in the phase."""
 
 
+class PhaseError(UserError, ValueError):
+    """A phase that cannot be played; the message names it, says what is wrong, and the cure."""
+
+
 @dataclass(frozen=True)
 class Phase:
-    """One state of the machine.
+    """One state of the machine: the hand moves to `target` in a straight line until `done`.
 
     Attributes:
         name: A verb; appears in the dataset's phase labels.
-        target: Wanted pose of the gripper frame.
-        opening: Commanded distance between the pads [m].
-        done: Condition that ends the phase.
-        touches: Names of things that the hand, or what it holds, may touch meanwhile.
+        target: Wanted pose of the gripper frame, asked for at every control step: it may follow
+            a thing.
+        opening: Commanded distance between the pads [m], from 0 to `world.robot.max_opening`.
+        done: Condition that ends the phase, of the world, the present target and the seconds in
+            the phase; asked at every control step.
+        touches: Names of things (`frozenset({"jar"})`), or `bench`, that the hand, or what it
+            holds, may touch meanwhile; the expert steers clear of all others. The arm may touch
+            nothing.
         holds: The thing in the gripper, which is kept clear of obstacles too.
         speed: Greatest speed of the gripper frame [m/s].
         turn_speed: Greatest angular speed of the gripper frame [rad/s].
         timeout_s: The phase has failed after this long [s].
         may_fail: The phase then ends as if it were done, and the skill decides what follows.
+
+    Raises:
+        PhaseError: If `target` or `done` cannot be called like that.
     """
 
     name: str
@@ -41,17 +54,30 @@ class Phase:
     timeout_s: float = 6.0
     may_fail: bool = False
 
+    def __post_init__(self) -> None:
+        self._require_callable("target", "(world)")
+        self._require_callable("done", "(world, target, seconds)")
+
+    def _require_callable(self, part: str, arguments: str) -> None:
+        function = getattr(self, part)
+        try:
+            inspect.signature(function).bind(*arguments.split(","))
+        except TypeError:
+            raise PhaseError(
+                f"Phase '{self.name}': its {part} must be a function of {arguments}, "
+                f"not {function!r}"
+            ) from None
+
 
 @runtime_checkable
 class Skill(Protocol):
-    """Something an expert can do.
-
-    `phases` is a generator that the expert advances when a phase is done, so code between two
-    yields sees the world as it is then.
-    """
+    """Something an expert can do: whatever has `phases`, such as a frozen dataclass."""
 
     def phases(self, world: World) -> Iterator[Phase]:
-        """Yield the phases in order."""
+        """Yield the phases in order; what follows a `yield` is run when that phase is done.
+
+        The world is then the world of that moment.
+        """
         ...
 
 

@@ -12,6 +12,9 @@ FloatArray = NDArray[np.float64]
 class Pose:
     """Position and orientation of a frame in the world.
 
+    `Pose(position_w, rotation_w)` makes one. `a @ b` is the pose in the world of what is at `b` in
+    the frame `a`.
+
     Attributes:
         position_w: Origin of the frame, shape (3,), metres, world frame.
         rotation_w: Axes of the frame as columns, shape (3, 3), world frame.

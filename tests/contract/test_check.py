@@ -38,6 +38,16 @@ def fine():
 """
 
 
+HASTY = """
+from dataclasses import replace
+from labutopia_lerobot.tasks.level1.pick import pick
+
+
+def hasty():
+    return replace(pick(), instruction="Hurry.", time_limit_s=0.2)
+"""
+
+
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A folder with three tasks: one that all succeed at, one that cannot be made, a good one."""
@@ -77,6 +87,17 @@ def test_a_task_that_cannot_be_made_is_told_and_does_not_keep_others_from_being_
     assert lines[0].startswith("FAIL  level1/broken  the task can be made: ZeroDivisionError")
     assert lines[1].startswith("pass  level1/fine  the task can be made")
     assert lines[-1] == "3 tasks checked; 1 check failed"
+
+
+def test_what_fails_in_the_same_way_with_ten_seeds_is_told_once(monkeypatch, capsys, folder):
+    (folder / "level1" / "hasty.py").write_text(HASTY)
+    only = [each for each in CHECKS if each.__name__ == "the_expert_wins_at_least_nine_of_ten"]
+    monkeypatch.setattr(check, "CHECKS", only)
+    status, lines = checked(monkeypatch, capsys, str(folder), "--task", "level1/hasty")
+    assert status == 1
+    seeds = ", ".join(map(str, range(100, 110)))
+    assert f"10 of 10 failed. seeds {seeds}: timeout; the first: Ended in step 'pick'" in lines[1]
+    assert lines[1].count("Milestones not reached") == 1
 
 
 @pytest.mark.slow

@@ -14,6 +14,9 @@ PAGE = (ROOT / "docs" / "tutorial.md").read_text()
 FILES = dict(re.findall(r"`(my_tasks/\S+\.py)`:\n\n```python\n(.*?)```", PAGE, re.DOTALL))
 CONSOLES = re.findall(r"```console\n(.*?)```", PAGE, re.DOTALL)
 
+SLOW = "labutopia-(check|record)"
+"""Blocks with these take a minute or more."""
+
 SMALL = ["--headless", "--width", "32", "--height", "32"]
 """What a display would show at real time is drawn small here; no outcome depends on it."""
 
@@ -33,7 +36,7 @@ def run(command: str, folder: Path) -> str:
     program, *arguments = shlex.split(command)
     call = [program, *arguments]
     if program.startswith("labutopia-"):
-        name = program.removeprefix("labutopia-")
+        name = program.removeprefix("labutopia-").replace("eval", "evaluate")
         main = f"from labutopia_lerobot.cli.{name} import main; main()"
         call = [sys.executable, "-c", main, *arguments, *(SMALL if name == "view" else [])]
     done = subprocess.run(call, cwd=folder, capture_output=True, text=True, check=False)
@@ -52,7 +55,7 @@ def test_the_first_file_is_the_example_of_the_readme():
 @pytest.mark.parametrize(
     "console",
     [
-        pytest.param(text, marks=[pytest.mark.slow] if "labutopia-check" in text else [])
+        pytest.param(text, marks=[pytest.mark.slow] if re.search(SLOW, text) else [])
         for text in CONSOLES
     ],
     ids=[re.sub(r"\W+", "_", text.splitlines()[-1])[:40] for text in CONSOLES],

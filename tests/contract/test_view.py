@@ -1,6 +1,7 @@
 """`labutopia-view` without a display: files, and why an expert has failed."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -43,7 +44,7 @@ def test_a_success_is_told_in_a_line_and_leaves_a_picture_and_a_film(tmp_path):
     assert done.stdout.startswith("level1/pick, seed 0: success. Wrote ")
     assert len(done.stdout.splitlines()) == 1
     assert "Playing level1/pick, seed 0 ..." in done.stderr
-    assert Image.open(tmp_path / "here" / "level1-pick.png").size == (96, 32)
+    assert Image.open(tmp_path / "here" / "level1-pick.png").size == (96, 64)
     with av.open(str(tmp_path / "here" / "level1-pick.mp4")) as film:
         assert sum(1 for _ in film.decode(video=0)) > 100
 
@@ -55,6 +56,7 @@ def test_a_failure_is_told_with_step_phase_milestones_and_what_did_not_hold(tmp_
     assert "level1/hasty, seed 0: timeout" in done.stdout
     assert "step 'pick': the time limit of 1 s ran out" in done.stdout
     assert "Expert: was in phase pick/hover" in done.stdout
+    assert re.search(r"Hand: \d+ mm and \d+ deg from the target of pick/hover", done.stdout)
     assert "Milestones not reached: gripped, lifted" in done.stdout
     assert "Did not hold at the end, for 'gripped': flask gripped" in done.stdout
 

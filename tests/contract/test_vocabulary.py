@@ -1,7 +1,9 @@
 """`docs/vocabulary.md` is what the script would write, and leaves nothing out."""
 
+import importlib
 import inspect
 import re
+from collections.abc import Iterator
 
 import make_vocabulary
 import piece_pictures
@@ -27,6 +29,33 @@ def test_every_piece_of_a_task_is_on_it():
     assert made == {"Vessel", "Heater"}
     for name in (*made, "beaker", "erlenmeyer_flask", "TestTubeRack"):
         assert f"`{name}(name: str" in PAGE
+
+
+def names_with_modules() -> Iterator[tuple[str, str]]:
+    """Yield every name that the page says where to import from, with that module."""
+    module, callable_rows = "", False
+    for line in PAGE.splitlines():
+        if here := re.match(r"(?:From `([\w.]+)`\.$|## )", line):
+            module = here[1] or ""
+        elif line.startswith("| ") and "---" not in line:
+            own = re.search(r"`(\w+)(?:\(.*\))?`<br>from `([\w.]+)`", line)
+            if line.startswith(("| call", "| ask", "| argument", "| |")):
+                callable_rows = line.startswith("| call")
+            elif own:
+                package = "" if own[2].startswith("labutopia_lerobot") else "labutopia_lerobot."
+                yield own[1], package + own[2]
+            elif callable_rows:
+                yield re.match(r"\| `(\w+)", line)[1], module
+        elif line.startswith("### "):
+            yield line.removeprefix("### "), module
+
+
+def test_every_name_can_be_imported_from_the_module_that_the_page_names():
+    named = list(names_with_modules())
+    assert {"Profile", "hand_at", "Approach", "Phase", "Thing", "Pose"} <= {n for n, _ in named}
+    assert len(named) > 100
+    missing = [(n, m) for n, m in named if not hasattr(importlib.import_module(m), n)]
+    assert missing == []
 
 
 def test_every_line_has_a_meaning():

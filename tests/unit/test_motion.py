@@ -18,7 +18,7 @@ from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.posture import hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived
-from labutopia_lerobot.world import World
+from labutopia_lerobot.world import Approach, Pose, World
 
 OBSTACLE = erlenmeyer_flask("obstacle", "1000 ml")
 
@@ -90,8 +90,11 @@ class Dive:
 
     depth: float
 
+    def goal(self, world: World) -> Pose:
+        return hand_at(world, np.array([0.3, 0.0, world.bench_height - self.depth]))
+
     def phases(self, world: World) -> Iterator[Phase]:
-        goal = hand_at(world, np.array([0.3, 0.0, world.bench_height - self.depth]))
+        goal = self.goal(world)
         yield Phase("dive", lambda w: goal, 0.08, arrived(0.002))
 
 
@@ -105,3 +108,52 @@ def test_the_hand_stops_above_the_bench(depth):
     while expert.failure is None:
         simulation.step(expert.act().astype(np.float64))
     assert not expert.unexpected
+    missed = 1e3 * world.gripper.distance_to(Dive(depth).goal(world))
+    assert expert.shortfall.startswith(f"{missed:.0f} mm and ")
+    assert "arm kept from bench" in expert.shortfall
+    assert "touches" not in expert.shortfall, "no phase may let the arm touch the bench"
+
+
+def test_the_hand_reaches_a_point_as_low_as_the_tutorial_says():
+    simulation = Simulation(compile_scene([OBSTACLE], PANDA, LABORATORY, VESSEL_VIEW))
+    world = SimulatedWorld(simulation)
+    simulation.reset({OBSTACLE: Placement(1.0, 0.7, 0.0)})
+    expert = Expert((Dive(-0.035),), world, ReactiveMotion(simulation, world))
+    expert.start()
+    while not expert.finished and expert.failure is None:
+        simulation.step(expert.act().astype(np.float64))
+    assert expert.failure is None
+
+
+def test_the_hand_points_to_the_right_of_the_bearing_and_down_by_default_or_as_one_says():
+    world = SimulatedWorld(Simulation(compile_scene([OBSTACLE], PANDA, LABORATORY, VESSEL_VIEW)))
+    point = np.array([0.3, 0.2, 1.0])
+    bearing = point - world.robot_base.position_w
+    for approach, right, down in ((None, 60, 7), (Approach(yaw=0.5, pitch=0.3), -28.65, 17.19)):
+        pose = hand_at(world, point, approach)
+        turned = np.arctan2(bearing[1], bearing[0]) - np.arctan2(pose.z_axis[1], pose.z_axis[0])
+        assert np.degrees(turned) == pytest.approx(right, abs=0.01)
+        assert np.degrees(np.arcsin(-pose.z_axis[2])) == pytest.approx(down, abs=0.01)
+        assert pose.y_axis[2] == pytest.approx(0.0), "the fingers are level"
+
+
+def test_what_the_hand_is_kept_from_is_told_with_its_cure_and_not_what_is_far():
+    simulation = Simulation(compile_scene([OBSTACLE], PANDA, LABORATORY, VESSEL_VIEW))
+    world = SimulatedWorld(simulation)
+    simulation.reset({OBSTACLE: Placement(0.3, 0.0, 0.0)})
+    expert = Expert((Into(),), world, ReactiveMotion(simulation, world))
+    expert.start()
+    assert "kept" not in expert.shortfall
+    while expert.failure is None:
+        simulation.step(expert.act().astype(np.float64))
+    assert "hand kept from obstacle, " in expert.shortfall
+    assert "`touches` of a phase lists what hand and load may touch" in expert.shortfall
+
+
+@dataclass(frozen=True)
+class Into:
+    """Send the closed hand into the obstacle, which it is not to touch."""
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        goal = hand_at(world, world.pose(OBSTACLE).moved(z=0.1).position_w)
+        yield Phase("into", lambda w: goal, 0.0, arrived(0.002))

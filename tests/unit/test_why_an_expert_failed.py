@@ -1,5 +1,6 @@
 """Why an episode was no success, told from who judged it and who played it."""
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -12,6 +13,8 @@ from labutopia_lerobot.task import Milestone, Step
 
 YES = Predicate("yes", lambda world: True)
 NO = Predicate("no", lambda world: False)
+NEARLY = Predicate("nearly", lambda world: False, off=lambda world: {"mm": 3.14159, "deg": 2})
+KNOWN = Predicate("bad", lambda world: True, because=lambda world: "jar met bench")
 
 
 @pytest.fixture(scope="module")
@@ -28,7 +31,7 @@ def told(env, **changes) -> str:
     assert progress.over
     expert = env.workcell.expert()
     expert.start()
-    return "\n".join(why_failed(task, progress, expert))
+    return "\n".join(why_failed(task, progress, expert, env.workcell.world))
 
 
 def test_a_breach_is_told_with_its_fact(env):
@@ -37,6 +40,31 @@ def test_a_breach_is_told_with_its_fact(env):
     assert "Ended in step 'do': bad (yes)" in why
     assert "Milestones not reached: done" in why
     assert "Did not hold at the end, for 'done': no" in why
+
+
+def test_what_makes_a_breach_hold_is_told_and_by_how_much_a_fact_is_missed(env):
+    step = Step("do", (), (Milestone("done", (NEARLY,)),), never={"bad": KNOWN})
+    why = told(env, steps=(step,), goal=(NO,))
+    assert "Ended in step 'do': bad (bad): jar met bench\n" in why
+    assert "Did not hold at the end, for 'done': nearly (off by 3.14 mm, 2 deg)" in why
+
+
+def test_a_push_that_no_step_allows_is_told_with_who_what_how_hard_and_the_cure():
+    env = begun("level1/pick")
+    task = replace(
+        env.workcell.task, steps=tuple(replace(s, touches=()) for s in env.workcell.task.steps)
+    )
+    progress, expert = Progress(task), env.workcell.expert()
+    expert.start()
+    while not progress.over:
+        env.step(expert.act())
+        progress.update(env.workcell.world)
+    (ending, *_) = why_failed(task, progress, expert, env.workcell.world)
+    told = re.search(r"collided \(.*\): (\w+) pushed flask with ([\d.]+) N", ending)
+    assert told is not None, ending
+    assert told[1] in ("left_pad", "right_pad", "hand")
+    assert float(told[2]) >= 2.0
+    assert "name it in `touches` of the step" in ending
 
 
 def test_what_was_not_kept_is_told(env):
@@ -61,7 +89,7 @@ def test_a_phase_that_was_given_up_and_touches_that_no_phase_lists_are_told(env)
     expert.start()
     expert.failure = "pick/lower not done after 6 s"
     expert.unexpected["hand", "bench"] = 7
-    why = why_failed(task, progress, expert)
+    why = why_failed(task, progress, expert, env.workcell.world)
     assert "Ended in step 'pick': diverged" in why
     assert "Expert: gave up: pick/lower not done after 6 s" in why
     assert "Touched what no phase lists: hand and bench, 7 control steps" in why

@@ -35,7 +35,7 @@ class Vessel(Loose):
 
     Attributes:
         name: Name of the body; prefix of the names of all its elements.
-        profile: The wall's half cross-section.
+        profile: The wall's half cross-section, a `Profile`.
         grip_height: Height above the base at which a gripper closes [m].
         one_mark: Volume that the only graduation, a ring, marks [m^3]; None for a scale.
     """
@@ -52,6 +52,7 @@ class Vessel(Loose):
 
     @property
     def height(self) -> float:
+        """Height of the lip above the base [m]."""
         return self.profile.height
 
     @property
