@@ -25,6 +25,12 @@ from labutopia_lerobot.setting import Setting
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 BEGIN, END = "<!-- tasks -->", "<!-- end of tasks -->"
+POURING = "pouring"
+"""Name of the README's picture of a pour."""
+_SHORT = 3
+"""Steps of a task whose pictures at the start and at the end say enough."""
+_COLUMNS = 5
+"""Pictures in a row of steps."""
 
 
 Rows = Mapping[str, Sequence[Row]]
@@ -37,10 +43,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", type=Path, nargs="?", default=expert_rows.RESULTS)
     parser.add_argument("--tables", action="store_true", help="leave the pictures as they are")
+    parser.add_argument("--only", metavar="TASK", nargs="+", help="of which tasks to make pictures")
     arguments = parser.parse_args()
     write_tables(expert_rows.read(arguments.results))
-    if not arguments.tables:
-        write_gallery()
+    write_gallery([] if arguments.tables else arguments.only or [*task_files(), POURING])
 
 
 def write_tables(rows: dict[str, list[Row]]) -> None:
@@ -54,23 +60,37 @@ def write_tables(rows: dict[str, list[Row]]) -> None:
     (DOCS / "failures.md").write_text("\n".join(failure_table(rows)) + "\n")
 
 
-def write_gallery() -> None:
-    """Write the pictures and the page that shows them."""
+def write_gallery(drawn: Sequence[str]) -> None:
+    """Write the page that shows the pictures, and the pictures of some tasks."""
     gallery = [
         "# Gallery",
         "",
-        "The expert with seed 0: start and end, from the three cameras.",
+        "The expert with seed 0: start and end, from the three cameras; of long tasks also the",
+        "moments in which their steps are done, from the front.",
         "",
     ]
     for task_id in task_files():
-        picture = DOCS / "gallery" / f"{task_id.replace('/', '-')}.png"
-        picture.parent.mkdir(parents=True, exist_ok=True)
-        Image.fromarray(start_and_end(task_id)).quantize(256).save(picture, optimize=True)
-        task = canonical_task(Setting(task_id))
-        gallery += [f"## {task_id}", "", task.instruction, ""]
-        gallery += [f"![{task_id}](gallery/{picture.name})", ""]
-    Image.fromarray(pouring()).quantize(256).save(DOCS / "gallery" / "pouring.png", optimize=True)
+        task, name = canonical_task(Setting(task_id)), task_id.replace("/", "-")
+        gallery += [f"## {task_id}", "", task.instruction, "", f"![{task_id}](gallery/{name}.png)"]
+        long = len(task.steps) > _SHORT
+        if long:
+            gallery += ["", f"![{task_id}, step by step](gallery/{name}-steps.png)"]
+        gallery += [""]
+        if task_id in drawn:
+            ends, steps = watched(task_id)
+            save(ends, name)
+            if long:
+                save(steps, f"{name}-steps")
+    if POURING in drawn:
+        save(pouring(), POURING)
     (DOCS / "gallery.md").write_text("\n".join(gallery))
+
+
+def save(picture: NDArray[np.uint8], name: str) -> None:
+    """Write a picture of the gallery as a small PNG."""
+    file = DOCS / "gallery" / f"{name}.png"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    Image.fromarray(picture).quantize(256).save(file, optimize=True)
 
 
 def pouring() -> NDArray[np.uint8]:
@@ -86,20 +106,25 @@ def pouring() -> NDArray[np.uint8]:
             return np.hstack(list(observation["pixels"].values()))
 
 
-def start_and_end(task_id: str) -> NDArray[np.uint8]:
-    """Return the first picture above the last, all cameras side by side."""
-    env = LabEnv(Setting(task_id, obs="state"))  # draws two moments only
+def watched(task_id: str) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """Return the first picture above the last from all cameras, and one from the front per step."""
+    env = LabEnv(Setting(task_id, obs="state"))  # draws a few moments only
     env.reset(seed=0)
-    first = _all_cameras(env)
-    expert = env.expert()
+    first, steps = _all_cameras(env), []
+    cell, expert = env.workcell, env.expert()
     expert.start()
     over = False
     while not over:
+        step = cell.progress.step
         _, _, terminated, truncated, _ = env.step(expert.act())
         over = terminated or truncated
+        if step is not None and cell.progress.step is not step:
+            steps.append(cell.pictures(("front",))["front"])
     last = _all_cameras(env)
     env.close()
-    return np.vstack([first, last])
+    steps += [np.full_like(steps[0], 255)] * (-len(steps) % _COLUMNS)
+    rows = (np.hstack(steps[i : i + _COLUMNS]) for i in range(0, len(steps), _COLUMNS))
+    return np.vstack([first, last]), np.vstack(list(rows))
 
 
 def _all_cameras(env: LabEnv) -> NDArray[np.uint8]:

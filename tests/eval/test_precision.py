@@ -6,7 +6,7 @@ import pytest
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.precision import Precision
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.world import HAND
+from labutopia_lerobot.world import ARM
 
 
 @pytest.fixture(scope="module")
@@ -31,12 +31,12 @@ def test_what_should_not_touch_is_counted(env: LabEnv) -> None:
     precision.note(info["substeps"])
     assert precision.columns["unwanted_contacts"] == {}
     down = env.workcell.simulation.command.astype(np.float32)
-    down[1] += 1.2  # the shoulder bends the hand down into the bench
+    down[1] += 1.2  # the shoulder bends the forearm down onto the bench
     for _ in range(75):
         *_, info = env.step(down)
         precision.note(info["substeps"])
     touched = precision.columns["unwanted_contacts"]
-    assert touched[f"{HAND} and bench"] > 3
+    assert touched[f"{ARM} and bench"] > 3
 
 
 def test_what_is_not_poured_yet_is_off_target() -> None:

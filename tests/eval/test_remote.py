@@ -182,7 +182,7 @@ def test_a_policy_that_raises_elsewhere_stops_the_run_and_the_episode_is_named(
     with pytest.raises(PolicyServerError, match="ZeroDivisionError") as told:
         play(Pairing(STATE, "remote", reached(openpi)), 100_001)
     assert told.value.__notes__ == [
-        "In the episode of level1/pick, split id, seed 100001, played by remote"
+        "In the episode of level1/pick, split id, seed 100001, played by remote, single"
     ]
 
 

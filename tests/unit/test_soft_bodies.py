@@ -17,7 +17,6 @@ from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
-from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.skills.expert import Expert
@@ -170,8 +169,7 @@ def test_a_restored_state_goes_on_bit_for_bit_in_the_middle_of_a_squeeze(env):
     for _ in range(40):
         env.step(expert.act())
     saved, command = env.workcell.simulation.state(), env.workcell.simulation.command.copy()
-    other = LabEnv(Setting("level1/squeeze", obs="state"))
-    other.reset(seed=5)
+    other = begun("level1/squeeze")
     other.workcell.simulation.restore(saved)
     assert other.workcell.simulation.command.tobytes() == command.tobytes()
     narrower = command - np.array([0.0] * 7 + [0.01])

@@ -5,6 +5,7 @@ tasks/opentransportpour_task.py, controllers/opentransportpour_controller.py.
 """
 
 import math
+from dataclasses import replace
 from itertools import permutations
 
 from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
@@ -12,10 +13,11 @@ from labutopia_lerobot.labware.instruments.muffle_furnace import MuffleFurnace
 from labutopia_lerobot.labware.instruments.target_plate import PORCELAIN, TargetPlate
 from labutopia_lerobot.labware.parts.colors import COLORS
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.places import OnTop
+from labutopia_lerobot.places import OnTop, OverBench
 from labutopia_lerobot.predicates import clear_of, faster, opened, struck
 from labutopia_lerobot.scenario import Draw
 from labutopia_lerobot.scenes.views import DOOR_VIEW
+from labutopia_lerobot.skills import Go
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions, mishaps
@@ -40,6 +42,9 @@ def open_transport_pour(draw: Draw) -> Task:
     red = TargetPlate("red_plate", color=PORCELAIN, glaze=COLORS["red"])
     blue = TargetPlate("blue_plate", color=PORCELAIN, glaze=COLORS["blue"])
     plates, within = frozenset({red.name, blue.name}), 0.04  # as transport_beaker
+    # Ours: from the handle the elbow would meet the open door on the straight way to the flask.
+    back = Go((OverBench("middle of the bench", ahead=0.40, height=0.35),), heading=0.0)
+    pick_flask = actions.pick(flask).named("pour_pick")
     steps = {
         "open": mishaps.sparing(
             (vessel, flask),
@@ -56,7 +61,7 @@ def open_transport_pour(draw: Draw) -> Task:
         ),
         "pour": mishaps.sparing(
             (vessel,),
-            actions.pick(flask).named("pour_pick"),
+            replace(pick_flask, skills=(back, *pick_flask.skills)),
             actions.pour(flask, target).named("pour"),
             # Over the lip of the large beaker.
             actions.place(flask, OnTop(blue), within=within, hover=0.20).named("pour_place"),
