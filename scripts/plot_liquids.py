@@ -20,6 +20,7 @@ from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.substances.substance import SUBSTANCES
 from liquid_experiments import FRONTS, collapse, filled, move_to, surface, swirl
+from run_over import run_over, tilt_to_barrier
 
 DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = DOCS / "liquids"
@@ -34,7 +35,7 @@ def main() -> None:
     mpl.rcParams.update({"axes.grid": True, "grid.alpha": 0.3, "font.size": 9})
     PICTURES.mkdir(exist_ok=True)
     texts = {"cores": str(os.cpu_count()), "hertz": str(LIQUID_HZ)}
-    for measure in (heights, levels, dam_break, viscosity, scaling, leaks):
+    for measure in (heights, levels, runs_over, dam_break, viscosity, scaling, leaks):
         texts |= measure()
     page = (DOCS / "liquids.md").read_text()
     for name, text in texts.items():
@@ -99,6 +100,26 @@ def levels() -> Texts:
     axes.legend()
     save(figure, "levels")
     return {"levels": " and ".join(worst)}
+
+
+def runs_over() -> Texts:
+    """Tilt filled vessels until they run over."""
+    rows = []
+    for name, vessel, ml in (
+        ("beaker, 250 ml", beaker("glass"), 100),
+        ("conical flask, 300 ml", erlenmeyer_flask("glass"), 200),
+        ("graduated cylinder, 250 ml", graduated_cylinder("glass"), 100),
+    ):
+        right = np.degrees(tilt_to_barrier(vessel.profile, ml * 1e-6))
+        for count in (1000, 2000):
+            found = [run_over(vessel, ml, count, seed) for seed in range(SEEDS)]
+            late, above = np.mean(found, axis=0)
+            rows.append(
+                f"| {name} | {ml} | {count:,} | {right:.1f} | {np.degrees(late):+.1f} "
+                f"| {above * 1e3:.1f} |"
+            )
+    head = "vessel | ml | particles | should at [degrees] | late by [degrees] | stands above [mm]"
+    return {"runs_over": table(head, rows)}
 
 
 def dam_break() -> Texts:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ
@@ -17,6 +18,7 @@ from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.substances.substance import WATER
 from labutopia_lerobot.world.model import PHYSICS_HZ
 from liquid_experiments import FRONTS, collapse, filled, move_to, surface, swirl, world
+from run_over import CAPILLARY_LENGTH, run_over, tilt_to_barrier
 
 
 @pytest.mark.parametrize("count", [1000, 2000])
@@ -32,6 +34,23 @@ def test_a_volume_stands_as_high_as_the_cavity_has_room_for_it(
     bottom = vessel.profile.bottom
     depth = vessel.profile.fill_height(ml * 1e-6) - bottom
     assert surface(liquid)[0] - bottom == pytest.approx(depth, rel=0.05)
+
+
+def test_a_full_cylinder_runs_over_at_once_and_half_a_one_when_its_diagonal_is_level() -> None:
+    profile = Profile(((0.03, 0.0), (0.03, 0.1)), 0.001, 0.001)
+    inner = profile.height - profile.bottom
+    assert tilt_to_barrier(profile, 0.99 * profile.capacity) < np.radians(2.0)
+    half = tilt_to_barrier(profile, profile.capacity / 2)
+    assert half == pytest.approx(np.arctan2(inner, 2 * profile.inner_radius(0.1)), abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("vessel", "ml"), [(beaker("glass"), 100.0), (erlenmeyer_flask("glass"), 200.0)]
+)
+def test_a_vessel_runs_over_when_its_surface_is_a_capillary_length_above_the_barrier(
+    vessel: Vessel, ml: float
+) -> None:
+    assert 0.0 < run_over(vessel, ml, 500).above < 1.5 * CAPILLARY_LENGTH
 
 
 @pytest.mark.parametrize("vessel", [beaker("glass"), erlenmeyer_flask("glass")])
