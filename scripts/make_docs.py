@@ -4,6 +4,7 @@ The numbers are the expert's rows in `eval/results`, which `scripts/expert_rows.
 """
 
 import argparse
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -30,7 +31,7 @@ POURING = "pouring"
 _SHORT = 3
 """Steps of a task whose pictures at the start and at the end say enough."""
 _COLUMNS = 5
-"""Pictures in a row of steps."""
+"""Most pictures in a row of steps."""
 
 
 Rows = Mapping[str, Sequence[Row]]
@@ -122,8 +123,9 @@ def watched(task_id: str) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
             steps.append(cell.pictures(("front",))["front"])
     last = _all_cameras(env)
     env.close()
-    steps += [np.full_like(steps[0], 255)] * (-len(steps) % _COLUMNS)
-    rows = (np.hstack(steps[i : i + _COLUMNS]) for i in range(0, len(steps), _COLUMNS))
+    columns = math.ceil(len(steps) / math.ceil(len(steps) / _COLUMNS))
+    steps += [np.full_like(steps[0], 255)] * (-len(steps) % columns)
+    rows = (np.hstack(steps[i : i + columns]) for i in range(0, len(steps), columns))
     return np.vstack([first, last]), np.vstack(list(rows))
 
 
