@@ -24,6 +24,9 @@ HAND_REACH = 0.35
 """How far behind a vessel the hand and the wrist that come to it reach [m]."""
 
 _TRIES = 1000
+"""Places that are tried for a thing."""
+_ARRANGEMENTS = 10
+"""How often all begin anew where the last of them finds no place."""
 
 
 def bystander_sets() -> dict[str, tuple[Piece, ...]]:
@@ -67,21 +70,38 @@ def place_bystanders(
     Raises:
         ImpossibleStartError: If there is no room for them.
     """
-    placed: dict[Piece, Placement] = {}
     middle = np.mean([(stands.x, stands.y) for stands in layout.values()], axis=0)
-    for piece in bystanders:
-        inner = piece.footprint_radius + CLEARANCE
-        bench = np.array([workspace.x, workspace.y]) + np.array([inner, -inner])
-        for spread in np.linspace(0.25, 1.5, _TRIES):
-            around = np.column_stack([middle - spread, middle + spread])
-            x, y = rng.uniform(*np.clip(around, bench[:, :1], bench[:, 1:]).T)
-            placement = Placement(x, y, rng.uniform(-math.pi, math.pi))
-            if _out_of_the_way(piece, placement, {**layout, **placed}, workspace, approach):
-                placed[piece] = placement
+    for _ in range(_ARRANGEMENTS):
+        placed: dict[Piece, Placement] = {}
+        for piece in bystanders:
+            stands = _place(piece, middle, {**layout, **placed}, workspace, approach, rng)
+            if stands is None:
                 break
+            placed[piece] = stands
         else:
-            raise ImpossibleStartError(f"There is no room on the bench for '{piece.name}'")
-    return placed
+            return placed
+    names = ", ".join(piece.name for piece in bystanders)
+    raise ImpossibleStartError(f"There is no room on the bench for {names}")
+
+
+def _place(
+    piece: Piece,
+    middle: FloatArray,
+    others: Mapping[Piece, Placement],
+    workspace: Workspace,
+    approach: float,
+    rng: np.random.Generator,
+) -> Placement | None:
+    """Draw where a thing stands around a point; return None if no place is found."""
+    inner = piece.footprint_radius + CLEARANCE
+    bench = np.array([workspace.x, workspace.y]) + np.array([inner, -inner])
+    for spread in np.linspace(0.25, 1.5, _TRIES):
+        around = np.column_stack([middle - spread, middle + spread])
+        x, y = rng.uniform(*np.clip(around, bench[:, :1], bench[:, 1:]).T)
+        placement = Placement(x, y, rng.uniform(-math.pi, math.pi))
+        if _out_of_the_way(piece, placement, others, workspace, approach):
+            return placement
+    return None
 
 
 def _out_of_the_way(
