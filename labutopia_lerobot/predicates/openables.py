@@ -136,9 +136,7 @@ def above(bar: Bar, *, by: float) -> Predicate:
     """Point between the pads is more than `by` metres higher than the middle of a bar."""
     return Predicate(
         f"hand {by:g} m above {bar.name}",
-        lambda world: bool(
-            world.gripper.position_w[2] - world.frame(bar.name).position_w[2] > by
-        ),
+        lambda world: bool(world.gripper.position_w[2] - world.frame(bar.name).position_w[2] > by),
     )
 
 

@@ -226,12 +226,14 @@ class DryingOven(Fixed):
     def _add_button(
         self, spec: mujoco.MjSpec, body: mujoco.MjsBody, button: PushButton, at: Vector
     ) -> None:
-        """Add the button in its bezel, and its lamp in a socket."""
+        """Add a plate of the shell's colour, the button in its bezel, its lamp in a socket."""
         x, y, z = at
         beside, metal = (x, y + _LAMP_ASIDE, z), f"{self.name}_metal"
+        plate, middle = (0.002, 0.050, 0.034), (x, y + _LAMP_ASIDE / 2, z)
+        add_look(body, f"{self.name}_plate", plate, middle, f"{self.name}_shell")
         for part, size, pos in (
-            ("bezel", (1.25 * button.radius, 0.003, 0.0), at),
-            ("socket", (0.012, 0.003, 0.0), beside),
+            ("bezel", (1.25 * button.radius, 0.004, 0.0), at),
+            ("socket", (0.013, 0.004, 0.0), beside),
         ):
             add_look(body, f"{self.name}_{part}", size, pos, metal, shape=CYLINDER, quat=_ALONG_X)
         self.switch.add_lamp_to(body, beside)
