@@ -88,6 +88,7 @@ def test_a_beaker_that_touches_the_wall_does_not_stand_free(env):
     assert play_on(env, SEED, "3_pick", choose)["outcome"] == "struck"
 
 
+@pytest.mark.slow
 def test_a_beaker_six_centimetres_off_is_not_where_it_should_be(env):
     info = play_on(env, SEED, "5_pick", lambda skills: [moved(skills[0], left=0.06), *skills[1:]])
     assert info["outcome"] == "running"
@@ -111,6 +112,7 @@ def test_a_fist_against_the_panel_is_not_at_the_button(env):
     assert play_on(env, SEED, "6_place", choose)["outcome"] == "collided"
 
 
+@pytest.mark.slow
 def test_a_finger_that_stays_on_the_button_is_not_away(env):
     info = play_on(env, SEED, "6_place", lambda skills: [skills[0], Until(skills[1], "leave")])
     assert info["outcome"] == "running"
@@ -126,6 +128,7 @@ def test_a_button_may_be_pressed_with_two_fingers_and_for_long(env):
     assert play_on(env, SEED, "6_place", choose)["outcome"] == "success"
 
 
+@pytest.mark.slow
 def test_the_hand_may_be_raised_higher_and_further_back(env):
     def choose(skills):
         _, _, *rest = skills

@@ -1,7 +1,8 @@
 """Drying beakers: put two beakers into a drying oven (paper, level 4, "Drying Beaker").
 
 Ported from: config/level4_DeviceOperation.yaml, tasks/deviceoperation_task.py,
-controllers/deviceoperation_controller.py. `device_operation` shares what is in capitals.
+controllers/deviceoperation_controller.py. `device_operation` shares its oven, its
+places and its first step.
 """
 
 import math
