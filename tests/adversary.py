@@ -1,7 +1,7 @@
 """Playing a task badly on purpose: what the tests of strict judging share."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -9,15 +9,36 @@ import pytest
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.places import WhereItStood
+from labutopia_lerobot.places import OnShelf, WhereItStood
 from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.skills import Place
 from labutopia_lerobot.skills.expert import Expert
-from labutopia_lerobot.skills.skill import Skill
+from labutopia_lerobot.skills.skill import Phase, Skill
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.world import FloatArray, World
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray, World
 
 type Spoil = Callable[[Expert, NDArray[np.float32]], None]
 """Changes an action in place, knowing where the expert is."""
+
+type Choose = Callable[[list[Skill]], list[Skill]]
+"""What is played, of the skills that are still to come."""
+
+
+@dataclass(frozen=True)
+class Careless:
+    """Play a skill without keeping clear of some things.
+
+    Attributes:
+        skill: What is played.
+        of: Their contact names.
+    """
+
+    skill: Skill
+    of: frozenset[str]
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        for phase in self.skill.phases(world):
+            yield replace(phase, touches=phase.touches | self.of)
 
 
 @dataclass(frozen=True)
@@ -72,6 +93,32 @@ def play(env: LabEnv, *skills: Skill, spoil: Spoil | None = None, seed: int = 5)
         _, _, terminated, truncated, info = env.step(action)
         over = terminated or truncated
     return info
+
+
+def play_on(env: LabEnv, seed: int, after: str, choose: Choose) -> dict[str, Any]:
+    """Play from behind a step what is chosen of the skills to come, and wait for three seconds.
+
+    Returns:
+        The last info; its outcome is "running" where the goal did not hold.
+    """
+    env.reset(seed=seed, options={"after": after})
+    task = env.workcell.task
+    done = len([skill for step in task.steps_until(after) for skill in step.skills])
+    expert = env.workcell.expert(choose(list(task.skills[done:])))
+    expert.start()
+    over, left = False, 3 * CONTROL_HZ
+    while not over and left:
+        left -= bool(expert.finished or expert.failure)
+        _, _, terminated, truncated, info = env.step(expert.act())
+        over = terminated or truncated
+    return info
+
+
+def moved(place: Place, *, inward: float = 0.0, left: float = 0.0) -> Place:
+    """Return a `Place` onto a shelf, some way off [m]."""
+    on = place.on
+    assert isinstance(on, OnShelf)
+    return replace(place, on=replace(on, inward=on.inward + inward, left=on.left + left))
 
 
 def turning(by: float, *phases: str, joint: int = 6) -> Spoil:

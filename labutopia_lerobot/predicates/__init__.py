@@ -13,6 +13,7 @@ from labutopia_lerobot.predicates.counting import Count, swings, turns
 from labutopia_lerobot.predicates.damage import broken, collided
 from labutopia_lerobot.predicates.liquids import liquid_moving, poured, spilled
 from labutopia_lerobot.predicates.openables import (
+    above,
     clear_of,
     closed,
     faster,
@@ -45,6 +46,7 @@ from labutopia_lerobot.predicates.vessels import (
 __all__ = [
     "Count",
     "Predicate",
+    "above",
     "aligned",
     "broken",
     "clear_of",

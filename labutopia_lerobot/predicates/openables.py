@@ -132,6 +132,14 @@ def clear_of(bar: Bar, *, by: float) -> Predicate:
     return Predicate(f"hand {by:g} m clear of {bar.name}", lambda world: _distance(world, bar) > by)
 
 
+def above(bar: Bar, *, by: float) -> Predicate:
+    """Point between the pads is more than `by` metres higher than the middle of a bar."""
+    return Predicate(
+        f"hand {by:g} m above {bar.name}",
+        lambda world: bool(world.gripper.position_w[2] - world.frame(bar.name).position_w[2] > by),
+    )
+
+
 def _distance(world: World, bar: Bar) -> float:
     """Return how far the point between the pads is from the surface of a bar [m]."""
     frame = world.frame(bar.name)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
 from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
@@ -11,31 +12,44 @@ from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 
-HEATER = Heater("heater")
+INSTRUMENTS = Heater("heater"), DryingOven("oven", button_color="green")
+"""One whose button is pressed down, and one whose button is pressed level."""
+
+
+@pytest.fixture(params=INSTRUMENTS, ids=lambda instrument: instrument.name)
+def instrument(request):
+    return request.param
 
 
 @pytest.fixture
-def simulation() -> Simulation:
-    result = Simulation(compile_scene([HEATER], PANDA, LABORATORY, VESSEL_VIEW))
-    result.reset({HEATER: Placement(0.3, 0.0, 0.0)})
+def simulation(instrument) -> Simulation:
+    result = Simulation(compile_scene([instrument], PANDA, LABORATORY, VESSEL_VIEW))
+    result.reset({instrument: Placement(0.8, 0.0, 0.0)})
     return result
 
 
 def push(simulation: Simulation, force: float) -> float:
-    """Push the button down with a force [N] for half a second; return how far it is in [m]."""
-    simulation.data.body(HEATER.button.name).xfrc_applied[2] = -force
+    """Push the button in for half a second; return how far it is in [m].
+
+    The force [N] is what its spring feels: weight helps one that is pressed down.
+    """
+    (instrument,) = simulation.scene.pieces
+    button = simulation.data.body(instrument.button.name)
+    weight = simulation.scene.model.body(button.id).mass[0] * simulation.scene.model.opt.gravity
+    button.xfrc_applied[:3] = force * button.xmat.reshape(3, 3)[:, 2] - weight
     for _ in range(15):
         simulation.step(simulation.command)
-    return float(simulation.data.joint(HEATER.button.joint).qpos[0])
+    return float(simulation.data.joint(instrument.button.joint).qpos[0])
 
 
 def test_a_button_stands_out_when_nobody_pushes_it(simulation):
     assert abs(push(simulation, 0.0)) < 0.0003
 
 
-def test_two_newtons_do_not_click_it_and_three_and_a_half_do(simulation):
-    assert push(simulation, 2.0) < HEATER.button.travel
-    assert push(simulation, 3.5) > HEATER.button.travel
+def test_two_newtons_do_not_click_it_and_three_and_a_half_do(simulation, instrument):
+    button = instrument.button
+    assert push(simulation, 2.0) < button.travel
+    assert push(simulation, 3.5) > button.travel
 
 
 def test_it_springs_back_when_let_go(simulation):
@@ -43,27 +57,35 @@ def test_it_springs_back_when_let_go(simulation):
     assert abs(push(simulation, 0.0)) < 0.0003
 
 
-def test_every_click_toggles_the_heater_and_its_lamp(simulation):
-    lamp = simulation.scene.model.geom(HEATER.switch.lamp)
+def test_every_click_toggles_the_switch_and_its_lamp(simulation, instrument):
+    lamp = simulation.scene.model.geom(instrument.switch.lamp)
     dark = lamp.rgba.copy()
     for on in (True, False):
         push(simulation, 5.0)
-        assert simulation.switched_on(HEATER.switch.name) is on
+        assert simulation.switched_on(instrument.switch.name) is on
         push(simulation, 0.0)
-        assert simulation.switched_on(HEATER.switch.name) is on
+        assert simulation.switched_on(instrument.switch.name) is on
         assert np.array_equal(lamp.rgba, dark) is not on
 
 
-def test_half_a_press_switches_nothing(simulation):
+def test_half_a_press_switches_nothing(simulation, instrument):
     push(simulation, 2.3)
     push(simulation, 0.0)
-    assert not simulation.switched_on(HEATER.switch.name)
+    assert not simulation.switched_on(instrument.switch.name)
 
 
-def test_it_clicks_out_later_than_in(simulation):
-    name, travel = HEATER.button.name, HEATER.button.travel
-    for force, pressed in ((2.62, False), (2.7, True), (2.62, True), (2.5, False)):
+def test_it_clicks_out_later_than_in(simulation, instrument):
+    name, travel = instrument.button.name, instrument.button.travel
+    for force, pressed in ((2.77, False), (2.85, True), (2.77, True), (2.65, False)):
         push(simulation, force)
         assert simulation.pressed(name) is pressed
-    back = push(simulation, 2.62)
-    assert travel - HEATER.button.differential < back < travel
+    back = push(simulation, 2.77)
+    assert travel - instrument.button.differential < back < travel
+
+
+def test_an_oven_without_a_button_says_so():
+    oven = DryingOven("oven")
+    assert not oven.buttons
+    assert not oven.switches
+    with pytest.raises(ValueError, match="oven has no button: give it a `button_color`"):
+        _ = oven.button

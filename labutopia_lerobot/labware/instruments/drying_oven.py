@@ -1,16 +1,23 @@
-"""A bench-top drying oven: a heated box with a hinged door, a window and a bar handle."""
+"""A bench-top drying oven: a heated box with a hinged door, a window and a bar handle.
+
+It may have a push button that starts it, and a lamp that tells.
+"""
 
 import math
 from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.instruments.button_panel import INTO_FRONT
 from labutopia_lerobot.labware.parts.catch import Catch
+from labutopia_lerobot.labware.parts.colors import COLORS
 from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.openable import Door, Handle
+from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.shelf import Shelf
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
+from labutopia_lerobot.labware.parts.switch import Switch
 
 _DEPTH, _WIDTH, _HEIGHT = 0.576, 0.741, 0.630
 """Outer size [m] (original, DryingBox_01)."""
@@ -28,6 +35,10 @@ _LEG = 0.030
 """Width of the legs of its stand, of square tube, and thickness of the plate on them [m]."""
 _CATCH_INSET = 0.050
 """From the door's free edge to its catch [m]."""
+_BUTTON_HEIGHT = 0.24
+"""Of the button on the control column, between knob and main switch [m]; ours."""
+_LAMP_ASIDE = 0.045
+"""From the button to its lamp, on the left [m]; as on the heater."""
 
 _DOOR_MASS = 6.5
 """Two skins of 0.8 mm steel (4.1 kg), a double pane of 4 mm glass (1.4 kg), frame and wool [kg]."""
@@ -41,7 +52,7 @@ let go of. The original has 0.1 for a door that weighs next to nothing."""
 _DAMPING = 1.0
 """Grease in the hinge [N m s/rad]; ours: a door let go of at 0.5 m/s swings on for 17 degrees."""
 
-_QUARTER = math.sqrt(0.5)
+_ALONG_X = (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
 
 
 @dataclass(frozen=True)
@@ -56,6 +67,8 @@ class DryingOven(Fixed):
         latching: Whether a roller catch keeps the door shut.
         stand: Height of the stand below it [m]; 0 for none.
         shelf_height: Of the shelf's middle above the feet [m]; it hangs on rails.
+        button_color: Colour of the push button that starts it and stops it again, one of `COLORS`;
+            None for an oven without one.
     """
 
     name: str
@@ -63,6 +76,7 @@ class DryingOven(Fixed):
     latching: bool = False
     stand: float = 0.0
     shelf_height: float = (_FOOT + _HEIGHT) / 2
+    button_color: str | None = None
 
     @property
     def door(self) -> Door[Handle]:
@@ -77,8 +91,33 @@ class DryingOven(Fixed):
         return Shelf(f"{self.name}_shelf")
 
     @property
+    def button(self) -> PushButton:
+        """What starts it, and stops it again.
+
+        Raises:
+            ValueError: If it has none.
+        """
+        if self.button_color is None:
+            raise ValueError(f"{self.name} has no button: give it a `button_color`")
+        return PushButton(f"{self.name}_button", COLORS[self.button_color])
+
+    @property
+    def switch(self) -> Switch:
+        """What the button works, if there is one."""
+        return Switch(f"{self.name}_switch", self.button.name, f"{self.name}_lamp")
+
+    @property
+    def buttons(self) -> tuple[PushButton, ...]:
+        return () if self.button_color is None else (self.button,)
+
+    @property
+    def switches(self) -> tuple[Switch, ...]:
+        return () if self.button_color is None else (self.switch,)
+
+    @property
     def bodies(self) -> frozenset[str]:
-        return frozenset({self.name, self.shelf.name, self.door.name, self.door.handle.name})
+        parts = {self.name, self.shelf.name, self.door.name, self.door.handle.name}
+        return frozenset(parts | {button.name for button in self.buttons})
 
     @property
     def footprint_radius(self) -> float:
@@ -87,13 +126,13 @@ class DryingOven(Fixed):
 
     @property
     def joints(self) -> tuple[str, ...]:
-        return (self.door.joint,)
+        return (self.door.joint, *(button.joint for button in self.buttons))
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.
 
-        Sites: frames of the door's joint, of its handle and of the shelf (see `Door`, `Handle`,
-        `Shelf`).
+        Sites: frames of the door's joint, of its handle, of the shelf and of the button (see
+        `Door`, `Handle`, `Shelf`, `PushButton`).
 
         Returns:
             The body; its origin is the centre of the base, z up.
@@ -102,7 +141,7 @@ class DryingOven(Fixed):
         box = parent.add_body(name=self.name)
         if self.stand:
             self._add_stand(box)
-        self._add_box(box)
+        self._add_box(spec, box)
         hinge = (-_DEPTH / 2, _WIDTH / 2, self.stand + _FOOT)
         door = self.door.add_to(
             spec, box, hinge, ajar=self.ajar, friction=_FRICTION, damping=_DAMPING
@@ -138,7 +177,7 @@ class DryingOven(Fixed):
             at = (end * (x - half), side * (y - half), self.stand / 2 - half)
             add_part(body, f"{self.name}_stand_leg_{corner}", leg, at, material)
 
-    def _add_box(self, body: mujoco.MjsBody) -> None:
+    def _add_box(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         """Add the hollow box behind the door and the control column to the right of it."""
         x, y = _DEPTH / 2, _WIDTH / 2
         bottom, top = self.stand + _FOOT, self.stand + _HEIGHT
@@ -161,6 +200,8 @@ class DryingOven(Fixed):
         self.shelf.add_to(body, plate, level, f"{self.name}_inside")
         add_feet(body, self.name, (x, y), _FOOT, f"{self.name}_trim", above=self.stand)
         self._add_controls(body, -x, column)
+        for button in self.buttons:
+            self._add_button(spec, body, button, (-x, column, self.stand + _BUTTON_HEIGHT))
 
     def _add_controls(self, body: mujoco.MjsBody, front: float, column: float) -> None:
         """Paint the control column: a display with digits, a knob and a main switch."""
@@ -179,8 +220,24 @@ class DryingOven(Fixed):
             (front - 0.008, column, self.stand + 0.33),
             f"{self.name}_metal",
             shape=CYLINDER,
-            quat=(_QUARTER, 0.0, _QUARTER, 0.0),
+            quat=_ALONG_X,
         )
+
+    def _add_button(
+        self, spec: mujoco.MjSpec, body: mujoco.MjsBody, button: PushButton, at: Vector
+    ) -> None:
+        """Add a plate of the shell's colour, the button in its bezel, its lamp in a socket."""
+        x, y, z = at
+        beside, metal = (x, y + _LAMP_ASIDE, z), f"{self.name}_metal"
+        plate, middle = (0.002, 0.050, 0.034), (x, y + _LAMP_ASIDE / 2, z)
+        add_look(body, f"{self.name}_plate", plate, middle, f"{self.name}_shell")
+        for part, size, pos in (
+            ("bezel", (1.25 * button.radius, 0.004, 0.0), at),
+            ("socket", (0.013, 0.004, 0.0), beside),
+        ):
+            add_look(body, f"{self.name}_{part}", size, pos, metal, shape=CYLINDER, quat=_ALONG_X)
+        self.switch.add_lamp_to(body, beside)
+        button.add_to(spec, body, at, INTO_FRONT)
 
     def _add_door(self, body: mujoco.MjsBody) -> None:
         """Add the door: a frame around a window, in front of the box, and the bar on its right."""

@@ -11,7 +11,6 @@ from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, Vector, add_look, add_part
 from labutopia_lerobot.labware.parts.switch import Switch
-from labutopia_lerobot.world.model import VISUAL_GROUP
 
 _SIDE = 0.16
 """Side of the square top [m]: a usual size of laboratory hot plates (original: not on record)."""
@@ -28,7 +27,6 @@ _LAMP_Y = 0.045
 _ZONE = 0.060
 """Radius of the zone printed on the top, which gets hot [m]."""
 
-_DARK = (0.25, 0.08, 0.05, 1.0)  # the lamp when it is off
 _DOWN: Quaternion = (0.0, 0.0, 1.0, 0.0)
 """z down, x towards who stands before it: a hand is then no wider than the gap to the beaker, and
 the last joint of the default robot in the middle of its range."""
@@ -127,15 +125,5 @@ class Heater(Fixed):
         bezel, socket = (1.25 * button.radius, 0.002, 0.0), (0.013, 0.002, 0.0)
         add_look(body, f"{self.name}_bezel", bezel, at_button, metal, shape=CYLINDER)
         add_look(body, f"{self.name}_socket", socket, at_lamp, metal, shape=CYLINDER)
-        body.add_geom(
-            name=self.switch.lamp,
-            type=mujoco.mjtGeom.mjGEOM_ELLIPSOID,
-            size=(0.010, 0.010, 0.010),
-            pos=at_lamp,
-            rgba=_DARK,
-            group=VISUAL_GROUP,
-            contype=0,
-            conaffinity=0,
-            mass=0,
-        )
+        self.switch.add_lamp_to(body, at_lamp)
         button.add_to(spec, body, at_button, _DOWN)

@@ -2,6 +2,16 @@
 
 from dataclasses import dataclass
 
+import mujoco
+
+from labutopia_lerobot.labware.parts.solid import Vector
+from labutopia_lerobot.world.model import VISUAL_GROUP
+
+_RADIUS = 0.010
+"""Of the lamp [m]."""
+_DARK = (0.25, 0.08, 0.05, 1.0)
+"""The lamp when it is off."""
+
 
 @dataclass(frozen=True)
 class Switch:
@@ -18,3 +28,22 @@ class Switch:
     button: str
     lamp: str
     lit: tuple[float, float, float, float] = (1.0, 0.35, 0.1, 1.0)
+
+    def add_lamp_to(self, panel: mujoco.MjsBody, pos: Vector) -> None:
+        """Build its lamp, half sunk, onto a panel.
+
+        Args:
+            panel: What carries it.
+            pos: Where on the surface of the panel it is [m].
+        """
+        panel.add_geom(
+            name=self.lamp,
+            type=mujoco.mjtGeom.mjGEOM_ELLIPSOID,
+            size=(_RADIUS, _RADIUS, _RADIUS),
+            pos=pos,
+            rgba=_DARK,
+            group=VISUAL_GROUP,
+            contype=0,
+            conaffinity=0,
+            mass=0,
+        )
