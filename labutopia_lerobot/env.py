@@ -15,7 +15,7 @@ from labutopia_lerobot.features import (
     observation_space,
 )
 from labutopia_lerobot.scenario import Scenario
-from labutopia_lerobot.setting import Setting, UnknownOptionError, require_choices
+from labutopia_lerobot.setting import Setting, require_choices
 from labutopia_lerobot.sim.workcell import Workcell, Workcells
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.task import SUCCESS, TIMEOUT
@@ -36,8 +36,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     `obs="state"` `environment_state`, privileged object poses (see
     `features.environment_state_names`).
 
-    Actions: float32, absolute targets of the same numbers. What acted, kept within the
-    limits of the robot, is `info["applied_action"]`.
+    Actions: float32, absolute targets of the same. What acted is `info["applied_action"]`.
 
     Args:
         setting: What is played and observed.
@@ -110,12 +109,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         seed = None if seed is None else operator.index(seed)  # NumPy's integers too, no floats
         super().reset(seed=seed)
         self.seed = int(self.np_random.integers(2**31)) if seed is None else seed
-        after = (options or {}).get("after")
-        if after is not None and self.setting.step is not None:
-            raise UnknownOptionError(
-                f"step={self.setting.step} begins behind the step before it: leave `after` out"
-            )
-        self._playing = self._workcells.begin(self.seed, after)
+        self._playing = self._workcells.begin(self.seed, (options or {}).get("after"))
         return self._observe(), self._info()
 
     def step(self, action: NDArray[np.float32]) -> tuple[Observation, float, bool, bool, Info]:
@@ -170,9 +164,8 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def _observe(self) -> Observation:
         self._frame = None
-        observation: Observation = {
-            "agent_pos": self.workcell.simulation.measured.astype(np.float32)
-        }
+        joints = self.workcell.simulation.measured.astype(np.float32)
+        observation: Observation = {"agent_pos": joints}
         if self.setting.obs == "state":
             observation["environment_state"] = self.environment_state()
         else:
@@ -182,21 +175,5 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def _info(self) -> Info:
         workcell, scenario, failures = self._episode
-        progress, applied = workcell.progress, workcell.filter
-        latched = progress.milestones.items()
-        liquid = workcell.world.liquid
-        return {
-            "is_success": progress.outcome == SUCCESS,
-            "ever_success": progress.ever,
-            "outcome": progress.outcome,
-            "facts": progress.facts,
-            "substeps": {name: np.inf if time is None else time for name, time in latched},
-            "step": None if progress.step is None else progress.step.name,
-            **({} if liquid is None else liquid.millilitres),
-            "seed": self.seed,
-            "drawn": dict(scenario.drawn),
-            "prelude_failures": failures,
-            "applied_action": applied.applied.copy(),
-            "clipped_actions": applied.clipped,
-            "nonfinite_actions": applied.nonfinite,
-        }
+        drawn = {"seed": self.seed, "drawn": dict(scenario.drawn), "prelude_failures": failures}
+        return workcell.info() | drawn

@@ -11,6 +11,25 @@ from labutopia_lerobot.datasets.tables import RECORDING, read_episodes, read_fra
 PICK = ["task=level1/pick", "obs=state", "episodes=3", "seed=20"]
 FILM = ["task=level1/pick", "episodes=2", "width=64", "height=48", "cameras=[wrist,front]"]
 
+MOODY_TASK = """
+import dataclasses
+from labutopia_lerobot.skills.skill import Phase
+from labutopia_lerobot.tasks.level1.pick import pick
+
+class Sulk:
+    def phases(self, world):
+        if world.frame("flask_rim").position_w[1] > {limit}:
+            never = lambda world, target, elapsed: False
+            yield Phase("sulk", lambda w: w.gripper, 0.08, never, timeout_s=0.1)
+
+def moody():
+    (step,) = pick().steps
+    return dataclasses.replace(
+        pick(), steps=(dataclasses.replace(step, skills=(Sulk(), *step.skills)),)
+    )
+"""
+"""An expert that sulks where a flask stands too far to the left."""
+
 
 class StoppedError(Exception):
     """Stops a recording."""

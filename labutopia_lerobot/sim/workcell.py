@@ -3,6 +3,7 @@
 from collections import OrderedDict
 from collections.abc import Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +21,7 @@ from labutopia_lerobot.scenario import (
 )
 from labutopia_lerobot.scenario.bystanders import place_bystanders
 from labutopia_lerobot.scenes import load_room
-from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.sim.appearance import Appearance
 from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.renderer import Renderer
@@ -30,7 +31,7 @@ from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.substances.filling import require_fillable
-from labutopia_lerobot.task import DIVERGED, Step
+from labutopia_lerobot.task import DIVERGED, SUCCESS, Step
 
 _TRIES = 5
 """Starts that a reset tries; more failures than that are a defect of the task."""
@@ -165,6 +166,23 @@ class Workcell:
         self.simulation.draw_liquid()
         return self.renderer.segmentation(self.simulation.data, camera)
 
+    def info(self) -> dict[str, Any]:
+        """Return what is so now: judge, account of the liquid, and what of the action acted."""
+        progress, filtered, liquid = self.progress, self.filter, self.world.liquid
+        latched = progress.milestones.items()
+        return {
+            "is_success": progress.outcome == SUCCESS,
+            "ever_success": progress.ever,
+            "outcome": progress.outcome,
+            "facts": progress.facts,
+            "substeps": {name: np.inf if time is None else time for name, time in latched},
+            "step": None if progress.step is None else progress.step.name,
+            **({} if liquid is None else liquid.millilitres),
+            "applied_action": filtered.applied.copy(),
+            "clipped_actions": filtered.clipped,
+            "nonfinite_actions": filtered.nonfinite,
+        }
+
     def close(self) -> None:
         """Give the OpenGL context back."""
         renderer = self.__dict__.pop("renderer", None)
@@ -235,7 +253,13 @@ class Workcells:
 
         Raises:
             TaskError: If the task has no step `after`.
+            UnknownOptionError: If a step is played alone, which has its own beginning.
         """
+        alone = self._setting.step
+        if after is not None and alone is not None:
+            raise UnknownOptionError(
+                f"step={alone} begins behind the step before it: leave `after` out"
+            )
         for attempt in range(_TRIES):
             scenario = draw_scenario(self._setting, seed, attempt)
             workcell = self._workcell(scenario)
