@@ -22,10 +22,10 @@ from liquid_experiments import filled, move_to
 
 CAPILLARY_LENGTH = float(np.sqrt(0.0728 / (WATER.density * GRAVITY)))
 """Of water against air at 20 degrees Celsius, surface tension 72.8 mN/m [m]."""
-_RATE = np.radians(1.0)
-"""How fast a vessel is tilted [rad/s]: waves of its start have died away."""
+_SLOW, _FAST = np.radians(1.0), np.radians(8.0)
+"""How fast a vessel is tilted about the barrier, and on the way there [rad/s]: waves die away."""
 _EARLY = np.radians(3.0)
-"""How long before the barrier is reached that begins [rad]."""
+"""How long before the barrier is reached it is tilted slowly [rad]."""
 _RUNNING = 0.002
 """Part of the liquid that has left when it runs over: two of 1,000 particles."""
 
@@ -74,8 +74,7 @@ def run_over(vessel: Vessel, ml: float, count: int = PARTICLES, seed: int = 0) -
     right = tilt_to_barrier(profile, volume)
     tilt, inside = 0.0, 1.0
     while inside > 1.0 - _RUNNING:
-        fast = tilt < right - _EARLY
-        tilt += (8.0 if fast else 1.0) * _RATE / liquid.hertz
+        tilt += (_FAST if tilt < right - _EARLY else _SLOW) / liquid.hertz
         move_to(model, data, (0, 0, 0.3), tilt)
         liquid.step()
         inside = liquid.take_account().inside[vessel.name] / volume
