@@ -15,8 +15,8 @@ DEMO := outputs/demo
 demo: export HF_HUB_OFFLINE := 1
 
 # On a busy machine, threads that spin while they wait for each other take most of the time.
-demo: export OMP_NUM_THREADS := 1
-demo: export OMP_WAIT_POLICY := PASSIVE
+demo test test-slow: export OMP_NUM_THREADS := 1
+demo test test-slow: export OMP_WAIT_POLICY := PASSIVE
 
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 

@@ -16,18 +16,18 @@ def same_seed_gives_the_same_trajectory_bit_for_bit(env: LabEnv) -> None:
 
     def states() -> list[bytes]:
         env.reset(seed=7)
-        act = random_walk(env)
+        walk = random_walk(env)
         result = [env.workcell.simulation.state().tobytes()]
         for _ in range(30):
-            env.step(act())
+            env.step(walk.act())
             result.append(env.workcell.simulation.state().tobytes())
         return result
 
     first = states()
     env.reset(seed=8)
-    act = still(env)
+    pause = still(env)
     for _ in range(30):
-        env.step(act())
+        env.step(pause.act())
     differing = [
         step for step, pair in enumerate(zip(first, states(), strict=True)) if len(set(pair)) > 1
     ]

@@ -98,9 +98,9 @@ def global_random_generators_are_never_used(env: LabEnv) -> None:
             for name in names.split():
                 patches.enter_context(patch.object(module, name, forbidden))
         env.reset(seed=3)
-        act = expert(env)
+        script = expert(env)
         for _ in range(10):
-            env.step(act())
+            env.step(script.act())
 
 
 def no_contact_is_deep_at_the_start(env: LabEnv) -> None:
