@@ -150,7 +150,7 @@ def holding(data: mujoco.MjData) -> tuple[mujoco.MjModel, mujoco.MjData]:
     spec.option.timestep = 1 / 300
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
-    spec.option.impratio = 10
+    spec.option.impratio = 30
     bottle = spec.worldbody.add_body(name="bottle", pos=data.site(PANDA.gripper.site).xpos)
     bottle.add_freejoint()
     bottle.add_geom(type=mujoco.mjtGeom.mjGEOM_CYLINDER, size=(0.03, 0.05, 0), mass=0.5)

@@ -1,4 +1,4 @@
-"""Vessels in real MuJoCo, at the physics step and with the contact options of every scene."""
+"""What a vessel is: its shape, its mass, and the body that is built of it."""
 
 import math
 
@@ -15,62 +15,7 @@ from labutopia_lerobot.labware.glass.glassware import (
 from labutopia_lerobot.labware.glass.profile import BOROSILICATE_DENSITY, Profile
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
-
-FLASK_SIZES = ("300 ml", "500 ml", "1000 ml")
-BEAKER_SIZES = ("150 ml", "250 ml", "800 ml")
-VESSELS = [
-    graduated_cylinder("vessel"),
-    volumetric_flask("vessel"),
-    *(erlenmeyer_flask("vessel", size) for size in FLASK_SIZES),
-    *(beaker("vessel", size) for size in BEAKER_SIZES),
-]
-every_vessel = pytest.mark.parametrize(
-    "vessel",
-    VESSELS,
-    ids=[
-        "graduated cylinder",
-        "volumetric flask",
-        *(f"flask {s}" for s in FLASK_SIZES),
-        *(f"beaker {s}" for s in BEAKER_SIZES),
-    ],
-)
-
-
-def bench(*vessels: Vessel, free: bool = True) -> mujoco.MjSpec:
-    """A box whose top is at height 0, and the vessels on it, all at the origin."""
-    spec = mujoco.MjSpec()
-    spec.option.timestep = 1 / 300
-    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
-    spec.option.impratio = 10
-    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
-    box = mujoco.mjtGeom.mjGEOM_BOX
-    spec.worldbody.add_geom(name="bench", type=box, size=(1, 1, 0.05), pos=(0, 0, -0.05))
-    for vessel in vessels:
-        body = vessel.add_to(spec, spec.worldbody)
-        if free:
-            body.add_freejoint(name=vessel.name)
-    return spec
-
-
-def run(model: mujoco.MjModel, data: mujoco.MjData, seconds: float) -> None:
-    for _ in range(round(seconds / model.opt.timestep)):
-        mujoco.mj_step(model, data)
-
-
-def tilt(data: mujoco.MjData, name: str) -> float:
-    """Angle between the vessel's axis and the vertical [rad]."""
-    return math.acos(min(1.0, data.body(name).xmat[8]))
-
-
-def settle_from_tilt(vessel: Vessel, angle: float) -> float:
-    """Let go of a vessel on the edge of its base at `angle` [rad]; return the final tilt."""
-    model = bench(vessel).compile()
-    data = mujoco.MjData(model)
-    edge = vessel.profile.outer[0][0]
-    data.qpos[:3] = (0, 0, edge * math.sin(angle))
-    data.qpos[3:] = (math.cos(angle / 2), 0, math.sin(angle / 2), 0)
-    run(model, data, 3.0)
-    return tilt(data, vessel.name)
+from vessels_on_a_bench import BEAKER_SIZES, FLASK_SIZES, VESSELS, bench, every_vessel
 
 
 def test_the_mass_of_a_plain_cylinder_is_its_wall_and_bottom_times_density():
@@ -260,64 +205,6 @@ def test_the_collision_wall_is_round_to_within_a_few_percent(vessel):
         )
         assert inner == pytest.approx(vessel.profile.inner_radius(vessel.grip_height), rel=0.025)
         assert outer == pytest.approx(vessel.grip_width / 2, rel=0.025)
-
-
-@every_vessel
-def test_a_standing_vessel_stays_still(vessel):
-    model = bench(vessel).compile()
-    data = mujoco.MjData(model)
-    run(model, data, 0.5)
-    start = data.qpos.copy()
-    run(model, data, 5.0)
-    assert np.linalg.norm(data.qpos[:3] - start[:3]) < 2e-4
-    assert abs(data.qpos[2]) < 5e-4
-    assert tilt(data, vessel.name) < math.radians(0.1)
-
-
-def test_a_small_beaker_dropped_into_a_larger_one_stands_on_its_bottom():
-    large, small = beaker("large", "800 ml"), beaker("small", "150 ml")
-    model = bench(large, small).compile()
-    data = mujoco.MjData(model)
-    data.joint("small").qpos[:3] = (0.005, 0.003, large.height + 0.01)
-    run(model, data, 3.0)
-    assert data.body("small").xpos[2] == pytest.approx(large.profile.bottom, abs=5e-4)
-    assert tilt(data, "small") < math.radians(1)
-    assert tilt(data, "large") < math.radians(1)
-
-
-@pytest.mark.parametrize("azimuth", np.linspace(0, 2 * np.pi / 16, 4))
-@pytest.mark.parametrize("inside", [True, False])
-@every_vessel
-def test_a_ball_thrown_at_the_wall_does_not_pass_through(vessel, inside, azimuth):
-    spec = bench(vessel, free=False)
-    ball = spec.worldbody.add_body(name="ball")
-    ball.add_freejoint(name="ball")
-    ball.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=(0.008, 0, 0), mass=0.005)
-    model = spec.compile()
-    data = mujoco.MjData(model)
-    direction = np.array([math.cos(azimuth), math.sin(azimuth), 0.0])
-    start = 0.0 if inside else -vessel.footprint_radius - 0.03
-    data.qpos[:3] = start * direction + (0, 0, 0.02)
-    data.qvel[:3] = direction  # 1 m/s; no controlled motion is faster
-    run(model, data, 0.3)
-    distance = np.hypot(*data.qpos[:2])
-    if inside:
-        assert distance < vessel.profile.inner_radius(vessel.profile.bottom)
-        assert vessel.profile.bottom < data.qpos[2] < vessel.height
-    else:
-        assert distance > vessel.profile.outer_radius(data.qpos[2])
-
-
-@every_vessel
-def test_a_vessel_tilted_ten_degrees_rights_itself(vessel):
-    assert settle_from_tilt(vessel, math.radians(10)) < math.radians(0.2)
-
-
-@every_vessel
-def test_a_vessel_tips_at_the_angle_of_its_centre_of_mass_over_the_edge_of_its_base(vessel):
-    tipping = math.atan2(vessel.profile.outer[0][0], vessel.mass_properties.com_height)
-    assert settle_from_tilt(vessel, 0.93 * tipping) < math.radians(0.2)
-    assert settle_from_tilt(vessel, 1.07 * tipping) > math.radians(60)
 
 
 @pytest.mark.parametrize("vessel", VESSELS[:-1], ids=str)
