@@ -1,5 +1,8 @@
 """Checks of who judges a task: what is no success, and what has not failed yet."""
 
+from dataclasses import replace
+from functools import cache
+
 import numpy as np
 
 from labutopia_lerobot.checks.playing import Player, play, random_walk, still
@@ -41,7 +44,7 @@ def reading_facts_changes_nothing(env: LabEnv) -> None:
 
 def doing_nothing_does_not_succeed(env: LabEnv) -> None:
     """Neither at the end nor at any instant."""
-    _require_no_success(env, still, seeds=range(1))
+    _require_no_success(_without_liquid(env), still, seeds=range(1))
 
 
 def random_actions_do_not_succeed(env: LabEnv) -> None:
@@ -51,11 +54,18 @@ def random_actions_do_not_succeed(env: LabEnv) -> None:
 
 def doing_nothing_ends_by_timeout_at_the_time_limit(env: LabEnv) -> None:
     """Nothing falls over by itself, and the clock is right."""
-    trace = play(env, still, 0).trace
+    quick = _without_liquid(env)
+    trace = play(quick, still, 0).trace
     outcome, steps = trace[-1][1]["outcome"], len(trace) - 1
     require(outcome == "timeout", f"doing nothing ends with {outcome} after {steps} steps")
-    limit = env.workcell.task.max_steps
+    limit = quick.workcell.task.max_steps
     require(steps == limit, f"doing nothing ends after {steps} steps, not {limit}")
+
+
+@cache
+def _without_liquid(env: LabEnv) -> LabEnv:
+    """Return an environment in which time passes quickly, also where vessels hold something."""
+    return LabEnv(replace(env.setting, liquid="off"))
 
 
 def _require_no_success(env: LabEnv, player: Player, seeds: range) -> None:

@@ -1,4 +1,7 @@
-"""Attacks on every registered task, without liquid: the judge is the same, and much faster."""
+"""Attacks on every registered task, without liquid: the judge is the same, and much faster.
+
+Levels 3 and 4 are made of the steps of levels 1 and 2: `make test-slow` plays them, and more seeds.
+"""
 
 import pytest
 
@@ -7,7 +10,10 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.setting import Setting
 
-TASKS = list(task_files())
+TASKS = [
+    pytest.param(task, marks=[pytest.mark.slow] if task.startswith(("level3", "level4")) else [])
+    for task in task_files()
+]
 SEEDS = [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 5))]
 
 
