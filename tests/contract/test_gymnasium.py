@@ -14,13 +14,19 @@ from labutopia_lerobot.setting import Setting, UnknownOptionError
 
 
 @pytest.mark.parametrize(
-    ("task", "obs"),
-    # What is seen of a task has the same space for all.
-    [*((task, "state") for task in task_files()), ("level1/pick", "pixels")],
+    ("task", "obs", "liquid"),
+    [
+        ("level1/pick", "state", "off"),
+        ("level1/pick", "pixels", "off"),
+        ("level1/pour", "state", "on"),
+        ("level3/open_door", "state", "off"),
+        # They are all the same environment.
+        *(pytest.param(task, "state", "off", marks=pytest.mark.slow) for task in task_files()),
+    ],
 )
-def test_gymnasium_finds_no_fault_with_a_task(task: str, obs: str) -> None:
+def test_gymnasium_finds_no_fault_with_a_task(task: str, obs: str, liquid: str) -> None:
     small = {"width": 64, "height": 64, "particles": 100}
-    env = gymnasium.make(gymnasium_id(task), obs=obs, **small).unwrapped
+    env = gymnasium.make(gymnasium_id(task), obs=obs, liquid=liquid, **small).unwrapped
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         # Actions are radians and metres, as a robot takes them; LeRobot's policies normalise.
