@@ -1,6 +1,6 @@
 """Playing a task badly on purpose: what the tests of strict judging share."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -81,35 +81,33 @@ def begun_with(task_id: str, task: Task, monkeypatch: pytest.MonkeyPatch, **opti
 
 
 def play(env: LabEnv, *skills: Skill, spoil: Spoil | None = None, seed: int = 5) -> dict[str, Any]:
-    """Play skills from a reset, the task's own by default; return the last info."""
+    """Play skills from a reset, the task's own by default; return the last info.
+
+    The outcome is "running" where the goal did not hold in the three seconds after the last skill.
+    """
     env.reset(seed=seed)
-    expert = Expert(skills or env.workcell.task.skills, env.workcell.world, env.workcell.motion)
-    expert.start()
-    over = False
-    while not over:
-        action = expert.act()
-        if spoil is not None:
-            spoil(expert, action)
-        _, _, terminated, truncated, info = env.step(action)
-        over = terminated or truncated
-    return info
+    return _play_out(env, skills or env.workcell.task.skills, spoil)
 
 
 def play_on(env: LabEnv, seed: int, after: str, choose: Choose) -> dict[str, Any]:
-    """Play from behind a step what is chosen of the skills to come, and wait for three seconds.
-
-    Returns:
-        The last info; its outcome is "running" where the goal did not hold.
-    """
+    """Play from behind a step what is chosen of the skills to come; return as `play` does."""
     env.reset(seed=seed, options={"after": after})
     task = env.workcell.task
     done = len([skill for step in task.steps_until(after) for skill in step.skills])
-    expert = env.workcell.expert(choose(list(task.skills[done:])))
+    return _play_out(env, choose(list(task.skills[done:])))
+
+
+def _play_out(env: LabEnv, skills: Sequence[Skill], spoil: Spoil | None = None) -> dict[str, Any]:
+    """Play skills, and wait for three seconds: a goal that holds for two of them has been won."""
+    expert = env.workcell.expert(skills)
     expert.start()
     over, left = False, 3 * CONTROL_HZ
     while not over and left:
         left -= bool(expert.finished or expert.failure)
-        _, _, terminated, truncated, info = env.step(expert.act())
+        action = expert.act()
+        if spoil is not None:
+            spoil(expert, action)
+        _, _, terminated, truncated, info = env.step(action)
         over = terminated or truncated
     return info
 

@@ -22,7 +22,7 @@ def test_a_beaker_put_back_five_centimetres_off_is_not_back(monkeypatch):
     place = next(skill for skill in skills if isinstance(skill, Place))
     off = replace(place, on=Beside(place.thing))
     info = play(env, *[off if skill is place else skill for skill in skills[:3]])
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["2_pour/righted"])
     assert not np.isfinite(info["substeps"]["3_place/placed"])
 
@@ -38,7 +38,7 @@ def test_who_does_not_shake_has_not_cleaned():
     env = begun(TASK, liquid="off")
     skills = [skill for skill in skills_of(env) if not isinstance(skill, Shake)]
     info = play(env, *skills)
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["4_pick/lifted"])
     assert not np.isfinite(info["substeps"]["5_shake/shaken"])
     assert not np.isfinite(info["substeps"]["7_place/released"])

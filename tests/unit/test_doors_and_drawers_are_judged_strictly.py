@@ -142,7 +142,7 @@ def test_what_something_else_shut_cannot_be_closed_any_more(envs, task):
 
     info = play(env, spoil=knocked)
     assert env.workcell.world.joint(part.joint) < part.closed_within
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert not np.isfinite(info["substeps"]["gripped"])
 
 
@@ -151,7 +151,7 @@ def test_a_door_pushed_shut_with_a_fist_has_not_been_gripped(envs):
     part = part_of(env)
     info = play(env, Push(part))
     assert env.workcell.world.joint(part.joint) < part.closed_within
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert not np.isfinite(info["substeps"]["gripped"])
 
 
@@ -169,7 +169,7 @@ def test_a_hand_that_stays_around_the_handle_has_not_finished(envs, task):
     env = envs(task)
     until = ("approach", "reach", "settle", "grip", "move", "pause", "release")
     info = play(env, Only(env.workcell.task.skills[0], until))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert all(np.isfinite(time) for time in info["substeps"].values())
     assert not info["ever_success"]
 
@@ -180,7 +180,7 @@ def test_what_is_closed_again_at_once_does_not_stay_open(envs, task):
     part = part_of(env)
     info = play(env, *env.workcell.task.skills, Close(part))
     assert info["ever_success"]
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] in {"running", "timeout"}
 
 
 @pytest.mark.parametrize("task", [*OPENING, *CLOSING])
@@ -193,7 +193,7 @@ def test_the_hand_may_not_touch_anything_but_the_handle(envs, task):
 def test_a_drawer_that_is_only_opened_has_not_been_operated(envs):
     env = envs("level2/operate_drawer")
     info = play(env, Open(part_of(env), to=0.15))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["released"])
     assert not np.isfinite(info["substeps"]["gripped_again"])
 
@@ -204,6 +204,6 @@ def test_a_drawer_moved_out_and_in_without_letting_go_has_not_been_operated(envs
     out = Only(Open(part, to=0.15), ("approach", "reach", "settle", "grip", "move", "pause"))
     back = Only(Close(part), ("move", "pause", "release", "leave"))
     info = play(env, out, back)
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert env.workcell.world.joint(part.joint) < part.closed_within
     assert not np.isfinite(info["substeps"]["released"])

@@ -54,7 +54,7 @@ def test_a_beaker_put_back_five_centimetres_off_is_not_back(monkeypatch):
     env = shortened(monkeypatch, 30.0, liquid="off")
     pick, pour, place = env.workcell.task.skills[:3]
     info = play(env, pick, pour, replace(place, on=Beside(place.thing, ahead=0.05)))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["2_pour/righted"])
     assert not np.isfinite(info["substeps"]["3_place/placed"])
 
@@ -63,7 +63,7 @@ def test_less_than_four_fifths_of_a_liquid_is_not_poured(monkeypatch):
     env = shortened(monkeypatch, 30.0, particles=300)
     pick, pour, place = env.workcell.task.skills[:3]
     info = play(env, pick, PourPart(pour.thing, pour.into), place)
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     liquid = env.workcell.world.liquid
     share = liquid.from_in("blue_beaker", "large_beaker") / liquid.originated_in("blue_beaker")
     assert 0.65 <= share < 0.80
@@ -74,7 +74,7 @@ def test_one_liquid_does_not_count_for_another(monkeypatch):
     env = shortened(monkeypatch, 50.0, particles=150)
     skills = env.workcell.task.skills[:6]
     info = play(env, *(skill for skill in skills if skill is not skills[4]))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["facts"]["80 % of blue_beaker poured into large_beaker"]
     assert not info["facts"]["80 % of green_beaker poured into large_beaker"]
     assert np.isfinite(info["substeps"]["4_pick/lifted"])
@@ -97,7 +97,7 @@ def test_the_same_beaker_twice_is_the_wrong_one(env):
 @pytest.mark.slow
 def test_a_hot_plate_that_is_not_switched_on_heats_nothing(env):
     info = play(env, *env.workcell.task.skills[:-1])
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["9_place/released"])
     assert not np.isfinite(info["substeps"]["10_press/pressed"])
 
@@ -106,7 +106,7 @@ def test_a_hot_plate_that_is_not_switched_on_heats_nothing(env):
 def test_a_hot_plate_that_is_switched_off_again_heats_nothing(env):
     (press,) = skills_of(env, Press)
     info = play(env, *env.workcell.task.skills, press)
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["10_press/pressed"])
     assert not info["facts"]["heater_switch on"]
 

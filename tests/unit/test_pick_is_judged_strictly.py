@@ -20,7 +20,7 @@ def test_the_unspoilt_expert_succeeds(env):
 def test_a_flask_held_at_nineteen_centimetres_is_not_picked(env):
     (flask,) = env.workcell.task.start
     info = play(env, Pick(flask, lift=0.19))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert not info["ever_success"]
     assert info["substeps"]["gripped"] > 0
 
@@ -49,7 +49,7 @@ def test_a_flask_pushed_over_is_knocked_over(env):
 
 def test_a_flask_held_aslant_is_not_picked(env):
     info = play(env, spoil=turning(0.6, "pick/hold"))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert not info["facts"]["flask upright within 20 deg"]
 
 

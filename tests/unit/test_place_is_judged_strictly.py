@@ -44,7 +44,7 @@ def test_a_beaker_that_stays_in_the_hand_is_not_placed(env):
         action[-1] = beaker.grip_width - 0.012
 
     info = play(env, Place(beaker, OnTop(plate), retreat=0.0), spoil=keep_shut)
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["facts"]["beaker standing on target_plate"]
     assert not info["ever_success"]
 
@@ -52,7 +52,7 @@ def test_a_beaker_that_stays_in_the_hand_is_not_placed(env):
 def test_a_hand_that_stays_around_the_beaker_has_not_withdrawn(env):
     beaker, plate = things(env)
     info = play(env, Place(beaker, OnTop(plate), retreat=0.0))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["released"])
     assert not np.isfinite(info["substeps"]["retracted"])
     assert not info["ever_success"]
@@ -61,7 +61,7 @@ def test_a_hand_that_stays_around_the_beaker_has_not_withdrawn(env):
 def test_a_base_that_overhangs_the_plate_is_not_in_full_contact(env):
     beaker, plate = things(env)
     info = play(env, Place(beaker, Aside(plate, x=0.048)))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["facts"]["beaker released"]
     assert not info["ever_success"]
 
@@ -76,7 +76,7 @@ def test_a_beaker_beside_the_plate_is_not_at_the_target(env):
             return super().position_w(world) * (1, 1, 0) + (0, 0, world.bench_height)
 
     info = play(env, Place(beaker, Bench(plate, x=0.14)))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert not info["ever_success"]
 
 
@@ -110,6 +110,6 @@ def test_a_beaker_carried_nineteen_centimetres_high_is_not_transported():
     env = begun("level2/transport_beaker")
     beaker, plate = things(env)
     info = play(env, Pick(beaker, lift=0.19), Place(beaker, OnTop(plate)))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["facts"]["beaker standing on target_plate"]
     assert info["substeps"]["lifted"] == np.inf

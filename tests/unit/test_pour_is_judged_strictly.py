@@ -40,7 +40,7 @@ def test_the_unspoilt_skill_pours_everything_and_spills_next_to_nothing(env):
 def test_a_beaker_half_poured_out_has_not_been_poured_out(env):
     (pour,) = env.workcell.task.skills
     info = play(env, replace(pour, angle=math.radians(72)))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert 10 < info["ml_poured"] < 80
     assert info["substeps"]["poured"] == np.inf
 
@@ -61,7 +61,7 @@ def test_pouring_past_the_mouth_spills(env):
 def test_without_liquid_a_beaker_tilted_to_the_level_has_not_been_poured_out(empty):
     (pour,) = empty.workcell.task.skills
     info = play(empty, replace(pour, angle=math.radians(90)))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["poured"] == np.inf
     assert "ml_poured" not in info
 
@@ -80,7 +80,7 @@ def test_without_liquid_the_unspoilt_skill_succeeds_too(empty):
 def test_a_beaker_left_tilted_is_not_upright_again(env):
     (pour,) = env.workcell.task.skills
     info = play(env, replace(pour, pause_s=60.0))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["poured"])
     assert info["substeps"]["righted"] == np.inf
 
@@ -90,7 +90,7 @@ def test_a_beaker_held_aslant_afterwards_is_not_upright():
     (pour,) = env.workcell.task.skills
     # High enough to clear the other.
     info = play(env, replace(pour, drop=0.2), spoil=turning(0.26, "pour/stabilise"))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["poured"])
     assert not info["facts"]["beaker upright within 10 deg"]
 
@@ -116,7 +116,7 @@ def test_a_target_that_is_run_into_has_been_struck(env):
 def test_a_beaker_lifted_nineteen_centimetres_is_not_picked(whole):
     pick, *rest = whole.workcell.task.skills
     info = play(whole, Pick(pick.thing, lift=0.19), *rest)
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["gripped"] > 0
     assert info["substeps"]["lifted"] == np.inf
 
@@ -131,6 +131,6 @@ def test_a_beaker_that_stays_in_the_hand_has_not_been_set_down(whole):
     info = play(
         whole, *whole.workcell.task.skills[:2], replace(place, retreat=0.0), spoil=keep_shut
     )
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["facts"]["beaker standing on bench"]
     assert info["substeps"]["released"] == np.inf

@@ -28,13 +28,13 @@ def test_the_unspoilt_skill_succeeds(env):
 
 def test_two_cycles_are_not_three(env):
     info = play(env, replace(shake(env), cycles=2))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["shaken"] == np.inf
 
 
 def test_tilts_of_twelve_degrees_do_not_count(env):
     info = play(env, replace(shake(env), angle=math.radians(12)))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["shaken"] == np.inf
 
 
@@ -68,14 +68,14 @@ def test_a_beaker_brought_elsewhere_is_not_back_at_the_start(env):
     honest = shake(env)
     elsewhere = replace(honest.at, left=0.1)
     info = play(env, honest, replace(honest, at=elsewhere, cycles=0))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["returned"])
     assert info["facts"]["beaker gripped"]
 
 
 def test_a_beaker_held_aslant_at_the_end_is_not_back_at_the_start(env):
     info = play(env, shake(env), spoil=turning(0.15, "shake/stabilise"))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert not info["facts"]["beaker upright within 5 deg"]
 
 
@@ -84,5 +84,5 @@ def test_a_beaker_lifted_nineteen_centimetres_is_not_picked():
     honest = shake(env)
     low = replace(honest, at=replace(honest.at, height=0.19))
     info = play(env, Pick(honest.thing, lift=0.19), low)
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["lifted"] == np.inf

@@ -93,7 +93,7 @@ def test_half_of_it_is_not_enough(env):
     bottle, _ = things(env)
     info = play(env, Squeeze(bottle, amount_ml=10.0))
     assert 10e-6 <= env.workcell.world.displaced(bottle) < 20e-6
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["dispensed"] == np.inf
 
 
@@ -107,7 +107,7 @@ def test_two_small_strokes_are_as_good_as_one(env):
 def test_air_that_is_squeezed_gives_nothing(env):
     bottle, _ = things(env)
     info = play(env, Beside(bottle, amount_ml=21.0, strokes=1))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["gripped"] == np.inf
     assert env.workcell.world.displaced(bottle) == 0.0
 

@@ -71,7 +71,7 @@ def test_four_turns_are_not_five(env):
 
 def test_a_rod_that_turns_about_the_axis_of_the_beaker_does_not_stir(env):
     info = play(env, replace(stir(env), radius=0.1))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["stirred"] == np.inf
 
 
@@ -89,13 +89,13 @@ def test_a_rod_that_stops_half_way_is_interrupted(env):
 
 def test_a_rod_that_circles_above_the_liquid_is_not_inserted(env):
     info = play(env, replace(stir(env), bottom_gap=0.035))  # 8 mm above where 60 ml stand
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["inserted"] == np.inf
 
 
 def test_a_rod_that_circles_above_the_beaker_does_not_stir(env):
     info = play(env, replace(stir(env), bottom_gap=0.12))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["inserted"] == np.inf
 
 
@@ -121,7 +121,7 @@ def test_a_rod_let_go_in_the_beaker_fails(env):
 
 def test_a_rod_four_centimetres_above_the_beaker_is_not_withdrawn(env):
     info = play(env, replace(stir(env), clearance=0.04))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["stirred"])
     assert info["substeps"]["withdrawn"] == np.inf
 
@@ -134,7 +134,7 @@ def test_a_rod_let_go_after_one_and_a_half_seconds_is_dropped(env):
 
 def test_a_rod_carried_away_from_the_beaker_is_not_held_over_it(env):
     info = play(env, spoil=turning(0.2, "stir/hold", joint=0))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["withdrawn"])
     assert info["facts"]["glass_rod gripped"]
 
@@ -146,7 +146,7 @@ def test_the_unspoilt_skills_succeed_from_the_rack(from_the_rack):
 def test_a_rod_lifted_nineteen_centimetres_is_not_lifted(from_the_rack):
     pick, honest = from_the_rack.workcell.task.skills
     info = play(from_the_rack, replace(pick, lift=0.19), replace(honest, rise=0.0))
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["gripped"])
     assert info["substeps"]["lifted"] == np.inf
 

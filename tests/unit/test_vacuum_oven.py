@@ -79,5 +79,5 @@ def test_who_turns_the_lever_too_little_does_not_succeed(monkeypatch):
     monkeypatch.setattr(name, partial(Lever, turn=math.radians(25)))
     env = begun_with("level1/open_door", open_oven(OVEN), monkeypatch)
     info = play(env)
-    assert info["outcome"] == "timeout"
+    assert info["outcome"] == "running"
     assert info["substeps"]["gripped"] < math.inf
