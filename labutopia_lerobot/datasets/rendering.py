@@ -84,7 +84,7 @@ def render(root: Path, out: Path, watcher: Watcher, **chosen: Any) -> list[Candi
     """
     config = _config(root, out, chosen)
     config.check()
-    chosen |= {"extras": config.setting(config.tasks[0]).extras}
+    chosen |= {"obs": "pixels", "extras": config.setting(config.tasks[0]).extras}
     with claim(out, config.provenance) as work:
         source = work / _SOURCE
         source.mkdir(exist_ok=True)

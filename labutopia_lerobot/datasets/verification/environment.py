@@ -6,7 +6,7 @@ unless some episode is the same there too, only by how much is told.
 """
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -70,15 +70,20 @@ def check_features(subject: Subject) -> Iterator[Finding]:
                         f"{INFO}: {part} of {key} is {told.get(part)}, but the environment of "
                         f"episode {episode} has {here}"
                     )
-        yield from _check_segments(subject.episodes[episode], setting)
+    yield from _check_segments(subject, settings)
 
 
-def _check_segments(row: Row, setting: Setting) -> Iterator[Finding]:
-    """Yield whether the numbers of a segmentation are said to mean something else."""
-    here = list(segment_names(canonical_task(setting)))
-    there = json.loads(row[SEGMENTS]) if row.get(SEGMENTS) is not None else here
-    if SEGMENTATION in setting.extras and there != here:
-        yield Fault(f"{SEGMENTS} of episode {row['episode_index']} is {there}, not {here}")
+def _check_segments(subject: Subject, settings: Iterable[Setting]) -> Iterator[Finding]:
+    """Yield where the numbers of a segmentation are said to mean something else."""
+    segmented = [setting for setting in settings if SEGMENTATION in setting.extras]
+    meant = {setting: list(segment_names(canonical_task(setting))) for setting in segmented}
+    for row in subject.episodes:
+        here = meant.get(setting) if (setting := episode_setting(row)) else None
+        if here is not None and json.loads(row.get(SEGMENTS) or "null") != here:
+            yield Fault(
+                f"{SEGMENTS} of episode {row['episode_index']} is {row.get(SEGMENTS)}, but the "
+                f"environment has {here}"
+            )
 
 
 def check_replay(subject: Subject, pictures: int) -> Iterator[Finding]:
