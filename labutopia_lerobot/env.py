@@ -11,12 +11,16 @@ from numpy.typing import NDArray
 from labutopia_lerobot.features import (
     action_space,
     environment_state,
+    forces,
     observation_features,
     observation_space,
+    with_pictures,
 )
+from labutopia_lerobot.pictures import picture_names
 from labutopia_lerobot.scenario import Scenario
-from labutopia_lerobot.setting import Setting, require_choices
-from labutopia_lerobot.sim.workcell import Workcell, Workcells
+from labutopia_lerobot.setting import FORCES, Setting, require_choices
+from labutopia_lerobot.sim.workcell import Workcell
+from labutopia_lerobot.sim.workcells import Workcells
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.task import SUCCESS, TIMEOUT
 from labutopia_lerobot.world import CONTROL_HZ
@@ -34,7 +38,9 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     Observations: `agent_pos` float32, measured joint angles [rad] and gripper opening [m];
     with `obs="pixels"` also `pixels`, a dict of camera -> (height, width, 3) uint8; with
     `obs="state"` `environment_state`, privileged object poses (see
-    `features.environment_state_names`).
+    `features.environment_state_names`). Of `extras`, `forces` float32, left and right pad [N]; for
+    every camera `pixels["<camera>_segmentation"]` uint8, the number of what is seen in all three
+    channels (see `sim.segments`), and `images.<camera>_depth` float32, (height, width, 1) [m].
 
     Actions: float32, absolute targets of the same. What acted is `info["applied_action"]`.
 
@@ -169,8 +175,11 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         if self.setting.obs == "state":
             observation["environment_state"] = self.environment_state()
         else:
-            observation["pixels"] = self.workcell.pictures(self.setting.cameras)
-            self._frame = observation["pixels"][self.setting.cameras[0]]
+            pictures = self.workcell.pictures(picture_names(self.setting))
+            observation |= with_pictures(pictures)
+            self._frame = pictures[self.setting.cameras[0]]
+        if FORCES in self.setting.extras:
+            observation["forces"] = forces(self.workcell.world)
         return observation
 
     def _info(self) -> Info:

@@ -12,14 +12,18 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
+from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind, picture_names
 from labutopia_lerobot.robots import load_robot
-from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.setting import DEPTH, FORCES, Setting
 from labutopia_lerobot.substances.filling import Fillable
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.world import FloatArray, World
+from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, FloatArray, World
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
+
+_DEPTH_PATH = "images."
+"""Prefix of depths in the environment's observation; the name of the picture follows."""
 
 _POSE_NAMES = ("x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz")
 
@@ -30,20 +34,29 @@ class Feature:
 
     Attributes:
         key: What LeRobot's policies and datasets call it.
-        dtype: Name of its NumPy type; `uint8` for pictures, else `float32`.
+        dtype: Name of its NumPy type; `uint8` for pictures but depth, else `float32`.
         shape: Its shape for one environment at one time.
         names: What its elements are called; for a picture, what its axes are.
+        low: No element is smaller.
+        high: No element is larger.
     """
 
     key: str
     dtype: str
     shape: tuple[int, ...]
     names: tuple[str, ...]
+    low: float = -_LARGEST
+    high: float = _LARGEST
 
     @property
     def is_picture(self) -> bool:
-        """Whether it is a picture (height, width, 3), not a row of numbers."""
-        return self.dtype == "uint8"
+        """Whether it is a picture (height, width, channels), not a row of numbers."""
+        return len(self.shape) == 3
+
+    @property
+    def is_depth(self) -> bool:
+        """Whether it is a picture of distances along the optical axis [m], of one channel."""
+        return self.is_picture and self.dtype == "float32"
 
 
 def _numbers(key: str, names: tuple[str, ...]) -> Feature:
@@ -68,21 +81,51 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
             mujoco.
 
     Returns:
-        The path in the environment's observation (`agent_pos`, `environment_state`,
-        `pixels/<camera>`) -> the feature.
+        The path in the environment's observation (`agent_pos`, `environment_state`, `forces`,
+        `pixels/<picture>`, `images.<depth>`) -> the feature.
     """
     features = {"agent_pos": _numbers("observation.state", load_robot(setting.robot).names)}
     if setting.obs == "state":
         names = environment_state_names(load_task())
         features["environment_state"] = _numbers("observation.environment_state", names)
-        return features
-    axes = ("height", "width", "channels")
-    for camera in setting.cameras:
-        key = f"observation.images.{camera}"
-        features[f"pixels/{camera}"] = Feature(
-            key, "uint8", (setting.height, setting.width, 3), axes
-        )
+    if FORCES in setting.extras:
+        pads = (LEFT_PAD, RIGHT_PAD)
+        features[FORCES] = Feature("observation.forces", "float32", (2,), pads, 0.0, np.inf)
+    for name in picture_names(setting):
+        key, axes = f"observation.images.{name}", ("height", "width", "channels")
+        size = setting.height, setting.width
+        if camera_and_kind(name)[1] == DEPTH:
+            # LeRobot takes bytes only under `pixels`, and passes on as `observation.<path>` what it
+            # does not know.
+            features[_DEPTH_PATH + name] = Feature(
+                key, "float32", (*size, 1), axes, 0.0, FARTHEST_M
+            )
+        else:
+            features[f"pixels/{name}"] = Feature(key, "uint8", (*size, 3), axes, 0, 255)
     return features
+
+
+def observed_pictures(observation: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
+    """Return the pictures of an environment's observation by name."""
+    depths = {path: value for path, value in observation.items() if path.startswith(_DEPTH_PATH)}
+    return {
+        **observation.get("pixels", {}),
+        **{path.removeprefix(_DEPTH_PATH): value for path, value in depths.items()},
+    }
+
+
+def with_pictures(pictures: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
+    """Return the part of an environment's observation that pictures are, given by name."""
+    depths = {name for name in pictures if camera_and_kind(name)[1] == DEPTH}
+    return {
+        "pixels": {name: value for name, value in pictures.items() if name not in depths},
+        **{_DEPTH_PATH + name: pictures[name] for name in pictures if name in depths},
+    }
+
+
+def forces(world: World) -> NDArray[np.float32]:
+    """Return the sum of the normal forces on each pad at the last physics step [N], shape (2,)."""
+    return np.array([world.normal_force(LEFT_PAD), world.normal_force(RIGHT_PAD)], np.float32)
 
 
 def environment_state_names(task: Task) -> tuple[str, ...]:
@@ -126,16 +169,14 @@ def observation_space(features: Mapping[str, Feature]) -> spaces.Dict:
     boxes = {path: _box(feature) for path, feature in features.items()}
     pictures = {
         path.removeprefix("pixels/"): boxes.pop(path)
-        for path, feature in features.items()
-        if feature.is_picture
+        for path in features
+        if path.startswith("pixels/")
     }
     return spaces.Dict({**boxes, "pixels": spaces.Dict(pictures)} if pictures else boxes)
 
 
 def _box(feature: Feature) -> spaces.Space[Any]:
-    if feature.is_picture:
-        return spaces.Box(0, 255, feature.shape, np.uint8)
-    return spaces.Box(-_LARGEST, _LARGEST, feature.shape, np.float32)
+    return spaces.Box(feature.low, feature.high, feature.shape, np.dtype(feature.dtype).type)
 
 
 def action_space(setting: Setting) -> spaces.Box[np.float32]:

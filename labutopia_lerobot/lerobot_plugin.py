@@ -8,11 +8,13 @@ from draccus.utils import DecodingError
 from gymnasium.vector import VectorEnv
 from lerobot.configs import FeatureType, PolicyFeature
 from lerobot.envs.configs import EnvConfig
+from lerobot.processor import ObservationProcessorStep, PolicyProcessorPipeline
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.features import ACTION, Feature, action_feature, observation_features
 from labutopia_lerobot.registry import tasks_of_levels
 from labutopia_lerobot.setting import (
+    DEPTH,
     Setting,
     UnknownOptionError,
     require_choices,
@@ -93,6 +95,11 @@ class LabUtopiaEnvConfig(EnvConfig):
         del options["task"]
         return options
 
+    def get_env_processors(self) -> tuple[Any, Any]:
+        """Return what LeRobot does to observations and actions: depths get its own form."""
+        steps = [LeRobotDepth()] if DEPTH in getattr(self, "extras", ()) else []
+        return PolicyProcessorPipeline(steps=steps), PolicyProcessorPipeline(steps=[])
+
     def create_envs(
         self, n_envs: int, use_async_envs: bool = False
     ) -> dict[str, dict[str, VectorEnv[Any, Any, Any]]]:
@@ -131,6 +138,19 @@ class LabUtopiaEnvConfig(EnvConfig):
         return first
 
 
+class LeRobotDepth(ObservationProcessorStep):
+    """Gives depths the form in which LeRobot's datasets give them: channel first, millimetres."""
+
+    def observation(self, observation: dict[str, Any]) -> dict[str, Any]:
+        """Return the observation with its depths, (environments, 1, height, width) [mm]."""
+        depths = {key: value for key, value in observation.items() if key.endswith(f"_{DEPTH}")}
+        return observation | {key: d.permute(0, 3, 1, 2) * 1000.0 for key, d in depths.items()}
+
+    def transform_features(self, features: Any) -> Any:
+        """Return the features, which stay as they are."""
+        return features
+
+
 def _canonical_task(setting: Setting) -> "Task":
     from labutopia_lerobot.scenario import canonical_task  # here: it imports mujoco
 
@@ -140,6 +160,7 @@ def _canonical_task(setting: Setting) -> "Task":
 _TYPES = {
     "action": FeatureType.ACTION,
     "observation.state": FeatureType.STATE,
+    "observation.forces": FeatureType.STATE,
     "observation.environment_state": FeatureType.ENV,
 }
 

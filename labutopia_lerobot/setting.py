@@ -9,7 +9,7 @@ import difflib
 import inspect
 import re
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, dataclass, fields, replace
 from typing import Any, dataclass_transform
 
 from labutopia_lerobot.errors import UserError
@@ -28,6 +28,10 @@ LIQUID = ("on", "off")
 
 CAMERAS = ("front", "top", "wrist")
 """Every camera of a scene: facing the robot, overhead, on the hand."""
+
+DEPTH, SEGMENTATION, FORCES = "depth", "segmentation", "forces"
+EXTRAS = (DEPTH, SEGMENTATION, FORCES)
+"""What can be observed beside the usual: depth and segmentation of every camera, forces on pads."""
 
 IMAGE_SIZE = 256
 """Width and height of a picture by default [pixels] (paper, "Model Input And Output")."""
@@ -54,6 +58,8 @@ class Setting:
         task: Task id, such as `level1/pick`.
         obs: `pixels` (cameras) or `state` (privileged object poses).
         cameras: Which cameras to draw with `obs=pixels`: front, top, wrist.
+        extras: What is observed beside: a list of `depth` [m] and `segmentation` of every camera,
+            with `obs=pixels`, and `forces` on the pads [N].
         width: Width of the pictures [pixels].
         height: Height of the pictures [pixels].
         split: `train`, `id` (other seeds) or `ood` (values never trained on).
@@ -75,6 +81,7 @@ class Setting:
     task: str
     obs: str = "pixels"
     cameras: tuple[str, ...] = CAMERAS
+    extras: tuple[str, ...] = ()
     width: int = IMAGE_SIZE
     height: int = IMAGE_SIZE
     split: str = "id"
@@ -87,7 +94,7 @@ class Setting:
     step: str | None = None
 
     def __post_init__(self) -> None:
-        for name in ("cameras", "axes"):
+        for name in ("cameras", "extras", "axes"):
             value = getattr(self, name)
             object.__setattr__(self, name, (value,) if isinstance(value, str) else tuple(value))
         if self.tasks_dir is not None:
@@ -103,10 +110,22 @@ class Setting:
                 f"cameras={list(self.cameras)} must name at least one, and none twice. Choose "
                 f"from: {', '.join(CAMERAS)}"
             )
+        require_choices("extras", self.extras, EXTRAS)
+        if self.obs == "state" and not set(self.extras) <= {FORCES}:
+            raise UnknownOptionError(
+                f"extras={list(self.extras)} needs cameras: choose obs=pixels, or of extras only "
+                f"{FORCES}"
+            )
+        object.__setattr__(self, "extras", tuple(e for e in EXTRAS if e in self.extras))
         require_between("particles", self.particles, 1, 100_000)
         require_between("width", self.width, 1, LARGEST_PICTURE[0])
         require_between("height", self.height, 1, LARGEST_PICTURE[1])
         require_task(self.task, self.tasks_dir)
+
+    def without_pictures(self) -> "Setting":
+        """Return the same with no pictures drawn: `obs=state`, and of the extras the numbers."""
+        numbers = tuple(extra for extra in self.extras if extra == FORCES)
+        return replace(self, obs="state", extras=numbers)
 
 
 def require_choices(name: str, values: Iterable[object], choices: Collection[object]) -> None:

@@ -17,8 +17,8 @@ from labutopia_lerobot.datasets.rendering import render
 from labutopia_lerobot.datasets.tables import INFO, read_json
 from labutopia_lerobot.setting import Setting
 
-_DRAWING = ("cameras", "width", "height")
-"""Fields of `Setting` on which pictures depend, and nothing else."""
+_DRAWING = ("cameras", "extras", "width", "height")
+"""Fields of `Setting` on which pictures depend and, but for forces, nothing else."""
 
 
 @clear_errors

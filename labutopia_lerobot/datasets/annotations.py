@@ -14,11 +14,14 @@ from labutopia_lerobot.datasets.tables import (
     PRIVILEGED,
     RENDERER,
     SEED,
+    SEGMENTS,
     SETTING,
     VOLUMES,
     Row,
 )
-from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import SEGMENTATION, Setting
+from labutopia_lerobot.sim.segments import segment_names
 
 _PLAIN = {
     SEED: "seed",
@@ -38,10 +41,12 @@ _JSON = {
 def annotations(candidate: Candidate, setting: Setting) -> dict[str, int | str]:
     """Return the columns of our own in the episode table, for one episode."""
     values = asdict(candidate)
+    segmented = SEGMENTATION in setting.extras
     return {
         SETTING: json.dumps(asdict(setting)),
         **{column: values[name] for column, name in _PLAIN.items()},
         **{column: json.dumps(values[name]) for column, name in _JSON.items()},
+        **({SEGMENTS: json.dumps(segment_names(canonical_task(setting)))} if segmented else {}),
     }
 
 

@@ -20,6 +20,7 @@ from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import began_with
 from labutopia_lerobot.datasets.tables import RECORDING
 from labutopia_lerobot.datasets.writer import EncodedDatasetWriter
+from labutopia_lerobot.pictures import picture_names
 
 
 class DatasetAssembler:
@@ -34,7 +35,7 @@ class DatasetAssembler:
     def __init__(self, config: RecordingConfig, work: Path, root: Path) -> None:
         self._config, self._work, self._root = config, work, root
         setting = config.setting(config.tasks[0])
-        self._cameras = setting.cameras if setting.obs == "pixels" else ()
+        self._pictures = picture_names(setting)
         self._writer = EncodedDatasetWriter(
             config.repo_id, dataset_features(setting), setting.robot, root
         )
@@ -45,8 +46,8 @@ class DatasetAssembler:
         with np.load(folder / COLUMNS) as stored:
             columns = dict(stored)
         videos = {
-            f"{IMAGES}{camera}": (folder / f"{camera}.mp4", _take_colors(columns, camera))
-            for camera in self._cameras
+            f"{IMAGES}{name}": (folder / f"{name}.mp4", _take_statistics(columns, name))
+            for name in self._pictures
         }
         noted = annotations(candidate, self._config.setting(candidate.task))
         self._writer.add(candidate.instruction, columns, videos, noted)
@@ -65,9 +66,9 @@ class DatasetAssembler:
         _open_to_group(self._root)
 
 
-def _take_colors(columns: Columns, camera: str) -> Columns:
-    """Take the colour statistics of a camera out of what a candidate has stored."""
-    prefix = f"{COLORS}{camera}."
+def _take_statistics(columns: Columns, picture: str) -> Columns:
+    """Take the statistics of a picture out of what a candidate has stored."""
+    prefix = f"{COLORS}{picture}."
     return {
         key.removeprefix(prefix): columns.pop(key)
         for key in list(columns)

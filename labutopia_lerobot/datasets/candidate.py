@@ -16,8 +16,9 @@ from labutopia_lerobot.datasets.demonstration import Demonstration, Pictures, de
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.pictures import camera_and_kind, picture_names
 from labutopia_lerobot.runtime.provenance import machine
-from labutopia_lerobot.runtime.video import VideoWriter, color_statistics
+from labutopia_lerobot.runtime.video import VideoWriter
 from labutopia_lerobot.runtime.workers import become_worker
 from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.setting import Setting
@@ -27,7 +28,7 @@ from labutopia_lerobot.task import SUCCESS
 SUMMARY = "candidate.json"
 COLUMNS = "columns.npz"
 COLORS = "colors."
-"""Prefix of the colour statistics in `COLUMNS`; camera and statistic follow."""
+"""Prefix of the statistics of pictures in `COLUMNS`; picture and statistic follow."""
 
 UNFINISHED = ".tmp"
 """Suffix of the folder of a candidate that is still being played."""
@@ -134,29 +135,31 @@ def play_candidate(config: RecordingConfig, work: Path, task: str, index: int) -
 def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> Candidate:
     """Play a candidate and put everything that is kept of it into a folder."""
     env = _environment(config.setting(task))
-    cameras = env.setting.cameras if env.setting.obs == "pixels" else ()
+    names = picture_names(env.setting)
     size = env.setting.width, env.setting.height
     with ExitStack() as stack:
         videos = {
-            camera: stack.enter_context(VideoWriter(folder / f"{camera}.mp4", *size))
-            for camera in cameras
+            name: stack.enter_context(
+                VideoWriter(folder / f"{name}.mp4", *size, camera_and_kind(name)[1])
+            )
+            for name in names
         }
 
         def film(pictures: Pictures) -> None:
-            for camera, video in videos.items():
-                video.add(pictures[camera])
+            for name, video in videos.items():
+                video.add(pictures[name])
 
         demonstration = demonstrate(env, config.seed + index, film)
     candidate = _summary(env, config.seed + index, index, demonstration)
     if candidate.stored(config.keep):
         arrays: dict[str, Any] = dict(demonstration.columns)
-        for camera, video in videos.items():
-            colors = color_statistics(video.histogram, candidate.frames)
-            arrays |= {f"{COLORS}{camera}.{name}": values for name, values in colors.items()}
+        for name, video in videos.items():
+            found = video.statistics().items()
+            arrays |= {f"{COLORS}{name}.{statistic}": values for statistic, values in found}
         np.savez(folder / COLUMNS, **arrays)
     else:
-        for camera in cameras:
-            (folder / f"{camera}.mp4").unlink()
+        for name in names:
+            (folder / f"{name}.mp4").unlink()
     (folder / SUMMARY).write_text(json.dumps(asdict(candidate)))
     return candidate
 

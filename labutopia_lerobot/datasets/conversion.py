@@ -18,7 +18,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.robots import DEFAULT_ROBOT, load_robot
 from labutopia_lerobot.runtime.provenance import sha256
-from labutopia_lerobot.runtime.video import VideoWriter, color_statistics, require_filmable
+from labutopia_lerobot.runtime.video import VideoWriter, require_filmable
 from labutopia_lerobot.world import CONTROL_HZ
 
 CONVERSION = "meta/labutopia_conversion.json"
@@ -116,8 +116,7 @@ def _add(
         with VideoWriter(file, width, height) as video:
             for picture in episode.pictures(camera):
                 video.add(picture)
-        colors = color_statistics(video.histogram, len(episode.states))
-        videos[f"{IMAGES}{camera}"] = (file, colors)
+        videos[f"{IMAGES}{camera}"] = (file, video.statistics())
     writer.add(instruction, {STATE: episode.states, ACTION: episode.next_states}, videos, {})
     shutil.rmtree(folder)
 

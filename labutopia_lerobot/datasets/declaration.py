@@ -15,6 +15,7 @@ IMAGES = "observation.images."
 """Prefix of the keys of pictures; the camera follows."""
 
 STATE = "observation.state"
+FORCE = "observation.forces"
 ENVIRONMENT_STATE = "observation.environment_state"
 
 PRIVILEGED_STATE = "privileged.environment_state"
@@ -34,6 +35,10 @@ REWARD, DONE, SUCCEEDED = "next.reward", "next.done", "next.success"
 STEP, MILESTONE, PHASE = "annotation.step", "annotation.milestone", "annotation.phase"
 """The step of the task that is being done, the milestone that has latched last, the phase of the
 expert; empty where there is none."""
+
+
+_DEPTH_INFO = {"is_depth_map": True, "depth_unit": "m"}
+"""How LeRobot knows depth, and the unit of its statistics."""
 
 
 class PrivilegedSizeError(UserError, ValueError):
@@ -63,6 +68,7 @@ def dataset_features(setting: Setting) -> dict[str, dict[str, Any]]:
             "dtype": "video" if feature.is_picture else feature.dtype,
             "shape": feature.shape,
             "names": list(feature.names),
+            **({"info": dict(_DEPTH_INFO)} if feature.is_depth else {}),
         }
         for feature in features
     }

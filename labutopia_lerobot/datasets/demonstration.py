@@ -2,16 +2,17 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.frames import Columns, Frames
 from labutopia_lerobot.env import Info, LabEnv
+from labutopia_lerobot.features import observed_pictures
 from labutopia_lerobot.task import SUCCESS
 
-Pictures = Mapping[str, NDArray[np.uint8]]
-"""Camera -> picture, shape (height, width, 3)."""
+Pictures = Mapping[str, NDArray[Any]]
+"""Name -> picture, shape (height, width, channels)."""
 
 EXPERT_FAILED = "expert failed"
 """Outcome where the expert gave up before the episode was over."""
@@ -55,7 +56,7 @@ def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Dem
             break
         frames.begin(observation, expert.label)
         if env.setting.obs == "pixels":
-            film(observation["pixels"])
+            film(observed_pictures(observation))
         observation, reward, terminated, truncated, info = env.step(command)
         over = terminated or truncated
         frames.end(command, reward, over, info)

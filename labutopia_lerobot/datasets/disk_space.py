@@ -5,11 +5,14 @@ from collections.abc import Mapping
 
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.pictures import COLOR, camera_and_kind, picture_names
 from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import DEPTH, SEGMENTATION
 from labutopia_lerobot.world import CONTROL_HZ
 
-_BYTES_PER_PIXEL = 0.03
-"""Of a video, per pixel and frame: 0.016 to 0.020 were measured of `level1/pick` at 256 pixels."""
+_BYTES_PER_PIXEL = {COLOR: 0.03, DEPTH: 0.3, SEGMENTATION: 0.06}
+"""Of a video, per pixel and frame; of `level1/pick` at 256 pixels 0.016 to 0.020 were measured, of
+its depth and segmentation 0.21 and 0.03 (camera front)."""
 
 _BYTES_PER_FRAME = 600
 """Of the tables, per frame, as they are put aside: about 150 numbers of four bytes."""
@@ -33,8 +36,9 @@ def needed_bytes(config: RecordingConfig, missing: Mapping[str, int]) -> int:
     for task, episodes in missing.items():
         setting = config.setting(task)
         seconds = _SHARE_OF_LIMIT * canonical_task(setting).time_limit_s
-        pixels = setting.width * setting.height * len(setting.cameras) * (setting.obs == "pixels")
-        a_frame = _BYTES_PER_PIXEL * pixels + _BYTES_PER_FRAME
+        kinds = [camera_and_kind(name)[1] for name in picture_names(setting)]
+        a_pixel = sum(_BYTES_PER_PIXEL[kind] for kind in kinds)
+        a_frame = a_pixel * setting.width * setting.height + _BYTES_PER_FRAME
         copies = max(episodes, 0) + config.episodes  # what is played, and all of it put together
         total += copies * seconds * CONTROL_HZ * a_frame
     return int(total)
@@ -56,7 +60,7 @@ def require_space(config: RecordingConfig, missing: Mapping[str, int]) -> None:
     if needed > free:
         raise NoSpaceError(
             f"The recording takes about {_told(needed)}, but {folder} has {_told(free)} free. Make "
-            "room, choose another root=, or record fewer episodes=, cameras= or pixels"
+            "room, choose another root=, or record fewer episodes=, cameras=, extras= or pixels"
         )
 
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.datasets.declaration import (
     COMMAND,
     DONE,
+    FORCE,
     MILESTONE,
     PHASE,
     REWARD,
@@ -18,6 +19,7 @@ from labutopia_lerobot.datasets.declaration import (
 )
 from labutopia_lerobot.env import Info, LabEnv, Observation
 from labutopia_lerobot.features import ACTION
+from labutopia_lerobot.setting import FORCES
 
 Columns = dict[str, NDArray[Any]]
 """Feature key -> values, shape (frames, elements), or (frames,) where there is one element."""
@@ -53,6 +55,7 @@ class Frames:
         self._rows.append(
             {
                 STATE: observation["agent_pos"],
+                **({FORCE: observation[FORCES]} if FORCES in observation else {}),
                 key: state,
                 STEP: "" if progress.step is None else progress.step.name,
                 MILESTONE: latched[-1] if latched else "",

@@ -101,7 +101,7 @@ class Player:
             self._env.close()
 
     def _environment(self, setting: Setting) -> LabEnv:
-        setting = replace(setting, obs="state")  # pictures are drawn where somebody looks
+        setting = setting.without_pictures()  # pictures are drawn where somebody looks
         if self._env is None or self._env.setting != setting:
             self.close()
             self._env = LabEnv(setting)

@@ -51,8 +51,10 @@ from labutopia_lerobot.datasets.tables import (
 from labutopia_lerobot.datasets.verify import require_intact
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.pictures import camera_and_kind, picture_names
 from labutopia_lerobot.runtime.provenance import machine
-from labutopia_lerobot.runtime.video import VideoWriter, color_statistics
+from labutopia_lerobot.runtime.video import VideoWriter
+from labutopia_lerobot.setting import FORCES
 from labutopia_lerobot.sim.renderer import opengl_renderer_name
 
 _SOURCE = "source"
@@ -82,6 +84,7 @@ def render(root: Path, out: Path, watcher: Watcher, **chosen: Any) -> list[Candi
     """
     config = _config(root, out, chosen)
     config.check()
+    chosen |= {"obs": "pixels", "extras": config.setting(config.tasks[0]).extras}
     with claim(out, config.provenance) as work:
         source = work / _SOURCE
         source.mkdir(exist_ok=True)
@@ -105,7 +108,12 @@ def _config(root: Path, out: Path, chosen: dict[str, Any]) -> RecordingConfig:
         )
     known = {option.name for option in fields(RecordingConfig)}
     recorded = {n: v for n, v in read_json(root, RECORDING)["config"].items() if n in known}
-    return RecordingConfig(**(recorded | chosen | {"obs": "pixels", "root": str(out)}))
+    forces = {FORCES} & set(recorded.get("extras", ()))  # are in the tables, or are not
+    if FORCES in chosen.get("extras", ()) and not forces:
+        raise UserError(f"{root} has no {FORCES}, which no picture tells: record them")
+    extras = sorted({*chosen.get("extras", ()), *forces})
+    changed = chosen | {"obs": "pixels", "extras": extras, "root": str(out)}
+    return RecordingConfig(**(recorded | changed))
 
 
 def _draw_all(
@@ -132,7 +140,7 @@ def _draw_all(
                 played = player.play(drawn_with(row, **chosen), frames, drawing)
             _require_faithful(root, row, played)
             arrays: dict[str, Any] = _columns(source / place.name / COLUMNS)
-            np.savez(unfinished / COLUMNS, **(arrays | drawing.colors(before.frames)))
+            np.savez(unfinished / COLUMNS, **(arrays | drawing.statistics()))
             candidate = replace(before, machine=machine(), renderer=opengl_renderer_name())
             (unfinished / SUMMARY).write_text(json.dumps(asdict(candidate)))
             unfinished.rename(place)
@@ -178,21 +186,22 @@ class _Drawing:
         setting = config.setting(config.tasks[0])
         size = setting.width, setting.height
         self._videos = {
-            camera: VideoWriter(folder / f"{camera}.mp4", *size) for camera in setting.cameras
+            name: VideoWriter(folder / f"{name}.mp4", *size, camera_and_kind(name)[1])
+            for name in picture_names(setting)
         }
         self._open = ExitStack()
 
     def __call__(self, number: int, env: LabEnv) -> None:
         """Encode a frame."""
-        for camera, picture in env.workcell.pictures(list(self._videos)).items():
-            self._videos[camera].add(picture)
+        for name, picture in env.workcell.pictures(list(self._videos)).items():
+            self._videos[name].add(picture)
 
-    def colors(self, frames: int) -> Columns:
-        """Return the colour statistics, as a candidate keeps them."""
+    def statistics(self) -> Columns:
+        """Return the statistics of the pictures, as a candidate keeps them."""
         return {
-            f"{COLORS}{camera}.{name}": values
-            for camera, video in self._videos.items()
-            for name, values in color_statistics(video.histogram, frames).items()
+            f"{COLORS}{name}.{statistic}": values
+            for name, video in self._videos.items()
+            for statistic, values in video.statistics().items()
         }
 
     def __enter__(self) -> Self:

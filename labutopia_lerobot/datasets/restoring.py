@@ -34,7 +34,9 @@ from labutopia_lerobot.datasets.tables import (
     read_episodes,
     read_json,
 )
+from labutopia_lerobot.pictures import camera_and_kind
 from labutopia_lerobot.runtime.video import copy_frames
+from labutopia_lerobot.setting import DEPTH
 
 _MADE_BY_LEROBOT = ("timestamp", "frame_index", "episode_index", "index", "task_index")
 
@@ -97,17 +99,17 @@ def _fill(
     for key, feature in info["features"].items():
         if feature["dtype"] != "video":
             continue
-        camera = key.removeprefix(IMAGES)
+        name = key.removeprefix(IMAGES)
+        depth = camera_and_kind(name)[1] == DEPTH  # LeRobot divides the others by 255
         chunk, file = (row[f"videos/{key}/{part}_index"] for part in ("chunk", "file"))
         video = root / info["video_path"].format(video_key=key, chunk_index=chunk, file_index=file)
         first = round(row[f"videos/{key}/from_timestamp"] * info["fps"])
-        copy_frames(video, folder / f"{camera}.mp4", first, row["length"])
-        for name, values in statistics.items():
-            of, _, statistic = name.rpartition("/")
-            if of == key:
-                arrays[f"{COLORS}{camera}.{statistic}"] = (
-                    values if statistic == "count" else _levels(values)
-                )
+        copy_frames(video, folder / f"{name}.mp4", first, row["length"])
+        for of, values in statistics.items():
+            if of.rpartition("/")[0] == key:
+                statistic = of.rpartition("/")[2]
+                restored = values if depth or statistic == "count" else _levels(values)
+                arrays[f"{COLORS}{name}.{statistic}"] = restored
     np.savez(folder / COLUMNS, **arrays)
 
 

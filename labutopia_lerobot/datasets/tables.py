@@ -35,12 +35,14 @@ DRAWN = "labutopia/drawn"
 VOLUMES = "labutopia/volumes"
 PARAPHRASES = "labutopia/paraphrases"
 PRIVILEGED = "labutopia/privileged"
+SEGMENTS = "labutopia/segments"
 MACHINE = "labutopia/machine"
 RENDERER = "labutopia/renderer"
 """Columns of the episode table. JSON: every field of `Setting`; axis -> what was drawn on it; where
 the liquid was at the end [ml]; other ways to say the instruction; what the elements of the
-privileged state are called. Plain: seed, outcome, cause of a failure (empty for a success), what it
-was played on, what drew the pictures (empty where there are none)."""
+privileged state are called; what the numbers of a segmentation, if there is one, mean. Plain: seed,
+outcome, cause of a failure (empty for a success), what it was played on, what drew the pictures
+(empty where there are none)."""
 
 Row = dict[str, Any]
 """An episode: column of the episode table -> value."""

@@ -12,19 +12,15 @@ from typing import Any
 import av
 import numpy as np
 from datasets import disable_progress_bars
-from lerobot.configs import RGBEncoderConfig
+from lerobot.configs import DepthEncoderConfig, RGBEncoderConfig, VideoEncoderConfig
 from lerobot.datasets.dataset_metadata import LeRobotDatasetMetadata
 from lerobot.datasets.dataset_writer import DatasetWriter
 from numpy.typing import NDArray
 
-from labutopia_lerobot.runtime.video import (
-    CODEC,
-    KEYFRAME_INTERVAL,
-    PIXEL_FORMAT,
-    PRESET,
-    QUALITY,
-    TUNE,
-)
+from labutopia_lerobot.datasets.declaration import IMAGES
+from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
+from labutopia_lerobot.runtime.video import ENCODINGS, KEYFRAME_INTERVAL
+from labutopia_lerobot.setting import DEPTH
 from labutopia_lerobot.world import CONTROL_HZ
 
 _VIDEO_FILE_MB = 10
@@ -34,7 +30,7 @@ _DATA_FILE_MB = 20
 """Files are read and rewritten whole, here and in `tables`: this bounds the memory."""
 
 Video = tuple[Path, dict[str, NDArray[Any]]]
-"""A file and its colour statistics."""
+"""A file and the statistics of its pictures."""
 
 
 class EncodedDatasetWriter:
@@ -66,14 +62,7 @@ class EncodedDatasetWriter:
         self._writer = DatasetWriter(
             meta=self._meta,
             root=root,
-            rgb_encoder=RGBEncoderConfig(
-                vcodec=CODEC,
-                pix_fmt=PIXEL_FORMAT,
-                preset=PRESET,
-                crf=QUALITY,
-                g=KEYFRAME_INTERVAL,
-                extra_options={"tune": TUNE},
-            ),
+            rgb_encoder=None,
             depth_encoder=None,
             encoder_threads=None,
             batch_encoding_size=1,
@@ -126,6 +115,15 @@ class _AnnotatedMetadata(LeRobotDatasetMetadata):  # type: ignore[misc]  # LeRob
 
     next_annotations: dict[str, int | str]
 
+    def update_video_info(self, video_key: str, video_encoder: VideoEncoderConfig) -> None:
+        """Note how the pictures of a feature are encoded, which LeRobot takes as it is told.
+
+        It knows two encoders, one for depth and one for everything else.
+        """
+        super().update_video_info(
+            video_key, _encoder(camera_and_kind(video_key.removeprefix(IMAGES))[1])
+        )
+
     def save_episode(
         self,
         episode_index: int,
@@ -144,11 +142,32 @@ class _AnnotatedMetadata(LeRobotDatasetMetadata):  # type: ignore[misc]  # LeRob
         )
 
 
+def _encoder(kind: str) -> VideoEncoderConfig:
+    """Return how pictures of a kind are encoded, in LeRobot's words.
+
+    Its tools go by this when they encode anew (delete, split), and its readers when they make
+    depths of levels.
+    """
+    encoding = ENCODINGS[kind]
+    options = dict(encoding.options)
+    told: dict[str, Any] = {
+        "vcodec": encoding.codec,
+        "pix_fmt": encoding.pixel_format,
+        "g": KEYFRAME_INTERVAL,
+        "preset": options.pop("preset"),
+        "crf": int(options.pop("crf")) if "crf" in options else None,
+        "extra_options": options,
+    }
+    if kind == DEPTH:
+        return DepthEncoderConfig(**told, depth_min=0.0, depth_max=FARTHEST_M, use_log=False)
+    return RGBEncoderConfig(**told)
+
+
 class _EncodedVideos:
     """Takes the place of LeRobot's streaming encoder: the videos are there already.
 
     Attributes:
-        next_episode: Feature key -> file and colour statistics, for the next episode.
+        next_episode: Feature key -> file and statistics, for the next episode.
 
     Args:
         root: Folder of the dataset.

@@ -36,6 +36,12 @@ class LabUtopiaRobotConfig(RobotConfig):
             raise InvalidRobotError((), str(error)) from error
         if setting.obs != OBSERVATION_KINDS[0]:
             raise InvalidRobotError((), f"obs={setting.obs!r}: a robot has cameras, obs=pixels")
+        if setting.extras:
+            raise InvalidRobotError(
+                (),
+                f"extras={list(setting.extras)}: LeRobot's recorder would compress segmentations "
+                "and put forces into the state. Leave it out, or use labutopia-record",
+            )
 
     @property
     def setting(self) -> Setting:

@@ -126,7 +126,7 @@ def open_checkpoint(
         names = environment_state_names(canonical_task(setting))
         _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
         _require_names(folder, setting.task, names)
-        seen = replace(setting, obs="state")
+        seen = setting.without_pictures()
     chosen = tuple(sorted(rename.items())) if rename else None
     return Checkpoint(folder, base, kind, device, chosen, seen)
 

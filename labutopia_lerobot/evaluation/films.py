@@ -73,7 +73,7 @@ def film(episode: Episode, file: Path) -> None:
         )
     write_video(file, frames)
     if not row.success and row.policy != _EXPERT:
-        setting = replace(episode.pairing.setting, obs="state")  # it looks at no pictures
+        setting = episode.pairing.setting.without_pictures()  # it looks at no pictures
         expert = Pairing(setting, _EXPERT, REFERENCE_POLICIES[_EXPERT])
         film(play(expert, row.seed), film_of_expert(file))
 

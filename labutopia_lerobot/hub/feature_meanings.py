@@ -42,6 +42,15 @@ _MEANINGS = {
     "privileged.environment_state": Meaning(
         _OBJECT_UNITS, f"{_OBJECTS}; under a key that no policy of LeRobot takes as input"
     ),
+    "observation.forces": Meaning(
+        "N", "sum of the normal forces on each pad, at the last physics step before the action"
+    ),
+    "observation.images.*_depth": Meaning(
+        "m", "distance along the optical axis before the action, in whole millimetres"
+    ),
+    "observation.images.*_segmentation": Meaning(
+        "1", "number of what is seen before the action, in all channels; labutopia/segments names"
+    ),
     "observation.images.*": Meaning("0 to 255", "picture before the action, RGB"),
     "timestamp": Meaning("s", "since the episode began"),
     "frame_index": Meaning("1", "frame of the episode"),

@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from labutopia_lerobot.datasets.declaration import IMAGES
 from labutopia_lerobot.datasets.tables import read_episodes
+from labutopia_lerobot.pictures import COLOR, camera_and_kind
 from labutopia_lerobot.runtime.video import read_frames
 
 STRIP = "assets/strip.jpg"
@@ -31,7 +33,7 @@ def picture_strip(root: Path, info: dict[str, Any]) -> bytes | None:
     videos = [
         root / info["video_path"].format(video_key=key, chunk_index=0, file_index=0)
         for key, feature in info["features"].items()
-        if feature["dtype"] == "video"
+        if feature["dtype"] == "video" and camera_and_kind(key.removeprefix(IMAGES))[1] == COLOR
     ]
     if not videos:
         return None

@@ -1,10 +1,16 @@
-"""H.264 in MP4: encoding frame by frame, exact colour statistics, counting and reading frames."""
+"""MP4: encoding frame by frame, exact statistics of pixels, counting and reading frames.
 
-from collections.abc import Collection, Iterator, Sequence
+Colours are H.264, lossy as everywhere. Depth is LeRobot's form of it, 12 bits of grey in lossless
+HEVC. Segmentation is lossless too, in HEVC of three channels: LeRobot takes pictures of one channel
+for depth, and has no other lossless codec of three.
+"""
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from types import TracebackType
-from typing import Final, Self
+from typing import Any, Literal, Self
 
 import av
 import cv2
@@ -12,19 +18,59 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.pictures import COLOR
+from labutopia_lerobot.setting import DEPTH, SEGMENTATION
 from labutopia_lerobot.world import CONTROL_HZ
 
-CODEC: Final = "h264"
-PIXEL_FORMAT = "yuv420p"
-PRESET = "veryfast"
 KEYFRAME_INTERVAL = 2
 """Frames from one key frame to the next: training reads at random (LeRobot's default)."""
 
-QUALITY = 23
-"""Constant rate factor: x264's default."""
+LOSSLESS = "lossless=1:bframes=0:ctu=16:min-cu-size=16:max-tu-size=16"
+"""x265's parameters. Small blocks and no backward references take half the time at 4 % more."""
 
-TUNE = "fastdecode"
-"""x264's settings for fast decoding (no CABAC, no deblocking filter): training reads often."""
+_ALONE = ":frame-threads=1:pools=none:log-level=error"
+
+
+@dataclass(frozen=True)
+class Encoding:
+    """How pictures of a kind are stored.
+
+    Attributes:
+        codec: FFmpeg's name of the codec.
+        pixel_format: FFmpeg's name of what is stored.
+        array: FFmpeg's name of what goes in and out.
+        options: Of the codec.
+        threading: Options that keep it in one thread, silently: LeRobot is not told of them.
+        levels: How many values a channel can have.
+        step: What one of these levels is worth: 1, or that many metres.
+    """
+
+    codec: Literal["h264", "hevc"]
+    pixel_format: str
+    array: str
+    options: Mapping[str, str]
+    threading: Mapping[str, str]
+    levels: int = 256
+    step: float = 1.0
+
+
+_HEVC = {"preset": "ultrafast", "x265-params": LOSSLESS}
+_QUIET = {"x265-params": LOSSLESS + _ALONE}
+
+ENCODINGS = {
+    # A constant rate factor of 23 is x264's default. `fastdecode` is no CABAC and no deblocking
+    # filter: training reads often.
+    COLOR: Encoding(
+        "h264",
+        "yuv420p",
+        "rgb24",
+        {"preset": "veryfast", "tune": "fastdecode", "crf": "23"},
+        {"threads": "1"},
+    ),
+    DEPTH: Encoding("hevc", "gray12le", "gray12le", _HEVC, _QUIET, levels=4096, step=0.001),
+    SEGMENTATION: Encoding("hevc", "gbrp", "rgb24", _HEVC, _QUIET),
+}
+"""Kind of picture -> how it is stored."""
 
 QUANTILES = (0.01, 0.10, 0.50, 0.90, 0.99)
 """Those that LeRobot stores, as q01 ... q99."""
@@ -52,44 +98,44 @@ class VideoWriter:
 
     A worker process per core fills the machine, and one thread makes the bytes reproducible.
 
-    Attributes:
-        histogram: How often each channel had each level so far, shape (3, 256).
-
     Args:
         path: File to write.
         width: Width of every picture [pixels], even.
         height: Height of every picture [pixels], even.
+        kind: What the pictures show, a key of `ENCODINGS`.
     """
 
-    def __init__(self, path: Path, width: int, height: int) -> None:
-        self.histogram: NDArray[np.int64] = np.zeros((3, 256), dtype=np.int64)
+    def __init__(self, path: Path, width: int, height: int, kind: str = COLOR) -> None:
+        self._encoding = encoding = ENCODINGS[kind]
+        channels = 1 if kind == DEPTH else 3
+        self._histogram: NDArray[np.int64] = np.zeros((channels, encoding.levels), dtype=np.int64)
         self._container = av.open(str(path), "w", options={"movflags": "faststart"})
-        self._stream = self._container.add_stream(
-            CODEC,
-            CONTROL_HZ,
-            options={
-                "preset": PRESET,
-                "tune": TUNE,
-                "crf": str(QUALITY),
-                "g": str(KEYFRAME_INTERVAL),
-                "threads": "1",
-            },
-        )
+        options = {**encoding.options, "g": str(KEYFRAME_INTERVAL), **encoding.threading}
+        self._stream = self._container.add_stream(encoding.codec, CONTROL_HZ, options=options)
         self._stream.width, self._stream.height = width, height
-        self._stream.pix_fmt = PIXEL_FORMAT
+        self._stream.pix_fmt = encoding.pixel_format
         self._stream.time_base = Fraction(1, CONTROL_HZ)
         self._frames = 0
 
-    def add(self, picture: NDArray[np.uint8]) -> None:
-        """Encode the next picture, shape (height, width, 3)."""
-        for channel in range(3):
-            levels = cv2.calcHist([picture], [channel], None, [256], [0.0, 256.0])
-            self.histogram[channel] += levels[:, 0].astype(np.int64)
-        frame = av.VideoFrame.from_ndarray(picture, format="rgb24")
+    def add(self, picture: NDArray[Any]) -> None:
+        """Encode the next picture, shape (height, width, 3), or (height, width, 1) of depths."""
+        count = self._encoding.levels
+        if picture.shape[-1] == 1:
+            picture = np.rint(picture[..., 0] / self._encoding.step).astype(np.uint16)
+        for channel, histogram in enumerate(self._histogram):
+            levels = cv2.calcHist([picture], [channel], None, [count], [0.0, count])
+            histogram += levels[:, 0].astype(np.int64)
+        frame = av.VideoFrame.from_ndarray(picture, format=self._encoding.array)
         frame.pts = self._frames
         frame.time_base = Fraction(1, CONTROL_HZ)
         self._container.mux(self._stream.encode(frame))
         self._frames += 1
+
+    def statistics(self) -> dict[str, NDArray[np.float64]]:
+        """Return the statistics that LeRobot stores, per channel: levels, or depths [m]."""
+        of_levels = level_statistics(self._histogram, self._frames)
+        step = self._encoding.step
+        return {name: v if name == "count" else v * step for name, v in of_levels.items()}
 
     def __enter__(self) -> Self:
         return self
@@ -114,16 +160,16 @@ def write_video(file: Path, frames: Sequence[NDArray[np.uint8]]) -> None:
             video.add(frame)
 
 
-def color_statistics(histogram: NDArray[np.int64], frames: int) -> dict[str, NDArray[np.float64]]:
-    """Return the statistics that LeRobot stores of a video, per channel, in levels of 0 to 255.
+def level_statistics(histogram: NDArray[np.int64], frames: int) -> dict[str, NDArray[np.float64]]:
+    """Return the statistics that LeRobot stores of a video, per channel, in levels from 0 on.
 
     A byte has 256 levels, so that their histogram gives every statistic exactly.
 
     Args:
-        histogram: How often each channel had each level, shape (3, 256).
+        histogram: How often each channel had each level, shape (channels, levels).
         frames: Number of pictures.
     """
-    levels = np.arange(256)
+    levels = np.arange(histogram.shape[1])
     pixels = histogram.sum(axis=1)
     mean = histogram @ levels / pixels
     below = histogram.cumsum(axis=1)
@@ -133,7 +179,7 @@ def color_statistics(histogram: NDArray[np.int64], frames: int) -> dict[str, NDA
     }
     return {
         "min": (histogram > 0).argmax(axis=1).astype(np.float64),
-        "max": 255.0 - (histogram[:, ::-1] > 0).argmax(axis=1),
+        "max": levels[-1] - (histogram[:, ::-1] > 0).argmax(axis=1).astype(np.float64),
         "mean": mean,
         "std": np.sqrt(histogram @ levels**2 / pixels - mean**2),
         "count": np.array([frames]),
@@ -159,14 +205,15 @@ def video_size_and_frames(path: Path) -> tuple[int, int, int]:
 
 
 def read_frames(
-    path: Path, first: int, wanted: Collection[int]
-) -> Iterator[tuple[int, NDArray[np.uint8]]]:
-    """Yield some frames of a video, in their order, each of shape (height, width, 3).
+    path: Path, first: int, wanted: Collection[int], kind: str = COLOR
+) -> Iterator[tuple[int, NDArray[Any]]]:
+    """Yield some frames of a video, in their order, in the form that `VideoWriter.add` takes.
 
     Args:
         path: The video, at the control rate and with a key frame every `KEYFRAME_INTERVAL`.
         first: The frame of the video that counts as number 0.
         wanted: Numbers of the frames.
+        kind: What the pictures show.
 
     Raises:
         OSError: If the file is missing.
@@ -184,8 +231,12 @@ def read_frames(
                 if reached >= number:
                     break
             if reached == number:
-                picture: NDArray[np.uint8] = frame.to_ndarray(format="rgb24").astype(np.uint8)
-                yield number, picture
+                picture = frame.to_ndarray(format=ENCODINGS[kind].array)
+                yield number, _metres(picture) if kind == DEPTH else picture
+
+
+def _metres(levels: NDArray[Any]) -> NDArray[np.float32]:
+    return (levels[..., None] * ENCODINGS[DEPTH].step).astype(np.float32)
 
 
 def copy_frames(path: Path, copy: Path, first: int, frames: int) -> None:

@@ -20,6 +20,8 @@ class ContactRecord:
         data: Its state.
 
     Attributes:
+        now: Sum of the normal forces between two groups at the last physics step [N], negative
+            where they did not touch, shape (groups, groups).
         touched: Which groups touched, shape (groups, groups).
         force: Greatest sum of normal forces between two groups [N], shape (groups, groups).
         approach: Greatest speed at which two groups met, along the normal of a contact [m/s],
@@ -38,7 +40,7 @@ class ContactRecord:
         self._movable = np.array([scene.groups.index(name) for name in movable], dtype=np.intp)
         self._pads = scene.groups.index(LEFT_PAD), scene.groups.index(RIGHT_PAD)
         groups = len(scene.groups), len(scene.groups)
-        self._now: FloatArray = np.zeros(groups)
+        self.now: FloatArray = np.full(groups, -1.0)
         self.touched: NDArray[np.bool_] = np.zeros(groups, dtype=bool)
         self.force: FloatArray = np.zeros(groups)
         self.approach: FloatArray = np.zeros(groups)
@@ -48,11 +50,12 @@ class ContactRecord:
         """Forget everything: a control period begins."""
         for extremes in (self.touched, self.force, self.approach, self.fall):
             extremes[:] = 0
+        self.now[:] = -1.0
 
     def note(self) -> None:
         """Take note of a physics step, after its second half."""
         data, contact = self._data, self._data.contact
-        self._now[:] = -1.0
+        self.now[:] = -1.0
         _note_contacts(
             contact.geom,
             contact.flex,
@@ -61,11 +64,11 @@ class ContactRecord:
             data.efc_vel,
             self._group_of_geom,
             self._soft,
-            self._now,
+            self.now,
             self.approach,
         )
-        _note_extremes(self._now, self.touched, self.force)
-        _note_falls(self._now, self._pads, self._movable, self._downward, data.qvel, self.fall)
+        _note_extremes(self.now, self.touched, self.force)
+        _note_falls(self.now, self._pads, self._movable, self._downward, data.qvel, self.fall)
 
 
 @kernel

@@ -88,7 +88,8 @@ class Renderer:
         }
         segments: NDArray[np.int32] = np.full(objects.shape, -1, np.int32)
         for kind, bodies in body_of.items():
-            segments[kinds == kind] = bodies[objects[kinds == kind]]
+            found = kinds == int(kind)  # an enumerator itself NumPy compares in Python
+            segments[found] = bodies[objects[found]]
         return segments
 
     def _update(self, data: mujoco.MjData, camera: str) -> None:

@@ -27,6 +27,10 @@ CONTACTS = "scene.contacts"
 """Slot of the memory for which buttons are in, piece after piece, 0 or 1."""
 
 
+ROBOT_MOUNT = "robot_mount"
+"""Body that the robot hangs on."""
+
+
 @dataclass(frozen=True)
 class Scene:
     """A compiled model and what its contacts are called.
@@ -116,7 +120,7 @@ def compile_scene(
 
 def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
     """Mount the robot on its stand."""
-    robot.add_to(spec, spec.worldbody.add_body(name="robot_mount", pos=room.robot_stand))
+    robot.add_to(spec, spec.worldbody.add_body(name=ROBOT_MOUNT, pos=room.robot_stand))
 
 
 def _memory(pieces: tuple[Piece, ...], robot: Robot) -> Memory:

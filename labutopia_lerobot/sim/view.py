@@ -166,6 +166,11 @@ class SimulatedWorld:
         """Return the greatest normal force between the two since the last control step [N]."""
         return float(self._simulation.contacts.force[self._pair(first, second)])
 
+    def normal_force(self, name: str) -> float:
+        """Return the sum of the normal forces on it at the last physics step alone [N]."""
+        forces = self._simulation.contacts.now[self._touching(name)]
+        return float(forces[forces > 0.0].sum())
+
     def approach_speed(self, first: str, second: str) -> float:
         """Return the greatest speed at which the two met since the last control step [m/s]."""
         return float(self._simulation.contacts.approach[self._pair(first, second)])

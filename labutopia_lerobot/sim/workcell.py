@@ -1,6 +1,5 @@
 """A laboratory that is compiled: what an episode is played in, and who judges it."""
 
-from collections import OrderedDict
 from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
@@ -8,36 +7,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.layout import Workspace, require_possible, sample_layout
+from labutopia_lerobot.layout import Workspace, sample_layout
+from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.robots.action_filter import ActionFilter
 from labutopia_lerobot.robots.hand_kinematics import HandKinematics
-from labutopia_lerobot.scenario import (
-    Scenario,
-    canonical_task,
-    draw_scenario,
-    scenario_seeds,
-)
+from labutopia_lerobot.scenario import Scenario
 from labutopia_lerobot.scenario.bystanders import place_bystanders
 from labutopia_lerobot.scenes import load_room
-from labutopia_lerobot.setting import Setting, UnknownOptionError
+from labutopia_lerobot.setting import DEPTH, SEGMENTATION, Setting
 from labutopia_lerobot.sim.appearance import Appearance
 from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.renderer import Renderer
 from labutopia_lerobot.sim.scene import compile_scene
+from labutopia_lerobot.sim.segments import segment_names, segment_of_body
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
-from labutopia_lerobot.substances.filling import require_fillable
 from labutopia_lerobot.task import DIVERGED, SUCCESS, Step
-
-_TRIES = 5
-"""Starts that a reset tries; more failures than that are a defect of the task."""
-
-_KEPT = 8
-"""Workcells that are kept for the next episode of their variant."""
 
 
 class Workcell:
@@ -69,6 +58,7 @@ class Workcell:
         self.filter = ActionFilter(robot, HandKinematics(scene.model, robot))
         self.progress = Progress(task)
         self._appearance = Appearance(scene.model)
+        self._segment_of_body = segment_of_body(scene, segment_names(task))
 
     @cached_property
     def motion(self) -> ReactiveMotion:
@@ -149,12 +139,22 @@ class Workcell:
 
     def color(self, camera: str) -> NDArray[np.uint8]:
         """Return what a camera sees, shape (height, width, 3)."""
-        return self.pictures([camera])[camera]
+        picture: NDArray[np.uint8] = self.pictures([camera])[camera]
+        return picture
 
-    def pictures(self, cameras: Sequence[str]) -> dict[str, NDArray[np.uint8]]:
-        """Return what cameras see now, each of shape (height, width, 3)."""
+    def pictures(self, names: Sequence[str]) -> dict[str, NDArray[Any]]:
+        """Return what cameras see now.
+
+        Args:
+            names: Of the pictures (see `pictures`).
+
+        Returns:
+            Name -> colours or, thrice, the number of what is seen (see `sim.segments`), shape
+            (height, width, 3); distance along the optical axis, the line of sight through the
+            middle, no further than `FARTHEST_M` [m], shape (height, width, 1).
+        """
         self.simulation.draw_liquid()
-        return {camera: self.renderer.color(self.simulation.data, camera) for camera in cameras}
+        return {name: self._picture(*camera_and_kind(name)) for name in names}
 
     def depth(self, camera: str) -> NDArray[np.float32]:
         """Return the distance along a camera's optical axis [m], shape (height, width)."""
@@ -189,6 +189,15 @@ class Workcell:
         if renderer is not None:
             renderer.close()
 
+    def _picture(self, camera: str, kind: str) -> NDArray[Any]:
+        data = self.simulation.data
+        if kind == DEPTH:
+            return np.minimum(self.renderer.depth(data, camera), np.float32(FARTHEST_M))[..., None]
+        if kind == SEGMENTATION:
+            numbers = self._segment_of_body[self.renderer.segmentation(data, camera)]
+            return np.repeat(numbers[..., None], 3, axis=-1)
+        return self.renderer.color(data, camera)
+
     def _play(self, skills: Sequence[Skill]) -> bool:
         """Let the expert play skills that nobody judges; tell whether all went well."""
         expert = self.expert(skills)
@@ -218,74 +227,3 @@ class Workcell:
                 if expert.failure:
                     return False
         return not self.progress.over
-
-
-class Workcells:
-    """The workcells of a setting: one per discrete variant, the latest used are kept.
-
-    Attributes:
-        task: The canonical task: names, widths and limits are those of every draw.
-
-    Raises:
-        AxisError: If the task declares an axis wrongly.
-        ImpossibleFillingError: If vessels cannot hold what the task puts into them.
-        ImpossibleStartError: If things cannot stand where the task wants them.
-        UnknownOptionError: If the task does not have the axes of the setting.
-    """
-
-    def __init__(self, setting: Setting) -> None:
-        self._setting = setting
-        self.task = canonical_task(setting)
-        require_fillable(self.task.contents, self.task.start)
-        workspace = Workspace.of(load_room(setting.room), load_robot(setting.robot))
-        require_possible(self.task.start, workspace)
-        self._kept: OrderedDict[object, Workcell] = OrderedDict()
-
-    def begin(self, seed: int, after: str | None = None) -> tuple[Workcell, Scenario, int]:
-        """Begin the episode of a seed.
-
-        Args:
-            seed: Seed of the episode.
-            after: Step behind which it begins, or None for the start.
-
-        Returns:
-            The workcell, what was drawn, and how many starts were discarded before.
-
-        Raises:
-            TaskError: If the task has no step `after`.
-            UnknownOptionError: If a step is played alone, which has its own beginning.
-        """
-        alone = self._setting.step
-        if after is not None and alone is not None:
-            raise UnknownOptionError(
-                f"step={alone} begins behind the step before it: leave `after` out"
-            )
-        for attempt in range(_TRIES):
-            scenario = draw_scenario(self._setting, seed, attempt)
-            workcell = self._workcell(scenario)
-            rng = np.random.default_rng(scenario_seeds(self._setting, seed, attempt))
-            if workcell.begin(scenario, rng, after):
-                return workcell, scenario, attempt
-        raise RuntimeError(
-            f"The start of {self._setting.task} failed {_TRIES} times with seed {seed}"
-        )
-
-    def close(self) -> None:
-        """Give every OpenGL context back."""
-        for workcell in self._kept.values():
-            workcell.close()
-
-    def _workcell(self, scenario: Scenario) -> Workcell:
-        task = scenario.task
-        variant = (
-            tuple(task.start),
-            scenario.variation.bystanders,
-            task.view,
-            tuple(task.contents.items()),
-        )
-        if variant not in self._kept:
-            if len(self._kept) == _KEPT:
-                self._kept.popitem(last=False)[1].close()
-            self._kept[variant] = Workcell(scenario, self._setting)
-        self._kept.move_to_end(variant)
-        return self._kept[variant]

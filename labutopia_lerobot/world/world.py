@@ -131,6 +131,10 @@ class World(Protocol):
         """Return the greatest sum of the normal forces between the two [N]."""
         ...
 
+    def normal_force(self, name: str) -> float:
+        """Return the sum of the normal forces on it at the last physics step alone [N]."""
+        ...
+
     def approach_speed(self, first: str, second: str) -> float:
         """Return the greatest speed at which the two met, along the normal of a contact [m/s]."""
         ...

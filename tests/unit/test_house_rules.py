@@ -14,7 +14,7 @@ LAYERS = (
     "errors registry world",
     "substances places",
     "labware robots scenes",
-    "layout setting",
+    "layout setting pictures",
     "predicates",
     "skills",
     "task progress",

@@ -6,7 +6,7 @@ import av
 import numpy as np
 import pytest
 
-from labutopia_lerobot.runtime.video import VideoWriter, color_statistics, video_size_and_frames
+from labutopia_lerobot.runtime.video import VideoWriter, video_size_and_frames
 
 RNG = np.random.default_rng(0)
 PICTURES = [RNG.integers(20 * k, 200, (48, 64, 3), dtype=np.uint8) for k in range(9)]
@@ -32,7 +32,7 @@ def test_every_picture_becomes_a_frame(written: tuple[Path, VideoWriter]) -> Non
 
 def test_statistics_are_those_of_every_pixel(written: tuple[Path, VideoWriter]) -> None:
     _, writer = written
-    statistics = color_statistics(writer.histogram, len(PICTURES))
+    statistics = writer.statistics()
     pixels = np.stack(PICTURES).reshape(-1, 3)
     assert statistics["count"].tolist() == [len(PICTURES)]
     np.testing.assert_array_equal(statistics["min"], pixels.min(axis=0))

@@ -6,7 +6,7 @@ unless some episode is the same there too, only by how much is told.
 """
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from labutopia_lerobot.datasets.tables import (
     INFO,
     MACHINE,
     OUTCOME,
+    SEGMENTS,
     VOLUMES,
     DamagedDatasetError,
     Row,
@@ -26,11 +27,14 @@ from labutopia_lerobot.datasets.tables import (
     frames_of_episodes,
 )
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
-from labutopia_lerobot.datasets.verification.pictures import TOLERANCE, PictureCheck
+from labutopia_lerobot.datasets.verification.pictures import PictureCheck
 from labutopia_lerobot.datasets.verification.subject import Subject
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import SEGMENTATION, Setting
+from labutopia_lerobot.sim.segments import segment_names
 from labutopia_lerobot.task import RUNNING
 
 _LEARNING = ("lerobot", "torch", "torchvision", "diffusers", "transformers", "safetensors")
@@ -58,12 +62,28 @@ def check_features(subject: Subject) -> Iterator[Finding]:
                 yield Unchecked(lacking) if subject.edited else Fault(lacking)
                 continue
             there = subject.features[key]
-            for part in ("dtype", "shape", "names"):
-                if _plain(there.get(part)) != _plain(declared[part]):
+            told = there | (there.get("info") or {})
+            declared = declared | declared.pop("info", {})
+            for part, here in declared.items():
+                if _plain(told.get(part)) != _plain(here):
                     yield Fault(
-                        f"{INFO}: {part} of {key} is {there.get(part)}, but the environment of "
-                        f"episode {episode} has {declared[part]}"
+                        f"{INFO}: {part} of {key} is {told.get(part)}, but the environment of "
+                        f"episode {episode} has {here}"
                     )
+    yield from _check_segments(subject, settings)
+
+
+def _check_segments(subject: Subject, settings: Iterable[Setting]) -> Iterator[Finding]:
+    """Yield where the numbers of a segmentation are said to mean something else."""
+    segmented = [setting for setting in settings if SEGMENTATION in setting.extras]
+    meant = {setting: list(segment_names(canonical_task(setting))) for setting in segmented}
+    for row in subject.episodes:
+        here = meant.get(setting) if (setting := episode_setting(row)) else None
+        if here is not None and json.loads(row.get(SEGMENTS) or "null") != here:
+            yield Fault(
+                f"{SEGMENTS} of episode {row['episode_index']} is {row.get(SEGMENTS)}, but the "
+                f"environment has {here}"
+            )
 
 
 def check_replay(subject: Subject, pictures: int) -> Iterator[Finding]:
@@ -130,12 +150,9 @@ def _compare(row: Row, playback: Playback) -> Iterator[str]:
 
 
 def _compare_pictures(check: PictureCheck) -> Iterator[str]:
-    for key, (frame, off) in check.worst.items():
-        if off > TOLERANCE:
-            yield (
-                f"frame {frame} of {key} is not what the camera sees: off by {off:.0f} levels, "
-                f"where {TOLERANCE:g} are allowed"
-            )
+    for key, off in check.worst.items():
+        if off.by > off.allowed:
+            yield f"frame {off.frame} of {key} is not what the camera sees: {off.text}"
 
 
 def _other_build(subject: Subject) -> str | None:

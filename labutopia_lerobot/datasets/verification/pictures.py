@@ -1,17 +1,21 @@
 """Do the videos show what the cameras see? Decoded pixels against pixels that are drawn again."""
 
 from collections.abc import Collection, Iterator
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.declaration import IMAGES
-from labutopia_lerobot.datasets.tables import Row
+from labutopia_lerobot.datasets.tables import RENDERER, Row
 from labutopia_lerobot.datasets.verification.subject import Subject
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.runtime.video import read_frames
+from labutopia_lerobot.pictures import COLOR, camera_and_kind
+from labutopia_lerobot.runtime.video import ENCODINGS, read_frames
+from labutopia_lerobot.sim.renderer import opengl_renderer_name
 
 _GRID = 8
 """A picture is compared block by block, on a grid of as many rows and columns."""
@@ -20,6 +24,30 @@ TOLERANCE = 12.0
 """How far the mean of a block may be off [levels of 255]. Measured in `level1/pick`, cameras front
 and wrist: compression makes up to 2.9 at 256 x 256 pixels and up to 8.6 at 64 x 48; a mirrored
 picture at least 25 and 14; that of another episode mostly 9 (wrist) and 30 (front)."""
+
+
+PIXELS_TOLERANCE = 1.0
+"""How many pixels of a depth or a segmentation may be others on another renderer [%], which may
+draw the edges of things otherwise: chosen, not measured. On the same one none may: both are
+lossless."""
+
+
+@dataclass(frozen=True)
+class Off:
+    """How far a stored picture is off.
+
+    Attributes:
+        frame: Its number.
+        by: Greatest difference of a block of colours [levels of 255], or share of the pixels of a
+            depth or segmentation that are others [%].
+        allowed: How much of that is allowed.
+        text: The same in words.
+    """
+
+    frame: int
+    by: float
+    allowed: float
+    text: str
 
 
 class PictureCheck:
@@ -31,17 +59,20 @@ class PictureCheck:
         wanted: Which frames to compare.
 
     Attributes:
-        worst: Feature key -> the frame that is furthest off, and by how much [levels].
+        worst: Feature key -> the picture that is furthest off.
     """
 
     def __init__(self, subject: Subject, row: Row, wanted: Collection[int]) -> None:
         self._wanted = frozenset(wanted)
+        self._drawn_by = row.get(RENDERER)
         self._decoded = {
-            key: _decoded(subject.video(row, key), subject.first_frame(row, key), wanted)
+            key: _decoded(
+                subject.video(row, key), subject.first_frame(row, key), wanted, _kind(key)
+            )
             for key in subject.cameras
             if key.startswith(IMAGES)
         }
-        self.worst: dict[str, tuple[int, float]] = {}
+        self.worst: dict[str, Off] = {}
 
     def look(self, number: int, env: LabEnv) -> None:
         """Compare a frame, if it is wanted, with what the environment shows."""
@@ -50,14 +81,22 @@ class PictureCheck:
         drawn = env.workcell.pictures([key.removeprefix(IMAGES) for key in self._decoded])
         for key, frames in self._decoded.items():
             found, stored = next(frames, (-1, None))
-            picture = drawn[key.removeprefix(IMAGES)]
-            off = (
-                block_difference(stored, picture)
-                if found == number and stored is not None
-                else 255.0
+            off = self._off(
+                number, stored if found == number else None, drawn[key.removeprefix(IMAGES)], key
             )
-            if off > self.worst.get(key, (0, -1.0))[1]:
-                self.worst[key] = (number, off)
+            if key not in self.worst or off.by > self.worst[key].by:
+                self.worst[key] = off
+
+    def _off(self, number: int, stored: NDArray[Any] | None, drawn: NDArray[Any], key: str) -> Off:
+        kind = _kind(key)
+        if kind == COLOR:
+            by = 255.0 if stored is None else block_difference(stored, drawn)
+            told = f"off by {by:.0f} levels, where {TOLERANCE:g} are allowed"
+            return Off(number, by, TOLERANCE, told)
+        by = 100.0 if stored is None else other_pixels(stored, drawn, kind)
+        allowed = 0.0 if self._drawn_by == opengl_renderer_name() else PIXELS_TOLERANCE
+        told = f"{by:.2g} % of its pixels are others, where {allowed:g} are allowed"
+        return Off(number, by, allowed, told)
 
 
 def block_difference(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
@@ -79,10 +118,29 @@ def block_difference(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> flo
     return float(np.abs(means[0] - means[1]).max())
 
 
+def other_pixels(first: NDArray[Any], second: NDArray[Any], kind: str) -> float:
+    """Return which share of the pixels of two depths or segmentations are others [%].
+
+    Args:
+        first: Shape (height, width, channels).
+        second: The same.
+        kind: Depth or segmentation; depths are the same within a level.
+    """
+    if first.shape != second.shape:
+        return 100.0
+    slack = 0.0 if second.dtype == np.uint8 else ENCODINGS[kind].step
+    differ = np.abs(first.astype(float) - second.astype(float)) > slack
+    return float(100.0 * differ.any(axis=-1).mean())
+
+
+def _kind(key: str) -> str:
+    return camera_and_kind(key.removeprefix(IMAGES))[1]
+
+
 def _decoded(
-    path: Path, first: int, wanted: Collection[int]
-) -> Iterator[tuple[int, NDArray[np.uint8]]]:
+    path: Path, first: int, wanted: Collection[int], kind: str
+) -> Iterator[tuple[int, NDArray[Any]]]:
     try:
-        yield from read_frames(path, first, wanted)
+        yield from read_frames(path, first, wanted, kind)
     except (OSError, ValueError):  # told by the check of the files
         return

@@ -1,0 +1,90 @@
+"""The compiled laboratories of a setting: which one an episode is played in."""
+
+from collections import OrderedDict
+
+import numpy as np
+
+from labutopia_lerobot.layout import Workspace, require_possible
+from labutopia_lerobot.robots import load_robot
+from labutopia_lerobot.scenario import Scenario, canonical_task, draw_scenario, scenario_seeds
+from labutopia_lerobot.scenes import load_room
+from labutopia_lerobot.setting import Setting, UnknownOptionError
+from labutopia_lerobot.sim.workcell import Workcell
+from labutopia_lerobot.substances.filling import require_fillable
+
+_TRIES = 5
+"""Starts that a reset tries; more failures than that are a defect of the task."""
+
+_KEPT = 8
+"""Workcells that are kept for the next episode of their variant."""
+
+
+class Workcells:
+    """The workcells of a setting: one per discrete variant, the latest used are kept.
+
+    Attributes:
+        task: The canonical task: names, widths and limits are those of every draw.
+
+    Raises:
+        AxisError: If the task declares an axis wrongly.
+        ImpossibleFillingError: If vessels cannot hold what the task puts into them.
+        ImpossibleStartError: If things cannot stand where the task wants them.
+        UnknownOptionError: If the task does not have the axes of the setting.
+    """
+
+    def __init__(self, setting: Setting) -> None:
+        self._setting = setting
+        self.task = canonical_task(setting)
+        require_fillable(self.task.contents, self.task.start)
+        workspace = Workspace.of(load_room(setting.room), load_robot(setting.robot))
+        require_possible(self.task.start, workspace)
+        self._kept: OrderedDict[object, Workcell] = OrderedDict()
+
+    def begin(self, seed: int, after: str | None = None) -> tuple[Workcell, Scenario, int]:
+        """Begin the episode of a seed.
+
+        Args:
+            seed: Seed of the episode.
+            after: Step behind which it begins, or None for the start.
+
+        Returns:
+            The workcell, what was drawn, and how many starts were discarded before.
+
+        Raises:
+            TaskError: If the task has no step `after`.
+            UnknownOptionError: If a step is played alone, which has its own beginning.
+        """
+        alone = self._setting.step
+        if after is not None and alone is not None:
+            raise UnknownOptionError(
+                f"step={alone} begins behind the step before it: leave `after` out"
+            )
+        for attempt in range(_TRIES):
+            scenario = draw_scenario(self._setting, seed, attempt)
+            workcell = self._workcell(scenario)
+            rng = np.random.default_rng(scenario_seeds(self._setting, seed, attempt))
+            if workcell.begin(scenario, rng, after):
+                return workcell, scenario, attempt
+        raise RuntimeError(
+            f"The start of {self._setting.task} failed {_TRIES} times with seed {seed}"
+        )
+
+    def close(self) -> None:
+        """Give every OpenGL context back."""
+        for workcell in self._kept.values():
+            workcell.close()
+
+    def _workcell(self, scenario: Scenario) -> Workcell:
+        task = scenario.task
+        variant = (
+            tuple(task.start),
+            scenario.variation.bystanders,
+            task.view,
+            tuple(task.contents.items()),
+        )
+        if variant not in self._kept:
+            if len(self._kept) == _KEPT:
+                self._kept.popitem(last=False)[1].close()
+            self._kept[variant] = Workcell(scenario, self._setting)
+        self._kept.move_to_end(variant)
+        return self._kept[variant]
