@@ -152,6 +152,17 @@ def test_policies_for_which_lerobot_trusts_foreign_code_are_known() -> None:
     assert trusting == FOREIGN_CODE
 
 
+def test_the_words_of_policies_that_go_on_without_their_weights_are_known() -> None:
+    import lerobot.policies
+
+    from labutopia_lerobot.evaluation.learned import NOT_LOADED
+
+    folder = Path(lerobot.policies.__file__).parent
+    silent = {f.parent.name for f in folder.rglob("*.py") if 'print(f"Warning:' in f.read_text()}
+    known = {f.parent.name for f in folder.rglob("*.py") if NOT_LOADED in f.read_text()}
+    assert silent == known == {"pi0", "pi05", "pi0_fast"}
+
+
 def test_a_step_that_trusts_foreign_code_by_default_is_refused(save_checkpoint: Saver) -> None:
     folder = save_checkpoint()
     steps = json.loads((folder / "policy_preprocessor.json").read_text())["steps"]
