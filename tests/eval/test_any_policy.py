@@ -16,6 +16,7 @@ from lerobot.policies import make_pre_post_processors
 from lerobot.policies.act.modeling_act import ACTPolicy
 from lerobot.policies.vqbet.configuration_vqbet import VQBeTConfig
 from lerobot.policies.vqbet.modeling_vqbet import VQBeTPolicy
+from safetensors.torch import load_file, save_file
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint import Checkpoint, open_checkpoint
@@ -201,6 +202,19 @@ FRONT_AND_TOP = {
 
 def test_a_slot_that_training_left_empty_stays_empty(padded: Callable[..., Path]) -> None:
     checkpoint = open_checkpoint(padded(FRONT_AND_TOP), "act", Setting("level1/pick"))
+    assert checkpoint.setting.cameras == ("top", "front")
+
+
+def test_a_camera_that_the_training_did_not_have_fills_no_slot(
+    padded: Callable[..., Path],
+) -> None:
+    wrist = {"observation.images.wrist": "observation.images.camera3"}
+    folder = padded(FRONT_AND_TOP | wrist)
+    (state,) = folder.glob("policy_preprocessor_*_normalizer_processor.safetensors")
+    statistics, of = load_file(state), {after: before for before, after in FRONT_AND_TOP.items()}
+    parts = {name: name.rpartition(".") for name in statistics if "camera3" not in name}
+    save_file({of.get(k, k) + f".{s}": statistics[n] for n, (k, _, s) in parts.items()}, state)
+    checkpoint = open_checkpoint(folder, "act", Setting("level1/pick"))
     assert checkpoint.setting.cameras == ("top", "front")
 
 
