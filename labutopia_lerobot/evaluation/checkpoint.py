@@ -24,7 +24,7 @@ from labutopia_lerobot.evaluation.harmless import (
 )
 from labutopia_lerobot.evaluation.json_object import read_json_object
 from labutopia_lerobot.evaluation.policies import Policy
-from labutopia_lerobot.evaluation.trained_on import element_names
+from labutopia_lerobot.evaluation.trained_on import element_names, keys_with_statistics
 from labutopia_lerobot.features import ACTION, environment_state_names
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task
@@ -181,11 +181,16 @@ def _require_names(folder: Path, task: str, names: tuple[str, ...]) -> None:
 
 
 def _trained_rename(folder: Path) -> dict[str, str]:
+    """Return what a training renamed: a map may name cameras that its dataset did not have."""
+    steps = read_steps(folder / PREPROCESSOR)
+    states = [folder / step["state_file"] for step in steps if "state_file" in step]
+    seen = {key for key in keys_with_statistics(states) if key.startswith(_IMAGES)}
     return {
         before: after
-        for step in read_steps(folder / PREPROCESSOR)
+        for step in steps
         if step["registry_name"] == _RENAMING
         for before, after in step["config"].get("rename_map", {}).items()
+        if not before.startswith(_IMAGES) or not seen or seen & {before, after}
     }
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from contextlib import nullcontext, redirect_stdout
+from io import StringIO
 from pathlib import Path
 
 import torch
@@ -16,6 +17,10 @@ from labutopia_lerobot.env import LabEnv, Observation
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.harmless import require_harmless, require_harmless_model
 from labutopia_lerobot.evaluation.policies import Action
+
+NOT_LOADED = "Could not load state dict"
+"""What LeRobot 0.6.1 prints, instead of raising, before it goes on with random weights (pi0, pi0.5:
+`PI0Policy.from_pretrained`)."""
 
 
 class UnusableWeightsError(UserError):
@@ -110,10 +115,14 @@ def _config(folder: Path) -> PreTrainedConfig:
 
 
 def _load(folder: Path, base: Path | None, config: PreTrainedConfig) -> PreTrainedPolicy:
+    printed = StringIO()  # not where it would cut the progress bar
     try:
-        with redirect_stdout(None):  # LeRobot prints a line, which would cut the progress bar
+        with redirect_stdout(printed):
             kind = get_policy_class(config.type)
             policy = kind.from_pretrained(base or folder, config=config, strict=True)
+            _, failure, reason = printed.getvalue().partition(NOT_LOADED)
+            if failure:
+                raise RuntimeError(failure + reason)
             return policy if base is None else _adapt(policy, folder)
     except (RuntimeError, ImportError, OSError, ValueError) as error:
         raise UnusableWeightsError(f"{folder} cannot be loaded: {error}") from None

@@ -1,9 +1,12 @@
-"""What the dataset of a checkpoint says of it, while that dataset is still on this machine."""
+"""What a checkpoint was trained on: what its dataset says, while it is here, and statistics."""
 
 import json
 import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
+
+from safetensors import SafetensorError, safe_open
 
 _TRAINING = "train_config.json"
 _INFO = "meta/info.json"
@@ -28,6 +31,25 @@ def element_names(folder: Path, key: str) -> tuple[Path, tuple[str, ...]] | None
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         return None
     return root, tuple(names)
+
+
+def keys_with_statistics(states: Iterable[Path]) -> set[str]:
+    """Return the keys of everything that a training had statistics of; empty if nothing tells.
+
+    LeRobot keeps those of the whole dataset with its normaliser, `KEY.mean` and so on, whatever the
+    policy uses.
+
+    Args:
+        states: Files of the states of a processor's steps.
+    """
+    keys: set[str] = set()
+    for file in states:
+        try:
+            with safe_open(file, framework="numpy") as tensors:
+                keys |= {name.rpartition(".")[0] for name in tensors.keys()}  # noqa: SIM118
+        except (OSError, SafetensorError):
+            continue  # what cannot be known is not checked
+    return keys
 
 
 def _home() -> Path:

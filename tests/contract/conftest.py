@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+import tiny_vla
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.setting import Setting
 from recordings import FILM, PICK, recording
@@ -42,3 +43,9 @@ def filmed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def copied(filmed: Path, tmp_path: Path) -> Path:
     """A copy of the recording with pictures, to be damaged."""
     return Path(shutil.copytree(filmed, tmp_path / "copy"))
+
+
+@pytest.fixture(scope="session")
+def tiny_hub(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache of the Hub with tiny models under the names of the real ones."""
+    return tiny_vla.build(tmp_path_factory.mktemp("hub") / "home")

@@ -10,6 +10,7 @@ from pyarrow import parquet
 
 from labutopia_lerobot.cli.recipe import RecipeError, trained_frames, training_command
 from labutopia_lerobot.runtime.shipped import shipped
+from labutopia_lerobot.setting import CAMERAS
 
 
 @pytest.fixture
@@ -77,3 +78,11 @@ def test_every_recipe_names_options_of_lerobot_only() -> None:
     known = set(TrainPipelineConfig.__dataclass_fields__)
     for file in shipped("policies").glob("*/*.json"):
         assert set(json.loads(file.read_text())) <= known, file
+
+
+def test_recipes_map_cameras_that_are_recorded_and_leave_the_video_decoder_to_lerobot() -> None:
+    recorded = {f"observation.images.{camera}" for camera in CAMERAS}
+    for file in shipped("policies").glob("*/train*.json"):
+        recipe = json.loads(file.read_text())
+        assert set(recipe.get("rename_map", {})) <= recorded, file
+        assert "video_backend" not in recipe["dataset"], file

@@ -16,6 +16,7 @@ from lerobot.policies import make_pre_post_processors
 from lerobot.policies.act.modeling_act import ACTPolicy
 from lerobot.policies.vqbet.configuration_vqbet import VQBeTConfig
 from lerobot.policies.vqbet.modeling_vqbet import VQBeTPolicy
+from safetensors.torch import load_file, save_file
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint import Checkpoint, open_checkpoint
@@ -152,6 +153,17 @@ def test_policies_for_which_lerobot_trusts_foreign_code_are_known() -> None:
     assert trusting == FOREIGN_CODE
 
 
+def test_the_words_of_policies_that_go_on_without_their_weights_are_known() -> None:
+    import lerobot.policies
+
+    from labutopia_lerobot.evaluation.learned import NOT_LOADED
+
+    folder = Path(lerobot.policies.__file__).parent
+    silent = {f.parent.name for f in folder.rglob("*.py") if 'print(f"Warning:' in f.read_text()}
+    known = {f.parent.name for f in folder.rglob("*.py") if NOT_LOADED in f.read_text()}
+    assert silent == known == {"pi0", "pi05", "pi0_fast"}
+
+
 def test_a_step_that_trusts_foreign_code_by_default_is_refused(save_checkpoint: Saver) -> None:
     folder = save_checkpoint()
     steps = json.loads((folder / "policy_preprocessor.json").read_text())["steps"]
@@ -190,6 +202,19 @@ FRONT_AND_TOP = {
 
 def test_a_slot_that_training_left_empty_stays_empty(padded: Callable[..., Path]) -> None:
     checkpoint = open_checkpoint(padded(FRONT_AND_TOP), "act", Setting("level1/pick"))
+    assert checkpoint.setting.cameras == ("top", "front")
+
+
+def test_a_camera_that_the_training_did_not_have_fills_no_slot(
+    padded: Callable[..., Path],
+) -> None:
+    wrist = {"observation.images.wrist": "observation.images.camera3"}
+    folder = padded(FRONT_AND_TOP | wrist)
+    (state,) = folder.glob("policy_preprocessor_*_normalizer_processor.safetensors")
+    statistics, of = load_file(state), {after: before for before, after in FRONT_AND_TOP.items()}
+    parts = {name: name.rpartition(".") for name in statistics if "camera3" not in name}
+    save_file({of.get(k, k) + f".{s}": statistics[n] for n, (k, _, s) in parts.items()}, state)
+    checkpoint = open_checkpoint(folder, "act", Setting("level1/pick"))
     assert checkpoint.setting.cameras == ("top", "front")
 
 
