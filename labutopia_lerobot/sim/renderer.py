@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.sim.opengl import BACKENDS, refused_backend
+from labutopia_lerobot.world import FloatArray
 from labutopia_lerobot.world.model import SKIN_GROUP
 
 _CURE = (
@@ -20,6 +21,10 @@ _CURE = (
     "  apt-get install libegl1 libgl1 libgl1-mesa-dri\n"
     "and set MUJOCO_GL=egl (or osmesa, with libosmesa6); observations of `state` need no OpenGL."
 )
+
+
+_FAR = (0.0, 0.0, -1e3)
+"""Where nothing is seen [m]."""
 
 
 class NoOpenGLError(UserError, RuntimeError):
@@ -52,6 +57,7 @@ class Renderer:
         self._options.sitegroup[:] = 0
         self._options.skingroup[SKIN_GROUP] = 0  # liquids draw themselves
         self._liquids = tuple(liquids)
+        self._planes = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
@@ -95,11 +101,25 @@ class Renderer:
     def _update(self, data: mujoco.MjData, camera: str) -> None:
         """Fill the scene with what there is to see."""
         self._renderer.update_scene(data, camera, self._options)
+        self._take_ceiling_off(data, data.camera(camera).xpos)
         for liquid in self._liquids:
             liquid.draw(self._renderer.scene, self._renderer.model)
             # MuJoCo's renderer has no public way to what a texture is uploaded to.
             with self._renderer._gl_context.as_current():
                 liquid.upload(self._renderer.model, self._renderer._mjr_context)
+
+    def _take_ceiling_off(self, data: mujoco.MjData, eye_w: FloatArray) -> None:
+        """Take planes away that are seen from behind: MuJoCo draws them as fog, or as a wall."""
+        behind = {
+            plane
+            for plane in self._planes
+            if (eye_w - data.geom_xpos[plane]) @ data.geom_xmat[plane][2::3] < 0.0
+        }
+        if behind:
+            scene = self._renderer.scene
+            for geom in scene.geoms[: scene.ngeom]:
+                if geom.objtype == mujoco.mjtObj.mjOBJ_GEOM and geom.objid in behind:
+                    geom.pos = _FAR
 
     def close(self) -> None:
         """Give the OpenGL context back."""

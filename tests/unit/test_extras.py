@@ -169,3 +169,11 @@ def test_the_pads_feel_what_the_hand_presses_with_and_nothing_in_the_air():
     assert felt[:, 0] == pytest.approx(commanded, rel=0.1)
     assert felt[:, 1] == pytest.approx(commanded, rel=0.1)
     assert felt[:, 0] == pytest.approx(felt[:, 1], rel=0.05)
+
+
+def test_a_camera_above_the_ceiling_sees_what_is_below_it():
+    env = LabEnv(Setting("level1/open_door", extras=EXTRAS, **SMALL))
+    observation, _ = env.reset(seed=3)
+    names = segment_names(env.workcell.task)
+    assert observation["images.top_depth"].min() > 2.0
+    assert {names.index("robot"), names.index("oven")} < set(numbers(env).flat)
