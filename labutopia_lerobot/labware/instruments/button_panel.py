@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.colors import COLORS
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.materials import add_materials
-from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look, add_part
 
@@ -35,7 +35,7 @@ INTO_FRONT: Quaternion = (-_SINE, _COSINE, -_SINE, _COSINE)
 
 
 @dataclass(frozen=True)
-class ButtonPanel(Fixed):
+class ButtonPanel(Equipment):
     """A panel that faces -x of its own frame and leans back; its origin is the middle of its front.
 
     Attributes:
@@ -43,6 +43,9 @@ class ButtonPanel(Fixed):
     """
 
     name: str
+    size = (0.120, 0.360, 0.553)
+    mass = 1.5
+    source = "width and height of the panel as the original's, the rest ours"
 
     @property
     def buttons(self) -> tuple[PushButton, ...]:
@@ -62,10 +65,6 @@ class ButtonPanel(Fixed):
     def footprint_radius(self) -> float:
         """Radius of the circle around its origin that it needs [m]."""
         return math.hypot(_WIDTH / 2, _DEPTH + _HEIGHT / 2)
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        return tuple(button.joint for button in self.buttons)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

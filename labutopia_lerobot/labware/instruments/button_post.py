@@ -7,8 +7,8 @@ import mujoco
 
 from labutopia_lerobot.labware.instruments.button_panel import INTO_FRONT, LEANING
 from labutopia_lerobot.labware.parts.colors import COLORS
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.materials import add_materials
-from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, add_look, add_part
 
@@ -19,7 +19,7 @@ _POST_RADIUS, _POST_LENGTH = 0.014, 0.50
 
 
 @dataclass(frozen=True)
-class ButtonPost(Fixed):
+class ButtonPost(Equipment):
     """A box that faces -x of its own frame and leans back; its origin is the middle of its front.
 
     It leans as a `ButtonPanel` does, for the same reason.
@@ -31,6 +31,9 @@ class ButtonPost(Fixed):
 
     name: str
     color: str = "red"
+    size = (0.09, 0.08, 0.53)
+    mass = 0.8
+    source = "original (cubes of 0.08 m), on a post of ours"
 
     @property
     def button(self) -> PushButton:
@@ -53,10 +56,6 @@ class ButtonPost(Fixed):
     def footprint_radius(self) -> float:
         """Radius of the circle around its origin that it needs [m]."""
         return math.hypot(_SIDE / 2, _DEPTH)
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        return (self.button.joint,)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

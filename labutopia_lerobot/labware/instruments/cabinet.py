@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.materials import add_materials
-from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.openable import Drawer, Handle
 from labutopia_lerobot.labware.parts.solid import Vector, add_part
 
@@ -38,7 +38,7 @@ _LEVELS = ("bottom", "middle", "top")
 
 
 @dataclass(frozen=True)
-class Cabinet(Fixed):
+class Cabinet(Equipment):
     """A cabinet with a bottom, a middle and a top drawer; its front faces -x of its own frame.
 
     Attributes:
@@ -48,6 +48,9 @@ class Cabinet(Fixed):
 
     name: str
     ajar: float = 0.0
+    size = (0.629, 0.420, 0.480)
+    mass = 25.0
+    source = "ours; handle as high as the original's"
 
     @property
     def drawers(self) -> tuple[Drawer, ...]:
@@ -65,18 +68,13 @@ class Cabinet(Fixed):
         return self.drawers[-1]
 
     @property
-    def bodies(self) -> frozenset[str]:
-        parts = [part.name for drawer in self.drawers for part in (drawer, drawer.handle)]
-        return frozenset({self.name, *parts})
+    def mechanisms(self) -> tuple[Drawer, ...]:
+        return self.drawers
 
     @property
     def footprint_radius(self) -> float:
         """Radius of the circle around its origin that it needs on the bench [m]."""
         return math.hypot(_DEPTH, _WIDTH) / 2
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        return tuple(drawer.joint for drawer in self.drawers)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

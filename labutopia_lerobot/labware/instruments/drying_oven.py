@@ -11,8 +11,8 @@ import mujoco
 from labutopia_lerobot.labware.instruments.button_panel import INTO_FRONT
 from labutopia_lerobot.labware.parts.catch import Catch
 from labutopia_lerobot.labware.parts.colors import COLORS
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.materials import add_materials
-from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.shelf import Shelf
@@ -56,7 +56,7 @@ _ALONG_X = (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
 
 
 @dataclass(frozen=True)
-class DryingOven(Fixed):
+class DryingOven(Equipment):
     """A drying oven whose door is hinged on the left of who stands before it.
 
     Its front faces -x of its own frame. It weighs 50 kg and stays where it is.
@@ -77,6 +77,9 @@ class DryingOven(Fixed):
     stand: float = 0.0
     shelf_height: float = (_FOOT + _HEIGHT) / 2
     button_color: str | None = None
+    size = (0.67, 0.741, 0.630)
+    mass = 50.0
+    source = "original (DryingBox_01); mass ours"
 
     @property
     def door(self) -> Door[Handle]:
@@ -115,6 +118,10 @@ class DryingOven(Fixed):
         return () if self.button_color is None else (self.switch,)
 
     @property
+    def mechanisms(self) -> tuple[Door[Handle], ...]:
+        return (self.door,)
+
+    @property
     def bodies(self) -> frozenset[str]:
         parts = {self.name, self.shelf.name, self.door.name, self.door.handle.name}
         return frozenset(parts | {button.name for button in self.buttons})
@@ -123,10 +130,6 @@ class DryingOven(Fixed):
     def footprint_radius(self) -> float:
         """Radius of the circle around its origin that it needs on the bench [m]."""
         return math.hypot(_DEPTH, _WIDTH) / 2
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        return (self.door.joint, *(button.joint for button in self.buttons))
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.colors import COLORS
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.materials import add_materials
-from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, Vector, add_look, add_part
 from labutopia_lerobot.labware.parts.switch import Switch
@@ -33,7 +33,7 @@ the last joint of the default robot in the middle of its range."""
 
 
 @dataclass(frozen=True)
-class Heater(Fixed):
+class Heater(Equipment):
     """A hot plate that faces -x of its own frame; its origin is below the middle of its top.
 
     It weighs 3 kg and stands on rubber feet.
@@ -45,6 +45,9 @@ class Heater(Fixed):
 
     name: str
     button_color: str = "green"
+    size = (0.240, 0.160, 0.060)
+    mass = 3.0
+    source = "a usual size, ours"
 
     @property
     def button(self) -> PushButton:
@@ -68,10 +71,6 @@ class Heater(Fixed):
     def footprint_radius(self) -> float:
         """Radius of the circle around its origin that it needs on the bench [m]."""
         return math.hypot(_SIDE / 2 + _DECK_DEPTH, _SIDE / 2)
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        return (self.button.joint,)
 
     @property
     def buttons(self) -> tuple[PushButton, ...]:

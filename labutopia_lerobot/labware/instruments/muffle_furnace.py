@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.materials import add_materials
-from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
 
@@ -61,7 +61,7 @@ _CHAMBER = _Hollow(0.150, 0.170, 0.410, 0.360)
 
 
 @dataclass(frozen=True)
-class MuffleFurnace(Fixed):
+class MuffleFurnace(Equipment):
     """A muffle furnace whose door is hinged on the left of who stands before it.
 
     Its front faces -x of its own frame. It weighs 60 kg and stays where it is. It is cold.
@@ -73,6 +73,9 @@ class MuffleFurnace(Fixed):
 
     name: str
     ajar: float = 0.0
+    size = (0.655, 0.644, 0.842)
+    mass = 60.0
+    source = "original (MuffleFurnace); mass ours"
 
     @property
     def door(self) -> Door[Handle]:
@@ -85,17 +88,13 @@ class MuffleFurnace(Fixed):
         return ((_CHAMBER.depth - _DEPTH) / 2, 0.0, _CHAMBER.bottom + _HEARTH)
 
     @property
-    def bodies(self) -> frozenset[str]:
-        return frozenset({self.name, self.door.name, self.door.handle.name})
+    def mechanisms(self) -> tuple[Door[Handle], ...]:
+        return (self.door,)
 
     @property
     def footprint_radius(self) -> float:
         """Radius of the circle around its origin that it needs on the bench [m]."""
         return math.hypot(_DEPTH, _WIDTH) / 2
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        return (self.door.joint,)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

@@ -7,8 +7,8 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.colors import Color
 from labutopia_lerobot.labware.parts.contact import FRICTION
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.mesh import revolve
-from labutopia_lerobot.labware.parts.mounting import Loose
 from labutopia_lerobot.labware.parts.solid import BOX
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, SOLIMP, SOLREF, VISUAL_GROUP
 
@@ -28,7 +28,7 @@ _PRINT_HEIGHT = 0.0003  # of the printing above the glaze, so that the two never
 
 
 @dataclass(frozen=True)
-class TargetPlate(Loose):
+class TargetPlate(Equipment):
     """A porcelain tile that lies free on the bench: origin at the centre of its underside, z up.
 
     Attributes:
@@ -40,6 +40,10 @@ class TargetPlate(Loose):
     name: str
     color: Color = _BLUE
     glaze: Color = PORCELAIN
+    size = (0.150, 0.150, 0.0053)
+    mass = 0.27
+    source = "original (target_plat), of porcelain"
+    movable = True
 
     @property
     def top_height(self) -> float:

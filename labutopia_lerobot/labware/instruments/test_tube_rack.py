@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 
 from labutopia_lerobot.labware.parts.contact import FRICTION
-from labutopia_lerobot.labware.parts.mounting import Fixed
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.solid import BOX, Vector, add_look
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, SOLIMP, SOLREF
 
@@ -28,7 +28,7 @@ _BLUE = (0.16, 0.38, 0.62, 1.0)
 
 
 @dataclass(frozen=True)
-class TestTubeRack(Fixed):
+class TestTubeRack(Equipment):
     """A polypropylene rack that is fixed to the bench: origin at the centre of its base, z up.
 
     Attributes:
@@ -36,6 +36,9 @@ class TestTubeRack(Fixed):
     """
 
     name: str
+    size = (0.085, 0.286, 0.193)
+    mass = 0.4
+    source = "original"
 
     @property
     def middle(self) -> Vector:

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.lever import Lever
 from labutopia_lerobot.labware.parts.materials import add_materials
-from labutopia_lerobot.labware.parts.mounting import Fixed
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
 
@@ -39,7 +40,7 @@ _ALONG_X = (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
 
 
 @dataclass(frozen=True)
-class VacuumOven(Fixed):
+class VacuumOven(Equipment):
     """A vacuum oven whose door is hinged on the left and opens once its lever is turned down.
 
     Its front faces -x of its own frame. It weighs 60 kg, stays where it is and is not evacuated.
@@ -49,6 +50,9 @@ class VacuumOven(Fixed):
     """
 
     name: str
+    size = (0.68, 0.620, 0.700)
+    mass = 60.0
+    source = "ours"
 
     @property
     def door(self) -> Door[Lever]:
@@ -56,8 +60,8 @@ class VacuumOven(Fixed):
         return Door(f"{self.name}_door", lever, widest=_WIDEST, closed_within=_SEAL)
 
     @property
-    def bodies(self) -> frozenset[str]:
-        return frozenset({self.name, self.door.name, self.door.handle.name})
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return (self.door.handle, self.door)
 
     @property
     def footprint_radius(self) -> float:

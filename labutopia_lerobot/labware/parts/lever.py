@@ -53,6 +53,20 @@ class Lever:
         """Name of its hinge [rad]; 0 keeps the door shut."""
         return f"{self.name}_hinge"
 
+    @property
+    def widest(self) -> float:
+        """Angle at which it stops [rad]."""
+        return _WIDEST
+
+    @property
+    def effort(self) -> float:
+        """Torque with which a hand on the bar turns it [N m]."""
+        return 1.0
+
+    def spell(self, position: float) -> str:
+        """Write an angle [rad] with a unit."""
+        return f"{math.degrees(position):.3g} deg"
+
     def carried(self, pose: Pose, world: World, by: float) -> Pose:
         """Return where something fixed to the bar gets when it is turned by another angle [rad]."""
         return swung(pose, world.frame(self.joint), by)

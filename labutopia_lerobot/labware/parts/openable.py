@@ -90,6 +90,11 @@ class Door[Grip]:
         """Name of its hinge [rad]; 0 is closed."""
         return f"{self.name}_hinge"
 
+    @property
+    def effort(self) -> float:
+        """Torque with which a hand at the handle opens it [N m]."""
+        return 5.0
+
     def add_to(
         self,
         spec: mujoco.MjSpec,
@@ -166,6 +171,11 @@ class Drawer:
     def joint(self) -> str:
         """Name of its slide [m]; 0 is closed."""
         return f"{self.name}_slide"
+
+    @property
+    def effort(self) -> float:
+        """Force with which a hand at the handle opens it [N]."""
+        return 20.0
 
     def spell(self, position: float) -> str:
         """Write a travel [m] with a unit."""

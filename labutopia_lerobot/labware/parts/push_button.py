@@ -16,8 +16,6 @@ from labutopia_lerobot.world.model import COLLISION_GROUP, SOLIMP, SOLREF
 
 type Color = tuple[float, float, float, float]
 
-_PROUD = 0.014
-"""How far the cap stands out of the panel when nobody presses it [m]."""
 _STOP = 0.002
 """How far the cap still goes in after the click [m]."""
 _PRELOAD, _STIFFNESS = 1.8, 200.0
@@ -43,6 +41,7 @@ class PushButton:
         travel: How far in it clicks [m] (original: 5 mm).
         differential: How far it comes back before it clicks out [m]: the differential travel of a
             subminiature snap-action switch, 0.010 inch (NATO stock number 5930-01-142-8727).
+        proud: How far the cap stands out of the panel when nobody presses it [m].
     """
 
     name: str
@@ -50,11 +49,17 @@ class PushButton:
     radius: float = 0.018
     travel: float = 0.005
     differential: float = 0.00025
+    proud: float = 0.014
 
     @property
     def joint(self) -> str:
         """Name of its slide [m]; positive is in."""
         return f"{self.name}_slide"
+
+    @property
+    def effort(self) -> float:
+        """Force with which a finger presses it as far as it goes [N]."""
+        return 5.0
 
     @property
     def force_sensor(self) -> str:
@@ -91,11 +96,11 @@ class PushButton:
             solref_limit=SOLREF,
             solimp_limit=SOLIMP,
         )
-        half = _PROUD / 2
+        half = self.proud / 2
         size, middle = (self.radius, half, 0.0), (0.0, 0.0, -half)
         add_part(body, self.cap, size, middle, material, mass=_MASS, shape=CYLINDER)
         dome = (0.8 * self.radius, 0.0005, 0.0)  # a raised face catches the light at its edge
-        face = (0.0, 0.0, -_PROUD)
+        face = (0.0, 0.0, -self.proud)
         add_look(body, f"{self.name}_dome", dome, face, material, shape=CYLINDER)
         body.add_site(name=self.name, pos=face, group=COLLISION_GROUP)
         body.add_site(

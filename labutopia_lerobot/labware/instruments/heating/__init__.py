@@ -1,0 +1,1 @@
+"""What heats, dries or sterilises."""

@@ -1,0 +1,127 @@
+"""An upright autoclave whose lid a hand-wheel locks."""
+
+import math
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.form import (
+    Block,
+    Form,
+    Ring,
+    Rod,
+    Turned,
+    about,
+)
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.lid import Lid
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.valve import HandWheel, Tap
+
+_R, _BORE, _TOP = 0.225, 0.150, 0.860
+"""Radius outside and of the chamber, height of its rim [m]."""
+
+
+@dataclass(frozen=True)
+class Autoclave(Instrument):
+    """An autoclave of 40 litres on castors, with a gauge, a valve and a timer.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.501, 0.450, 1.001)
+    mass = 55.0
+    source = "450 mm across, 950 mm high without its wheel, as usual; from memory"
+
+    @property
+    def wheel(self) -> HandWheel:
+        """What locks the lid."""
+        wheel = f"{self.name}_wheel"
+        return HandWheel(wheel, diameter=0.220, turns=2.0, look="black", standoff=0.060, effort=4.0)
+
+    @property
+    def lid(self) -> Lid:
+        return Lid(f"{self.name}_lid", widest=math.radians(85.0), reach=0.420, friction=1.5)
+
+    @property
+    def time(self) -> Knob:
+        return Knob(f"{self.name}_time", diameter=0.040)
+
+    @property
+    def valve(self) -> Tap:
+        """What lets steam out, on the right."""
+        return Tap(f"{self.name}_valve", length=0.050, look="red")
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return self.wheel, self.lid, self.time, self.valve
+
+    @property
+    def chamber(self) -> Place:
+        """The grid at the bottom of the chamber."""
+        return Place(f"{self.name}_chamber", self.name, (0.0, 0.0, 0.290), 0.260, depth=0.400)
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        return (self.chamber,)
+
+    @property
+    def displays(self) -> tuple[Display, ...]:
+        time = Setting(self.time.joint, self.time.widest, 0, 60, "min")
+        return (Display(f"{self.name}_display", (0.110, 0.040), time, ink=(255, 90, 60)),)
+
+    def _forms(self) -> list[Form]:
+        castors: list[Form] = []
+        for n in range(4):
+            a = math.pi / 4 + n * math.pi / 2
+            x, y = 0.16 * math.cos(a), 0.16 * math.sin(a)
+            castors += [
+                Rod((x, y - 0.012, 0.030), (x, y + 0.012, 0.030), 0.060, "rubber"),
+                Rod((x, y, 0.030), (x, y, 0.082), 0.020, "steel"),
+            ]
+        return [
+            Ring(2 * _BORE, 2 * _R, (0.080, 0.820), "white", facets=16),
+            Ring(2 * _BORE, 0.420, (0.815, _TOP), "steel", facets=16),
+            Rod((0, 0, 0.080), (0, 0, 0.280), 0.320, "steel"),
+            Rod((0, 0, 0.280), (0, 0, 0.290), 0.290, "dark_steel"),
+            Block((-0.245, -0.180), (-0.130, 0.130), (0.480, 0.740), "petrol", edge=0.010),
+            Rod((-0.262, 0.070, 0.690), (-0.240, 0.070, 0.690), 0.070, "chrome"),
+            Rod((-0.2626, 0.070, 0.690), (-0.262, 0.070, 0.690), 0.060, "white", touch=False),
+            Block(
+                (-0.2632, -0.2626),
+                (0.069, 0.071),
+                (0.688, 0.712),
+                "red",
+                0.0,
+                about((1, 0, 0), 50.0),
+                touch=False,
+            ),
+            Block((0.190, 0.232), (-0.070, 0.070), (0.760, 0.848), "dark_steel"),
+            *castors,
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        self.time.add_to(spec, self.name, body, (-0.245, -0.070, 0.560), ON_FRONT)
+        self.displays[0].add_to(spec, body, (-0.2455, 0.040, 0.560), ON_FRONT)
+        self.valve.add_to(spec, self.name, body, (-0.245, -0.070, 0.690), ON_FRONT)
+        lid = self.lid.add_to(spec, body, (0.215, 0.0, 0.868))
+        plate: list[Form] = [
+            Turned(
+                ((0, -0.006), (0.208, -0.006), (0.210, 0.014), (0.180, 0.030), (0, 0.040)),
+                "steel",
+                (-0.215, 0, 0),
+                edge=0.004,
+            ),
+            Block((-0.060, 0.000), (-0.045, 0.045), (0.000, 0.030), "dark_steel"),
+            Block((-0.400, -0.030), (-0.030, 0.030), (0.038, 0.058), "dark_steel", edge=0.006),
+        ]
+        assemble(spec, lid, self.name, plate, mass=9.0)
+        self.wheel.add_to(spec, self.name, lid, (-0.215, 0.0, 0.058), ON_TOP)

@@ -1,0 +1,82 @@
+"""A heating mantle for round-bottomed flasks."""
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Turned, feet
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.panel import ON_FRONT
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.rocker import Rocker
+
+_BOWL, _DEEP = 0.054, 0.046
+"""Radius of the bowl, for a 500 ml flask, and how deep it is [m]."""
+_TOP = 0.128
+
+
+@dataclass(frozen=True)
+class HeatingMantle(Instrument):
+    """A mantle of glass cloth in a round case, with an energy regulator.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.247, 0.220, 0.140)
+    mass = 2.2
+    source = "220 mm across, 140 mm high, for 500 ml, as usual; from memory"
+
+    @property
+    def heat(self) -> Knob:
+        return Knob(f"{self.name}_heat", diameter=0.038, look="black", steps=6)
+
+    @property
+    def power(self) -> Rocker:
+        return Rocker(f"{self.name}_power", look="red")
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return self.heat, self.power
+
+    @property
+    def bowl(self) -> Place:
+        """The middle of the bowl's floor."""
+        at = (0.0, 0.0, _TOP - _DEEP)
+        return Place(f"{self.name}_bowl", self.name, at, width=0.046, depth=_DEEP)
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        return (self.bowl,)
+
+    def _forms(self) -> list[Form]:
+        case = ((0, 0.010), (0.104, 0.010), (0.110, 0.030), (0.110, 0.100), (0.096, _TOP))
+        collar = ((0.096, _TOP), (0.090, 0.140), (0.066, 0.140), (0.058, _TOP))
+        depths = [math.radians(a) for a in (0, 18, 36, 54, 62)]
+        cloth = [(_BOWL * math.cos(a), _TOP - _BOWL * math.sin(a)) for a in depths]
+        floor = _TOP - _DEEP
+        rings: list[Form] = [
+            Ring(2 * outer, 0.180, (low, high), "white", touch=True)
+            for (outer, high), (_, low) in pairwise(cloth)
+        ]
+        return [
+            Turned((*case, *collar[1:]), "light_blue", edge=0.004, touch=False),
+            Turned(((0.066, 0.140), (0.058, _TOP), *cloth, (0.0, floor)), "white", touch=False),
+            Turned(
+                ((0, 0.010), (0.104, 0.010), (0.110, 0.030), (0.110, floor), (0, floor)),
+                "light_blue",
+            ),
+            *rings,
+            Ring(0.124, 0.186, (_TOP, 0.139), "light_blue"),
+            Block((-0.118, -0.090), (-0.060, 0.060), (0.026, 0.078), "anthracite", edge=0.005),
+            *feet(0.180, 0.180, 0.010),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        self.heat.add_to(spec, self.name, body, (-0.118, -0.018, 0.052), ON_FRONT)
+        self.power.add_to(spec, self.name, body, (-0.118, 0.038, 0.052), ON_FRONT)

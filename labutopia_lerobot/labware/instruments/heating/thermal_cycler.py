@@ -1,0 +1,124 @@
+"""A thermal cycler with a heated lid over 96 wells."""
+
+import math
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.finish import FINISHES
+from labutopia_lerobot.labware.parts.form import (
+    Block,
+    Form,
+    Prism,
+    Rod,
+    feet,
+)
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.lid import Lid
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.panel import ON_TOP, leaning
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.labware.parts.reading import Clock
+
+_SLOPE = 66.0
+
+
+@dataclass(frozen=True)
+class ThermalCycler(Instrument):
+    """A thermal cycler: the knob on its lid presses it onto the tubes.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.450, 0.250, 0.239)
+    mass = 9.5
+    source = "250 x 450 x 220 mm, 96 wells at 9 mm (ANSI SLAS 4), as usual; from memory"
+
+    @property
+    def lid(self) -> Lid:
+        return Lid(f"{self.name}_lid", widest=math.radians(70.0), reach=0.230, friction=0.3)
+
+    @property
+    def pressure(self) -> Knob:
+        """What presses the heated plate down."""
+        return Knob(f"{self.name}_pressure", diameter=0.060, depth=0.026, look="anthracite")
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return self.pressure, self.lid
+
+    @property
+    def keys(self) -> tuple[PushButton, ...]:
+        """Start and stop."""
+        return tuple(
+            PushButton(f"{self.name}_{key}", FINISHES[look].rgba, 0.011, 0.003, proud=0.006)
+            for key, look in (("start", "green"), ("stop", "red"))
+        )
+
+    @property
+    def buttons(self) -> tuple[PushButton, ...]:
+        return self.keys
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The middle of the block, for a plate."""
+        return (Place(f"{self.name}_block", self.name, (0.030, 0.0, 0.150), width=0.066),)
+
+    @property
+    def displays(self) -> tuple[Display, ...]:
+        return (Display(f"{self.name}_display", (0.110, 0.036), Clock(5400.0)),)
+
+    def _forms(self) -> list[Form]:
+        side = ((-0.225, 0.012), (0.225, 0.012), (0.225, 0.130), (-0.080, 0.130), (-0.225, 0.066))
+        wells: list[Form] = [
+            Rod(
+                (0.030 + 0.009 * (i - 3.5), 0.009 * (j - 5.5), 0.1500),
+                (0.030 + 0.009 * (i - 3.5), 0.009 * (j - 5.5), 0.1503),
+                0.0064,
+                "black",
+                touch=False,
+                segments=8,
+            )
+            for i in range(8)
+            for j in range(12)
+        ]
+        return [
+            Prism(side, (-0.125, 0.125), "white", edge=0.008),
+            Block((-0.220, 0.220), (-0.123, 0.123), (0.010, 0.024), "blue"),
+            Block((-0.012, 0.072), (-0.060, 0.060), (0.128, 0.150), "steel"),
+            Block((0.140, 0.200), (-0.110, 0.110), (0.126, 0.168), "white", edge=0.008),
+            *wells,
+            *feet(0.440, 0.250, 0.012),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        lean = leaning(_SLOPE)
+        self.displays[0].add_to(spec, body, (-0.150, 0.040, 0.1000), lean)
+        for key, y in zip(self.keys, (-0.050, -0.085), strict=True):
+            key.add_to(spec, body, (-0.150, y, 0.0992), lean)
+        lid = self.lid.add_to(spec, body, (0.150, 0.0, 0.170))
+        cover: list[Form] = [
+            Prism(
+                (
+                    (-0.230, -0.010),
+                    (0.0, 0.0),
+                    (0.0, 0.030),
+                    (-0.040, 0.044),
+                    (-0.200, 0.040),
+                    (-0.230, 0.010),
+                ),
+                (-0.115, 0.115),
+                "white",
+                edge=0.008,
+            ),
+            Block((-0.240, -0.222), (-0.035, 0.035), (-0.006, 0.008), "anthracite"),
+            Block((-0.170, -0.070), (-0.064, 0.064), (-0.014, 0.002), "dark_steel"),
+        ]
+        assemble(spec, lid, self.name, cover, mass=1.8)
+        self.pressure.add_to(spec, self.name, lid, (-0.125, 0.0, 0.0420), ON_TOP)

@@ -1,0 +1,1 @@
+"""What shakes and stirs."""

@@ -1,0 +1,79 @@
+"""A magnetic stirrer with a ceramic hot plate, a knob for each and two displays."""
+
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.form import Block, Form, Prism, feet
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.panel import leaning
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.reading import Setting
+
+_TOP = 0.095
+"""Height of the plate [m]."""
+_SLOPE = 58.1
+"""How far the console leans back [deg]."""
+
+
+@dataclass(frozen=True)
+class StirringHotPlate(Instrument):
+    """A magnetic stirrer with hot plate: its displays show what its knobs are set to.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.280, 0.160, 0.095)
+    mass = 2.9
+    source = "160 x 280 x 95 mm, plate of 135 mm, usual for 10 l and 320 C; from memory"
+
+    @property
+    def heat(self) -> Knob:
+        """What sets the temperature of the plate."""
+        return Knob(f"{self.name}_heat", look="anthracite", pointer="red")
+
+    @property
+    def speed(self) -> Knob:
+        """What sets how fast the magnet turns."""
+        return Knob(f"{self.name}_speed", look="anthracite")
+
+    @property
+    def mechanisms(self) -> tuple[Knob, ...]:
+        return self.heat, self.speed
+
+    @property
+    def plate(self) -> Place:
+        """The middle of the plate."""
+        return Place(f"{self.name}_plate", self.name, (0.060, 0.0, _TOP), width=0.130)
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        return (self.plate,)
+
+    @property
+    def displays(self) -> tuple[Display, ...]:
+        heat = Setting(self.heat.joint, self.heat.widest, 20, 320, "\u00b0C")
+        speed = Setting(self.speed.joint, self.speed.widest, 0, 1500, "rpm", step=10)
+        size = (0.046, 0.016)
+        return (
+            Display(f"{self.name}_temperature", size, heat, ink=(255, 130, 90)),
+            Display(f"{self.name}_rpm", size, speed),
+        )
+
+    def _forms(self) -> list[Form]:
+        side = ((-0.140, 0.008), (0.140, 0.008), (0.140, 0.074), (-0.050, 0.074), (-0.140, 0.018))
+        return [
+            Prism(side, (-0.080, 0.080), "white", edge=0.003),
+            Block((-0.004, 0.124), (-0.064, 0.064), (0.074, 0.084), "anthracite"),
+            Block((-0.0075, 0.1275), (-0.0675, 0.0675), (0.084, _TOP), "ceramic"),
+            *feet(0.280, 0.160, 0.010),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        for knob, display, y in zip(self.mechanisms, self.displays, (0.040, -0.040), strict=True):
+            knob.add_to(spec, self.name, body, (-0.111, y, 0.0361), leaning(_SLOPE))
+            display.add_to(spec, body, (-0.0745, y, 0.0595), leaning(_SLOPE))

@@ -1,0 +1,88 @@
+"""An ultrasonic cleaning bath with a lid, a basket and a timer."""
+
+import math
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.form import Block, Form, feet, tub
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.lid import Lid
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.panel import ON_FRONT
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.reading import Setting
+
+
+@dataclass(frozen=True)
+class UltrasonicBath(Instrument):
+    """An ultrasonic bath of 3 litres: hinged lid, perforated floor above the water's, two knobs.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.202, 0.300, 0.240)
+    mass = 3.4
+    source = "300 x 180 x 240 mm, 3 l, as usual; from memory"
+
+    @property
+    def lid(self) -> Lid:
+        return Lid(f"{self.name}_lid", widest=math.radians(100.0), reach=0.176)
+
+    @property
+    def minutes(self) -> Knob:
+        """The timer."""
+        return Knob(f"{self.name}_minutes", diameter=0.034, look="blue", steps=7)
+
+    @property
+    def heat(self) -> Knob:
+        return Knob(f"{self.name}_heat", diameter=0.034, look="blue")
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return self.lid, self.minutes, self.heat
+
+    @property
+    def basket(self) -> Place:
+        """Where glass stands in the water."""
+        return Place(f"{self.name}_basket", self.name, (0.0, 0.0, 0.116), width=0.110)
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        return (self.basket,)
+
+    @property
+    def displays(self) -> tuple[Display, ...]:
+        minutes = Setting(self.minutes.joint, self.minutes.widest, 0, 30, "min", step=5)
+        return (Display(f"{self.name}_display", (0.070, 0.026), minutes, ink=(255, 90, 60)),)
+
+    def _forms(self) -> list[Form]:
+        holes: list[Form] = [
+            Block((x, x + 0.006), (-0.118, 0.118), (0.1155, 0.1163), "dark_steel", touch=False)
+            for x in (-0.05, -0.03, -0.01, 0.01, 0.03, 0.05)
+        ]
+        return [
+            Block((-0.090, 0.090), (-0.150, 0.150), (0.012, 0.100), "steel", edge=0.006),
+            *tub((-0.090, 0.090), (-0.150, 0.150), (0.096, 0.222), 0.012, "steel", "dark_steel"),
+            Block((-0.074, 0.074), (-0.134, 0.134), (0.110, 0.116), "steel", edge=0.0),
+            *holes,
+            Block((-0.079, 0.079), (-0.139, 0.139), (0.116, 0.190), "water", 0.0, touch=False),
+            Block((-0.0925, -0.088), (-0.140, 0.140), (0.030, 0.095), "anthracite", touch=False),
+            *feet(0.180, 0.300, 0.012),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        for knob, y in ((self.minutes, 0.095), (self.heat, -0.095)):
+            knob.add_to(spec, self.name, body, (-0.0925, y, 0.062), ON_FRONT)
+        self.displays[0].add_to(spec, body, (-0.0928, 0.0, 0.062), ON_FRONT)
+        lid = self.lid.add_to(spec, body, (0.088, 0.0, 0.222))
+        forms: list[Form] = [
+            Block((-0.176, 0.000), (-0.148, 0.148), (0.000, 0.010), "steel"),
+            Block((-0.120, -0.060), (-0.050, 0.050), (0.010, 0.018), "black"),
+        ]
+        assemble(spec, lid, self.name, forms, mass=0.6)

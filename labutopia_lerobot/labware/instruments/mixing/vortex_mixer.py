@@ -1,0 +1,88 @@
+"""A vortex mixer: a rubber cup that is driven round a small circle."""
+
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned, feet
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.panel import leaning
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.rotor import Rotor
+
+_ORBIT = 0.0025
+"""From the axis of the motor to that of the cup [m]: an orbit of 5 mm."""
+_LEAN = 20.0
+"""How far the front leans back [deg]."""
+
+
+@dataclass(frozen=True)
+class VortexMixer(Instrument):
+    """A vortex mixer with a speed knob and a switch.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.160, 0.127, 0.165)
+    mass = 4.0
+    source = "127 x 160 x 165 mm, 4 kg, cast zinc, usual with a 5 mm orbit; from memory"
+
+    @property
+    def speed(self) -> Knob:
+        return Knob(f"{self.name}_speed", diameter=0.032)
+
+    @property
+    def power(self) -> Rocker:
+        return Rocker(f"{self.name}_power")
+
+    @property
+    def rotor(self) -> Rotor:
+        """The cup on its eccentric."""
+        return Rotor(f"{self.name}_cup", friction=0.02, effort=0.1)
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return self.speed, self.power, self.rotor
+
+    @property
+    def cup(self) -> Place:
+        """Where the end of a tube is pressed in."""
+        at = (_ORBIT, 0.0, 0.010)
+        return Place(f"{self.name}_cup_middle", self.rotor.name, at, width=0.034, depth=0.012)
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        return (self.cup,)
+
+    def _forms(self) -> list[Form]:
+        side = ((-0.080, 0.008), (0.080, 0.008), (0.070, 0.128), (-0.037, 0.128))
+        return [
+            Prism(side, (-0.0635, 0.0635), "light_blue", edge=0.010),
+            Block((-0.078, 0.078), (-0.062, 0.062), (0.006, 0.022), "anthracite", edge=0.006),
+            Rod((0.017, 0, 0.124), (0.017, 0, 0.134), 0.070, "anthracite"),
+            *feet(0.160, 0.127, 0.008),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        front = (-0.0593, 0.0, 0.066)
+        self.speed.add_to(spec, self.name, body, (front[0], -0.030, front[2]), leaning(_LEAN))
+        self.power.add_to(spec, self.name, body, (front[0], 0.032, front[2]), leaning(_LEAN))
+        cup = self.rotor.add_to(spec, body, (0.017, 0.0, 0.135))
+        forms: list[Form] = [
+            Turned(((0, 0), (0.014, 0), (0.022, 0.010), (0, 0.010)), "rubber", (_ORBIT, 0, 0)),
+            Ring(0.036, 0.046, (0.010, 0.026), "rubber", at=(_ORBIT, 0)),
+            Turned(
+                ((0.018, 0.024), (0.023, 0.024), (0.026, 0.030), (0.018, 0.024)),
+                "rubber",
+                (_ORBIT, 0, 0),
+                touch=False,
+            ),
+        ]
+        assemble(spec, cup, self.name, forms, mass=0.08)
+        self.cup.add_to(cup)

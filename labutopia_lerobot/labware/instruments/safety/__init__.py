@@ -1,0 +1,1 @@
+"""Safety, gases and waste."""

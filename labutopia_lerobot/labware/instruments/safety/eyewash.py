@@ -1,0 +1,80 @@
+"""An eyewash with a bowl and a push lever."""
+
+import math
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.form import (
+    Block,
+    Form,
+    Ring,
+    Rod,
+    Turned,
+)
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.rotor import Rotor
+
+
+@dataclass(frozen=True)
+class Eyewash(Instrument):
+    """A wall-mounted eyewash: its lever, pushed back, opens two soft jets.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.316, 0.341, 0.250)
+    mass = 4.0
+    source = "bowl of 250 mm (EN 15154-1 eyewashes are alike); from memory"
+
+    @property
+    def lever(self) -> Rotor:
+        """The flag, which is pushed away."""
+        lever = f"{self.name}_lever"
+        return Rotor(lever, friction=0.4, effort=2.0, widest=math.radians(80.0))
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return (self.lever,)
+
+    def _forms(self) -> list[Form]:
+        bowl = ((0.030, 0.030), (0.080, 0.044), (0.118, 0.080), (0.126, 0.110), (0.130, 0.114))
+        jets: list[Form] = []
+        for y in (-0.035, 0.035):
+            jets += [
+                Rod((0.0, y, 0.050), (0.0, y, 0.150), 0.012, "chrome"),
+                Turned(
+                    ((0.008, 0.0), (0.024, 0.014), (0.026, 0.026), (0.0, 0.026)),
+                    "green",
+                    (0, y, 0.150),
+                ),
+            ]
+        return [
+            Turned(bowl, "green", touch=False, edge=0.002),
+            Turned(bowl[::-1], "green", touch=False, edge=0.002),
+            Turned(((0, 0.030), (0.080, 0.044), (0.080, 0.050), (0, 0.050)), "green"),
+            Ring(0.220, 0.250, (0.080, 0.114), "green"),
+            Ring(0.160, 0.200, (0.050, 0.080), "green", touch=True),
+            Rod((0, 0, 0.0), (0, 0, 0.040), 0.040, "chrome"),
+            Rod((0, 0, 0.020), (0.180, 0, 0.020), 0.034, "chrome"),
+            Block((0.176, 0.186), (-0.060, 0.060), (0.0, 0.240), "light_grey"),
+            Block((0.1745, 0.176), (-0.050, 0.050), (0.130, 0.230), "green", 0.0, touch=False),
+            Block((0.1735, 0.1745), (-0.010, 0.010), (0.150, 0.210), "white", 0.0, touch=False),
+            Block((0.1735, 0.1745), (-0.030, 0.030), (0.170, 0.190), "white", 0.0, touch=False),
+            *jets,
+            Rod((0.150, -0.017, 0.020), (0.150, -0.040, 0.020), 0.030, "chrome"),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        lever = self.lever.add_to(spec, body, (0.150, -0.041, 0.020), (0.0, 1.0, 0.0))
+        flag: list[Form] = [
+            Rod((0, 0, 0), (0, -0.012, 0), 0.026, "chrome"),
+            Rod((0, -0.008, 0), (-0.020, -0.112, 0.0), 0.008, "chrome"),
+            Rod((-0.020, -0.112, 0), (-0.150, -0.112, 0.0), 0.008, "chrome"),
+            Block((-0.170, -0.150), (-0.170, -0.112), (-0.030, 0.030), "green", edge=0.004),
+        ]
+        assemble(spec, lever, self.name, flag, mass=0.2)

@@ -1,0 +1,144 @@
+"""A fume hood with a sash, a baffle, a sink and taps."""
+
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.finish import FINISHES
+from labutopia_lerobot.labware.parts.form import Block, Form, tub
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.panel import ON_FRONT
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.slide import Sash
+from labutopia_lerobot.labware.parts.valve import Tap
+
+_DEPTH, _WIDTH, _HEIGHT = 0.850, 1.500, 2.350
+_TOP, _OPEN = 0.900, 0.700
+"""Height of the work top, and how far the sash goes up [m]."""
+_SIDE = 0.100
+"""Width of the side posts [m]."""
+
+
+@dataclass(frozen=True)
+class FumeHood(Instrument):
+    """A fume hood over a cupboard: gas and water taps on its posts, a light above.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.874, 1.500, 2.350)
+    mass = 250.0
+    source = "1500 x 850 x 2350 mm, sash of 700 mm (EN 14175 hoods are alike); from memory"
+
+    @property
+    def sash(self) -> Sash:
+        return Sash(f"{self.name}_sash", _OPEN)
+
+    @property
+    def taps(self) -> tuple[Tap, ...]:
+        """Gas on the left post, water and vacuum on the right one."""
+        looks = {"gas": "yellow", "water": "green", "vacuum": "blue"}
+        return tuple(Tap(f"{self.name}_{line}", 0.050, look) for line, look in looks.items())
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return self.sash, *self.taps
+
+    @property
+    def fan(self) -> PushButton:
+        return PushButton(f"{self.name}_fan", FINISHES["green"].rgba, radius=0.014)
+
+    @property
+    def buttons(self) -> tuple[PushButton, ...]:
+        return (self.fan,)
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The work top, left and right of the middle."""
+        return tuple(
+            Place(f"{self.name}_top_{side}", self.name, (-0.10, y, _TOP), width=0.40)
+            for side, y in (("left", 0.35), ("right", -0.35))
+        )
+
+    @property
+    def displays(self) -> tuple[Display, ...]:
+        sash = Setting(self.sash.joint, _OPEN, 0, 100, "% open", step=5)
+        return (Display(f"{self.name}_display", (0.080, 0.040), sash),)
+
+    def _forms(self) -> list[Form]:
+        x, y, side = _DEPTH / 2, _WIDTH / 2, _SIDE
+        doors: list[Form] = []
+        for sign in (-1, 1):
+            doors.append(
+                Block(
+                    (-x - 0.001, -x + 0.02),
+                    _between(sign * 0.006, sign * 0.735),
+                    (0.11, _TOP - 0.06),
+                    "light_blue",
+                    touch=False,
+                )
+            )
+            doors.append(
+                Block(
+                    (-x - 0.020, -x),
+                    _between(sign * 0.04, sign * 0.06),
+                    (0.60, 0.78),
+                    "steel",
+                )
+            )
+        return [
+            Block((-x + 0.03, x), (-y + 0.01, y - 0.01), (0.0, 0.10), "anthracite"),
+            Block((-x + 0.012, x), (-y, y), (0.10, _TOP - 0.03), "white"),
+            *doors,
+            Block((-x, x), (-y, y), (_TOP - 0.03, _TOP), "anthracite", edge=0.006),
+            *(
+                Block((-x, x), _between(s * y, s * (y - side)), (_TOP, 1.90), "white")
+                for s in (-1, 1)
+            ),
+            Block((x - 0.06, x), (-y + side, y - side), (_TOP, 1.90), "white"),
+            Block((x - 0.16, x - 0.14), (-y + side, y - side), (_TOP + 0.12, 1.75), "light_grey"),
+            Block((-x + 0.26, x), (-y, y), (1.90, _HEIGHT), "white"),
+            Block((-x, -x + 0.18), (-y, y), (1.62, _HEIGHT), "white", edge=0.006),
+            Block((-x - 0.001, -x), (-0.60, 0.60), (2.05, 2.22), "petrol", 0.0, touch=False),
+            Block((-0.15, 0.15), (-0.45, 0.45), (1.885, 1.901), "glow", 0.0, touch=False),
+            *tub(
+                (0.12, 0.25),
+                (-0.12, 0.12),
+                (_TOP - 0.001, _TOP + 0.012),
+                0.012,
+                "steel",
+                "dark_steel",
+            ),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        x, y, inner = _DEPTH / 2, _WIDTH / 2, _WIDTH / 2 - _SIDE - 0.004
+        sash = self.sash.add_to(spec, body, (-x + 0.230, 0.0, _TOP + 0.004))
+        high = 0.76
+        frame: list[Form] = [
+            Block(
+                (-0.004, 0.004), (-inner + 0.03, inner - 0.03), (0.04, high - 0.03), "glass", 0.0
+            ),
+            Block((-0.014, 0.014), (-inner, inner), (0.0, 0.045), "steel", edge=0.005),
+            Block((-0.014, 0.014), (-inner, inner), (high - 0.03, high), "steel"),
+            Block((-0.012, 0.012), (-inner, -inner + 0.03), (0.03, high - 0.02), "steel"),
+            Block((-0.012, 0.012), (inner - 0.03, inner), (0.03, high - 0.02), "steel"),
+            Block((-0.034, -0.012), (-0.30, 0.30), (0.012, 0.030), "anthracite", edge=0.006),
+        ]
+        assemble(spec, sash, self.name, frame, mass=16.0)
+        for tap, (side, z) in zip(self.taps, ((1, 1.10), (-1, 1.10), (-1, 1.24)), strict=True):
+            tap.add_to(spec, self.name, body, (-x, side * (y - 0.05), z), ON_FRONT)
+        self.fan.add_to(spec, body, (-x, -y + 0.05, 1.42), ON_FRONT)
+        self.displays[0].add_to(spec, body, (-x - 0.001, -y + 0.05, 1.50), ON_FRONT)
+
+
+def _between(one: float, other: float) -> tuple[float, float]:
+    """Return a span from the lesser to the greater."""
+    return min(one, other), max(one, other)

@@ -1,0 +1,1 @@
+"""Centrifuges, evaporators, pumps."""

@@ -1,0 +1,159 @@
+"""A bench centrifuge with a latched lid and a rotor of twelve bores."""
+
+import math
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.finish import FINISHES
+from labutopia_lerobot.labware.parts.form import (
+    Block,
+    Form,
+    Prism,
+    Ring,
+    Rod,
+    Turned,
+    feet,
+)
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.lid import Lid
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.panel import leaning
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.rotor import Rotor
+
+_BORES, _CIRCLE = 12, 0.070
+"""How many, and the radius of their circle [m]."""
+_BORE, _DEEP = 0.0175, 0.060
+"""Diameter of a bore, for tubes of 17 mm, and its depth [m]."""
+
+
+@dataclass(frozen=True)
+class Centrifuge(Instrument):
+    """A centrifuge whose upright bores take twelve 15 ml tubes.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.520, 0.400, 0.300)
+    mass = 32.0
+    source = "400 x 520 x 300 mm, rotor of 200 mm, usual for 4 x 100 ml; from memory"
+
+    @property
+    def lid(self) -> Lid:
+        return Lid(f"{self.name}_lid", widest=math.radians(75.0), reach=0.350, friction=0.5)
+
+    @property
+    def rotor(self) -> Rotor:
+        return Rotor(f"{self.name}_rotor", friction=0.02, effort=0.3)
+
+    @property
+    def speed(self) -> Knob:
+        return Knob(f"{self.name}_speed", diameter=0.036)
+
+    @property
+    def time(self) -> Knob:
+        return Knob(f"{self.name}_time", diameter=0.036)
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return self.lid, self.rotor, self.speed, self.time
+
+    @property
+    def latch(self) -> PushButton:
+        """What releases the lid."""
+        red = FINISHES["red"].rgba
+        return PushButton(f"{self.name}_latch", red, radius=0.011, travel=0.004, proud=0.008)
+
+    @property
+    def buttons(self) -> tuple[PushButton, ...]:
+        return (self.latch,)
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The bores, counterclockwise from the back."""
+        return tuple(
+            Place(f"{self.name}_bore_{n}", self.rotor.name, (x, y, 0.010), 0.016, _DEEP)
+            for n, (x, y) in enumerate(_circle())
+        )
+
+    @property
+    def displays(self) -> tuple[Display, ...]:
+        speed = Setting(self.speed.joint, self.speed.widest, 0, 4000, "rpm", step=50)
+        time = Setting(self.time.joint, self.time.widest, 0, 30, "min")
+        size = (0.078, 0.026)
+        return Display(f"{self.name}_rpm", size, speed), Display(f"{self.name}_min", size, time)
+
+    def _forms(self) -> list[Form]:
+        console = (
+            (-0.260, 0.014),
+            (-0.120, 0.014),
+            (-0.120, 0.268),
+            (-0.160, 0.268),
+            (-0.260, 0.090),
+        )
+        return [
+            Prism(console, (-0.200, 0.200), "white", edge=0.008),
+            Block((-0.130, 0.240), (-0.200, 0.200), (0.014, 0.130), "white", edge=0.006),
+            Block((-0.130, 0.260), (0.160, 0.200), (0.120, 0.268), "white", edge=0.006),
+            Block((-0.130, 0.260), (-0.200, -0.160), (0.120, 0.268), "white", edge=0.006),
+            Block((0.200, 0.260), (-0.190, 0.190), (0.014, 0.268), "white", edge=0.006),
+            Ring(0.280, 0.320, (0.128, 0.262), "steel", at=(0.040, 0.0)),
+            Ring(0.280, 0.400, (0.255, 0.263), "anthracite", at=(0.040, 0.0), touch=False),
+            Rod((0.040, 0, 0.128), (0.040, 0, 0.133), 0.270, "dark_steel"),
+            Rod((0.040, 0, 0.130), (0.040, 0, 0.150), 0.040, "steel"),
+            *feet(0.520, 0.400, 0.014),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        lean = leaning(29.3)
+        for knob, display, y in zip(
+            (self.speed, self.time), self.displays, (0.10, -0.04), strict=True
+        ):
+            knob.add_to(spec, self.name, body, (-0.2348, y, 0.135), lean)
+            display.add_to(spec, body, (-0.2054, y, 0.1884), lean)
+        self.latch.add_to(spec, body, (-0.2348, -0.140, 0.135), lean)
+        self._add_rotor(spec, self.rotor.add_to(spec, body, (0.040, 0.0, 0.151)))
+        lid = self.lid.add_to(spec, body, (0.215, 0.0, 0.270))
+        forms: list[Form] = [
+            Block((-0.350, 0.0), (-0.190, 0.190), (0.000, 0.028), "petrol", edge=0.010),
+            Rod((-0.175, 0, 0.0282), (-0.175, 0, 0.0295), 0.080, "smoked", touch=False),
+            Block((-0.356, -0.340), (-0.040, 0.040), (0.004, 0.018), "anthracite"),
+        ]
+        assemble(spec, lid, self.name, forms, mass=3.0)
+
+    def _add_rotor(self, spec: mujoco.MjSpec, rotor: mujoco.MjsBody) -> None:
+        top = 0.010 + _DEEP
+        hub = ((0, 0), (0.054, 0), (0.054, top), (0.020, top + 0.006), (0, top + 0.006))
+        skin = ((0.085, 0.002), (0.092, 0.010), (0.088, top), (0.054, top))
+        forms: list[Form] = [
+            Turned(hub, "steel"),
+            Turned(((0, 0), (0.090, 0), (0.090, 0.010), (0, 0.010)), "steel"),
+            Turned(skin, "steel", touch=False),
+            Rod((0, 0, top + 0.006), (0, 0, top + 0.016), 0.024, "anthracite"),
+        ]
+        for x, y in _circle():
+            forms.append(
+                Ring(
+                    _BORE, 0.021, (0.010, top + 0.002), "anthracite", (x, y), segments=12, facets=6
+                )
+            )
+            forms.append(
+                Rod((x, y, top), (x, y, top + 0.0005), _BORE, "black", touch=False, segments=12)
+            )
+        assemble(spec, rotor, self.name, forms, mass=2.5)
+        for place in self.places:
+            place.add_to(rotor)
+
+
+def _circle() -> list[tuple[float, float]]:
+    """Return where the bores are, x and y in the rotor's frame [m]."""
+    angles = [2 * math.pi * n / _BORES for n in range(_BORES)]
+    return [(_CIRCLE * math.cos(a), _CIRCLE * math.sin(a)) for a in angles]

@@ -1,0 +1,1 @@
+"""Stands, tripods and racks."""
