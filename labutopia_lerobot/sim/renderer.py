@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.sim.opengl import BACKENDS, refused_backend
 from labutopia_lerobot.world import FloatArray
@@ -39,6 +40,7 @@ class Renderer:
         width: Width of every picture [pixels].
         height: Height of every picture [pixels].
         liquids: The liquids in the model; pictures show the surfaces that they have extracted last.
+        displays: Of the instruments in the model; pictures show what they read.
 
     Raises:
         NoOpenGLError: If no OpenGL context can be had.
@@ -50,6 +52,7 @@ class Renderer:
         width: int,
         height: int,
         liquids: Sequence[LiquidDrawing] = (),
+        displays: Sequence[Display] = (),
     ) -> None:
         self._renderer = _open(model, width, height)
         self._options = mujoco.MjvOption()
@@ -58,6 +61,8 @@ class Renderer:
         self._options.skingroup[SKIN_GROUP] = 0  # liquids draw themselves
         self._liquids = tuple(liquids)
         self._planes = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
+        self._displays = tuple(displays)
+        self._shown = [""] * len(self._displays)
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
@@ -102,6 +107,7 @@ class Renderer:
         """Fill the scene with what there is to see."""
         self._renderer.update_scene(data, camera, self._options)
         self._take_ceiling_off(data, data.camera(camera).xpos)
+        self._show_readings(data)
         for liquid in self._liquids:
             liquid.draw(self._renderer.scene, self._renderer.model)
             # MuJoCo's renderer has no public way to what a texture is uploaded to.
@@ -120,6 +126,17 @@ class Renderer:
             for geom in scene.geoms[: scene.ngeom]:
                 if geom.objtype == mujoco.mjtObj.mjOBJ_GEOM and geom.objid in behind:
                     geom.pos = _FAR
+
+    def _show_readings(self, data: mujoco.MjData) -> None:
+        """Write onto the displays what has changed since the last picture."""
+        model = self._renderer.model
+        for number, display in enumerate(self._displays):
+            text = display.reading.text(model, data)
+            if text != self._shown[number]:
+                self._shown[number] = text
+                texture = display.show(model, text)
+                with self._renderer._gl_context.as_current():
+                    mujoco.mjr_uploadTexture(model, self._renderer._mjr_context, texture)
 
     def close(self) -> None:
         """Give the OpenGL context back."""

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.layout import Workspace, sample_layout
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
 from labutopia_lerobot.progress import Progress
@@ -74,7 +75,9 @@ class Workcell:
         """
         scene = self.simulation.scene
         liquids = [] if scene.liquid is None else [scene.liquid]
-        return Renderer(scene.model, self._setting.width, self._setting.height, liquids)
+        equipment = [piece for piece in scene.pieces if isinstance(piece, Equipment)]
+        displays = [display for piece in equipment for display in piece.displays]
+        return Renderer(scene.model, self._setting.width, self._setting.height, liquids, displays)
 
     def expert(self, skills: Sequence[Skill] | None = None) -> Expert:
         """Return an expert that plays skills, those of `steps` by default; `start` it."""

@@ -5,13 +5,8 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.parts.form import (
-    Block,
-    Form,
-    Rod,
-    Turned,
-    feet,
-)
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.place import Place

@@ -6,7 +6,8 @@ from itertools import pairwise
 
 import mujoco
 
-from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Turned, feet
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism

@@ -8,11 +8,8 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import finish
-from labutopia_lerobot.labware.parts.form import (
-    Block,
-    Form,
-    feet,
-)
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism

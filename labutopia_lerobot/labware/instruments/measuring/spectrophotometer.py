@@ -7,13 +7,8 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.display import Display
-from labutopia_lerobot.labware.parts.form import (
-    Block,
-    Form,
-    Prism,
-    Rod,
-    feet,
-)
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid

@@ -7,7 +7,8 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
-from labutopia_lerobot.labware.parts.form import Block, Form, tub
+from labutopia_lerobot.labware.parts.fittings import tub
+from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT

@@ -8,15 +8,8 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
-from labutopia_lerobot.labware.parts.form import (
-    Block,
-    Form,
-    Prism,
-    Ring,
-    Rod,
-    Turned,
-    feet,
-)
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid

@@ -6,15 +6,8 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
-from labutopia_lerobot.labware.parts.form import (
-    Block,
-    Form,
-    Prism,
-    Ring,
-    Rod,
-    Turned,
-    feet,
-)
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism

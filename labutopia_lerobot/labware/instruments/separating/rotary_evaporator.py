@@ -7,16 +7,8 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.display import Display
-from labutopia_lerobot.labware.parts.form import (
-    Block,
-    Form,
-    Prism,
-    Ring,
-    Rod,
-    Turned,
-    about,
-    feet,
-)
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism

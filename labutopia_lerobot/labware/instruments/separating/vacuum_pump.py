@@ -6,12 +6,8 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.display import Display
-from labutopia_lerobot.labware.parts.form import (
-    Block,
-    Form,
-    Rod,
-    feet,
-)
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form, Rod
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism

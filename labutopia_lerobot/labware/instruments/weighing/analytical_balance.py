@@ -6,7 +6,8 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.display import Display
-from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod, Turned, feet
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.pan import Pan
 from labutopia_lerobot.labware.parts.panel import leaning

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.display import Display
-from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod, feet
+from labutopia_lerobot.labware.parts.fittings import feet
+from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.pan import Pan
 from labutopia_lerobot.labware.parts.panel import leaning
