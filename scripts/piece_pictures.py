@@ -47,7 +47,8 @@ def makers() -> Iterator[Maker]:
 def _makes_a_piece(member: Any) -> bool:
     if inspect.isfunction(member):
         member = inspect.signature(member).return_annotation
-    return inspect.isclass(member) and all(
+    whole = inspect.isclass(member) and not inspect.isabstract(member)
+    return whole and all(
         hasattr(member, part) for part in ("add_to", "footprint_radius", "movable", "joints")
     )
 
