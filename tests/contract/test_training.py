@@ -16,6 +16,9 @@ SMALL = {
     # What makes a step of the paper's setting affordable here; nothing that it is about.
     "policies/act/train.json": ["--policy.pretrained_backbone_weights=null"],
     "policies/diffusion/train.json": ["--policy.down_dims=[32,64,128]"],
+    # Without it LeRobot refuses any `--policy.` option beside the path in the recipe.
+    "policies/smolvla/train.json": [f"--policy.path={tiny_vla.SMOLVLA}"],
+    "policies/pi0/train.json": [f"--policy.path={tiny_vla.PI0}"],
 }
 
 

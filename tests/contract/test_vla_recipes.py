@@ -148,7 +148,8 @@ def test_a_camera_that_was_not_recorded_leaves_its_slot_empty(workshop: Workshop
     two = "cameras=[front,top] root=outputs/datasets/two"
     workshop.run(f"{commands('smolvla')[RECORD]} {two}")
     dataset = "--dataset.root=outputs/datasets/two"
-    checkpoint = workshop.train("smolvla", "two", dataset, "--policy.empty_cameras=1")
+    blank = f"--policy.path={tiny_vla.SMOLVLA}", "--policy.empty_cameras=1"
+    checkpoint = workshop.train("smolvla", "two", dataset, *blank)
     inputs = json.loads((checkpoint / "config.json").read_text())["input_features"]
     assert {f"{IMAGES}camera3", f"{IMAGES}empty_camera_0"} <= inputs.keys()
     opened = open_checkpoint(checkpoint, None, Setting("level1/pick"))
