@@ -89,6 +89,11 @@ def picture(kind: str) -> Image.Image:
         for part in piece.mechanisms:
             endless = not model.jnt_limited[model.joint(part.joint).id]
             data.joint(part.joint).qpos = 0.3 * share if endless else share * part.widest
+        for gear in range(model.neq):  # what follows another joint
+            follower, leader = (
+                model.jnt_qposadr[j[gear]] for j in (model.eq_obj1id, model.eq_obj2id)
+            )
+            data.qpos[follower] = np.polyval(model.eq_data[gear, 4::-1], data.qpos[leader])
         points = np.vstack([shut, *_seen(model, data), [[low[0] - 0.035, 0.0, low[2]]]])
         _aim(model, points.min(axis=0), points.max(axis=0))
         mujoco.mj_forward(model, data)
