@@ -181,7 +181,7 @@ def test_a_beaker_put_down_elsewhere_has_not_been_put_back():
     env.reset(seed=0)
     pick, pour, place = env.workcell.task.skills
     elsewhere = replace(place, on=replace(place.on, left=place.on.left + 0.25))
-    assert play_skills(env, pick, pour, elsewhere, seed=0)["outcome"] == "timeout"
+    assert play_skills(env, pick, pour, elsewhere, seed=0)["outcome"] == "running"
 
 
 def test_water_flung_at_the_target_is_not_poured():

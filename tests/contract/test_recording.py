@@ -39,7 +39,7 @@ def test_lerobot_loads_it_with_the_declared_features(
     fixture: str, obs: str, request: pytest.FixtureRequest
 ) -> None:
     root = request.getfixturevalue(fixture)
-    setting = Setting("level1/pick", obs, ("wrist", "front"), 64, 48)
+    setting = Setting("level1/pick", obs, ("wrist", "front"), width=64, height=48)
     dataset = LeRobotDataset("local/pick", root=root)
     declared = dataset_features(setting)
     for key, feature in declared.items():
