@@ -45,7 +45,7 @@ demo: setup  ## Record, train and evaluate a small policy on a CPU, and print it
 test: lint  ## Check style and types, then run every test but the sweeps
 	$(PYTEST) -m "not slow"
 
-test-slow: setup  ## Run the sweeps: ten episodes of every expert, trainings, kills, leaks
+test-slow: setup  ## Run the sweeps: ten episodes of every expert, more attacks, trainings, kills, leaks
 	$(PYTEST) -m slow
 
 lint: setup  ## Check style, format and types
