@@ -1,0 +1,90 @@
+"""An emergency shower over an eyewash, on one column."""
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.slide import Slide
+
+
+@dataclass(frozen=True)
+class SafetyShower(Instrument):
+    """A safety shower: the triangle is pulled down, the eyewash's flag pushed back.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.625, 0.356, 2.254)
+    mass = 30.0
+    source = "2250 mm high, head of 210 mm (EN 15154-1 and -5 are alike); from memory"
+
+    @property
+    def pull(self) -> Slide:
+        """The triangle on its rod, which opens the shower."""
+        return Slide(f"{self.name}_pull", 0.080, friction=10.0, effort=40.0)
+
+    @property
+    def lever(self) -> Rotor:
+        """The flag that opens the eyewash."""
+        lever = f"{self.name}_lever"
+        return Rotor(lever, friction=0.4, effort=2.0, widest=math.radians(80.0))
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return self.pull, self.lever
+
+    def _forms(self) -> list[Form]:
+        bowl = ((0.020, 0.950), (0.080, 0.966), (0.122, 1.010), (0.130, 1.050))
+        inside = ((0.126, 1.050), (0.118, 1.012), (0.078, 0.972), (0.0, 0.972))
+        head = ((0.0, 0.0), (0.105, 0.0), (0.105, 0.015), (0.035, 0.060), (0.020, 0.110))
+        jets: list[Form] = []
+        for y in (-0.040, 0.040):
+            jets += [
+                Rod((-0.08, y, 0.960), (-0.08, y, 1.070), 0.012, "chrome"),
+                Turned(((0.0, 0.0), (0.022, 0.0), (0.026, 0.030)), "black", (-0.08, y, 1.070)),
+            ]
+        return [
+            Rod((0.25, 0, 0.0), (0.25, 0, 0.020), 0.240, "green"),
+            Rod((0.25, 0, 0.020), (0.25, 0, 2.250), 0.042, "green"),
+            Rod((0.25, 0, 2.230), (-0.17, 0, 2.230), 0.034, "green"),
+            Turned(head, "green", (-0.15, 0.0, 2.110)),
+            Rod((-0.15, 0, 2.108), (-0.15, 0, 2.112), 0.190, "yellow", touch=False),
+            Rod((0.05, 0.0, 2.230), (0.05, -0.055, 2.230), 0.048, "chrome"),
+            Rod((0.25, 0, 0.950), (-0.08, 0, 0.950), 0.034, "green"),
+            Turned(bowl, "green", (-0.08, 0.0, 0.0)),
+            Turned(inside, "steel", (-0.08, 0.0, 0.002), touch=False),
+            *jets,
+            Rod((0.15, -0.010, 0.950), (0.15, -0.045, 0.950), 0.030, "chrome"),
+            Block((0.222, 0.230), (-0.080, 0.080), (1.500, 1.660), "green", edge=0.001),
+            Block((0.220, 0.223), (-0.014, 0.014), (1.525, 1.635), "white", 0.0, touch=False),
+            Block((0.220, 0.223), (-0.055, 0.055), (1.566, 1.594), "white", 0.0, touch=False),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        down = (0.0, 0.0, -1.0)
+        pull = self.pull.add_to(spec, body, (0.05, -0.045, 2.204), down, balanced=True)
+        sides = ((0.0, -0.50), (0.09, -0.64), (-0.09, -0.64), (0.0, -0.50))
+        triangle: list[Form] = [
+            Rod((0, y, z), (0, far_y, far_z), 0.014, "yellow")
+            for (y, z), (far_y, far_z) in pairwise(sides)
+        ]
+        rod = Rod((0, 0, 0), (0, 0, -0.50), 0.010, "chrome")
+        assemble(spec, pull, self.name, [rod, *triangle], mass=0.6)
+        axis = (0.0, 1.0, 0.0)
+        lever = self.lever.add_to(spec, body, (0.15, -0.046, 0.950), axis, balanced=True)
+        flag: list[Form] = [
+            Rod((0, 0, 0), (0, -0.012, 0), 0.026, "chrome"),
+            Rod((0, -0.008, 0), (0, -0.130, 0.0), 0.010, "chrome"),
+            Rod((0, -0.130, 0), (-0.330, -0.130, 0.0), 0.010, "chrome"),
+            Block((-0.360, -0.326), (-0.180, -0.090), (-0.050, 0.050), "green", edge=0.006),
+        ]
+        assemble(spec, lever, self.name, flag, mass=0.4)

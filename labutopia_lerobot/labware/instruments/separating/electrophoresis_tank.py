@@ -1,0 +1,101 @@
+"""A gel electrophoresis tank with its power supply."""
+
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.fittings import feet, tub
+from labutopia_lerobot.labware.parts.form import Block, Form, Rod
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.panel import ON_FRONT
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.slide import Slide
+
+
+@dataclass(frozen=True)
+class ElectrophoresisTank(Instrument):
+    """A gel tank, whose lid with the leads is lifted off, beside its power supply.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.263, 0.313, 0.103)
+    mass = 3.2
+    source = "tank of 150 x 250 x 90 mm, supply of 120 x 230 x 100 mm, as usual; from memory"
+
+    @property
+    def lid(self) -> Slide:
+        """The lid with both leads, lifted off its plugs."""
+        return Slide(f"{self.name}_lid", 0.100, friction=2.0, effort=12.0)
+
+    @property
+    def voltage(self) -> Knob:
+        return Knob(f"{self.name}_voltage", diameter=0.036)
+
+    @property
+    def power(self) -> Rocker:
+        return Rocker(f"{self.name}_power", look="red")
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return self.lid, self.voltage, self.power
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The table on which the gel lies, in the middle of the tank."""
+        return (Place(f"{self.name}_table", self.name, (0.0, 0.075, 0.041), width=0.085),)
+
+    @property
+    def displays(self) -> tuple[Display, ...]:
+        voltage = Setting(self.voltage.joint, self.voltage.widest, 0, 300, "V", step=5)
+        return (Display(f"{self.name}_display", (0.080, 0.032), voltage, ink=(255, 90, 60)),)
+
+    def _forms(self) -> list[Form]:
+        y = 0.075
+        return [
+            *tub((-0.125, 0.125), (y - 0.075, y + 0.075), (0.004, 0.080), 0.005, "glass_edge"),
+            *feet(0.24, 0.18, 0.004),
+            Block((-0.055, 0.055), (y - 0.070, y + 0.070), (0.008, 0.041), "glass_edge", 0.001),
+            Block((-0.120, 0.120), (y - 0.070, y + 0.070), (0.009, 0.060), "water", touch=False),
+            *(
+                Block((x - 0.003, x + 0.003), (y - 0.068, y + 0.068), (0.010, 0.013), look, 0.0)
+                for x, look in ((-0.110, "black"), (0.110, "red"))
+            ),
+            *(
+                Rod((x, y, 0.012), (x, y, 0.078), 0.006, look, touch=False)
+                for x, look in ((-0.117, "black"), (0.117, "red"))
+            ),
+            Block((-0.115, 0.115), (-0.160, -0.030), (0.006, 0.100), "light_grey", edge=0.008),
+            Block((-0.1165, -0.100), (-0.152, -0.038), (0.012, 0.094), "anthracite"),
+            *(
+                Rod(
+                    (-0.1235, -0.095 + s * 0.012, 0.024),
+                    (-0.110, -0.095 + s * 0.012, 0.024),
+                    0.012,
+                    look,
+                )
+                for s, look in ((1, "black"), (-1, "red"))
+            ),
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        self.voltage.add_to(spec, self.name, body, (-0.1165, -0.125, 0.050), ON_FRONT)
+        self.power.add_to(spec, self.name, body, (-0.1165, -0.062, 0.046), ON_FRONT)
+        self.displays[0].add_to(spec, body, (-0.1168, -0.095, 0.077), ON_FRONT)
+        up = (0.0, 0.0, 1.0)
+        lid = self.lid.add_to(spec, body, (0.0, 0.075, 0.0805), up, balanced=True)
+        forms: list[Form] = [
+            Block((-0.128, 0.128), (-0.078, 0.078), (0.0, 0.004), "smoked", 0.001),
+            Rod((-0.117, 0, 0.003), (-0.117, 0, 0.022), 0.014, "black"),
+            Rod((0.117, 0, 0.003), (0.117, 0, 0.022), 0.014, "red"),
+            Block((-0.030, 0.030), (-0.010, 0.010), (0.003, 0.016), "anthracite"),
+        ]
+        assemble(spec, lid, self.name, forms, mass=0.25)

@@ -1,0 +1,81 @@
+"""An ice bucket."""
+
+import math
+from dataclasses import dataclass
+
+import mujoco
+
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned, about
+from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.rotor import Rotor
+
+
+@dataclass(frozen=True)
+class IceBucket(Instrument):
+    """A bucket of blue foam, full of ice: its bail is swung up to carry it.
+
+    Attributes:
+        name: Name of its root body; prefix of all its elements.
+    """
+
+    name: str
+    size = (0.276, 0.264, 0.230)
+    mass = 2.4
+    source = "240 mm across, 230 mm high, 4 l, as usual; from memory"
+    movable = True
+
+    @property
+    def bail(self) -> Rotor:
+        """The handle, which lies in front; it is swung up."""
+        return Rotor(f"{self.name}_bail", friction=0.1, effort=0.8, widest=math.radians(90.0))
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        return (self.bail,)
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The middle of the ice."""
+        return (Place(f"{self.name}_ice", self.name, (0.0, 0.0, 0.168), width=0.120),)
+
+    def _forms(self) -> list[Form]:
+        lumps: list[Form] = []
+        for n in range(24):
+            a, r = 2.4 * n, 0.016 * math.sqrt(n + 0.5)
+            x, y, z = r * math.cos(a), r * math.sin(a), 0.166
+            turn = about((0.6, 0.64, 0.48), 47.0 * n)
+            lumps.append(
+                Block(
+                    (x - 0.010, x + 0.010),
+                    (y - 0.010, y + 0.010),
+                    (z - 0.009, z + 0.009),
+                    "glass_edge",
+                    0.003,
+                    turn,
+                    touch=False,
+                )
+            )
+        wall = ((0.098, 0.004), (0.105, 0.100), (0.112, 0.210), (0.120, 0.214), (0.120, 0.230))
+        return [
+            Turned((*wall, (0.100, 0.230)), "blue", edge=0.003, touch=False),
+            Turned(((0.100, 0.230), (0.092, 0.120)), "light_blue", edge=0.0, touch=False),
+            Ring(0.190, 0.212, (0.004, 0.212), "blue", touch=True),
+            Ring(0.200, 0.238, (0.212, 0.2295), "blue", touch=True),
+            Rod((0, 0, 0.0), (0, 0, 0.020), 0.196, "blue"),
+            Rod((0, 0, 0.020), (0, 0, 0.168), 0.188, "ceramic"),
+            *lumps,
+        ]
+
+    def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        axis = (0.0, 1.0, 0.0)
+        bail = self.bail.add_to(spec, body, (0.0, 0.0, 0.222), axis, balanced=True)
+        y, reach = 0.126, 0.150
+        forms: list[Form] = [
+            *(Rod((0, s * 0.1215, 0), (0, s * 0.132, 0), 0.014, "white") for s in (-1, 1)),
+            *(Rod((0, s * y, 0), (-reach, s * y, 0), 0.008, "white") for s in (-1, 1)),
+            Rod((-reach, -y - 0.004, 0), (-reach, y + 0.004, 0), 0.012, "white"),
+        ]
+        assemble(spec, bail, self.name, forms, mass=0.08)
