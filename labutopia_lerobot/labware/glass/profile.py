@@ -75,6 +75,13 @@ class Profile:
         radii, heights = zip(*self.outer, strict=True)
         return float(np.interp(height, heights, radii))
 
+    def outer_height(self, radius: float) -> float:
+        """Return where the outside first is as wide as `radius`, no less than its base [m]."""
+        for (r, z), (s, top) in pairwise(self.outer):
+            if r <= radius < s:
+                return z + (top - z) * (radius - r) / (s - r)
+        return self.height
+
     def inner_radius(self, height: float) -> float:
         """Return the radius of the cavity at `height` [m], for heights above the inner bottom."""
         return self.outer_radius(height) - self.wall

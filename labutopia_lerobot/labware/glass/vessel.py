@@ -8,6 +8,7 @@ from itertools import pairwise
 import mujoco
 import numpy as np
 
+from labutopia_lerobot.labware.glass.material import BOROSILICATE, Material
 from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
 from labutopia_lerobot.labware.parts.contact import FRICTION
 from labutopia_lerobot.labware.parts.mesh import SEGMENTS, Mesh, bead, join, revolve
@@ -23,27 +24,32 @@ FEET = 8
 _FOOT_RADIUS = 0.004
 _FOOT_DEPTH = 0.0002  # how far the feet stand out below the bottom [m]
 
-_GLASS = (0.74, 0.87, 0.95, 0.26)
-_EDGES = (0.82, 0.93, 0.98, 0.80)  # lip and heel: thick glass, which makes the outline readable
-_BOTTOM = (0.68, 0.83, 0.92, 0.38)
-_PRINT = (0.97, 0.98, 1.0, 0.95)
+_WIDEST_BEAD = 0.002  # a thicker lip is drawn flat, not as a bead [m]
+_STEPS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 25, 50, 100, 200, 500, 1000, 2000)
+"""Of scales [ml]: the smallest with fewer than ten graduations is taken."""
 
 
 @dataclass(frozen=True)
 class Vessel(Loose):
-    """A glass vessel: a value, usable as a dictionary key; `add_to` makes its MuJoCo body.
+    """A vessel: a value, usable as a dictionary key; `add_to` makes its MuJoCo body.
 
     Attributes:
         name: Name of the body; prefix of the names of all its elements.
         profile: The wall's half cross-section, a `Profile`.
         grip_height: Height above the base at which a gripper closes [m].
         one_mark: Volume that the only graduation, a ring, marks [m^3]; None for a scale.
+        material: What it is made of.
+        stands: Whether it stands by itself; what does not has no feet, and its bottom is round.
+        graduated: Whether anything is printed on it.
     """
 
     name: str
     profile: Profile
     grip_height: float
     one_mark: float | None = None
+    material: Material = BOROSILICATE
+    stands: bool = True
+    graduated: bool = True
 
     @property
     def grip_width(self) -> float:
@@ -83,13 +89,13 @@ class Vessel(Loose):
 
     @property
     def mass(self) -> float:
-        """Mass of the glass [kg]."""
+        """Its mass when empty [kg]."""
         return self.mass_properties.mass
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        """Mass, centre of mass and principal inertia of the glass."""
-        return self.profile.mass_properties()
+        """Mass, centre of mass and principal inertia of the empty vessel."""
+        return self.profile.mass_properties(self.material.density)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build one jointless body into a spec (angles in radians), at the origin of the parent.
@@ -115,18 +121,16 @@ class Vessel(Loose):
         return body
 
     def _add_look(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
-        """Add the visual geoms: the two glass surfaces, the thick edges and the printed scale."""
-        outer, inner, wall = self.profile.outer, self.profile.inner, self.profile.wall
-        bottom = [(0.0, 0.0), *outer[:2], inner[0], (0.0, self.profile.bottom)]
-        lip = bead(outer[-1][0] - wall / 2, self.height, wall)
-        heel = bead(outer[0][0], wall, wall)
-        parts = (
-            ("inside", revolve(inner[::-1]), _GLASS, 0.6),
-            ("bottom", revolve(bottom), _BOTTOM, 0.1),
-            ("outside", revolve(outer), _GLASS, 0.9),
-            ("edges", join(revolve(lip), revolve(heel)), _EDGES, 0.9),
-            ("scale", self._scale(), _PRINT, 0.0),
-        )
+        """Add the visual geoms: the two surfaces, the thick edges and the printed scale."""
+        outer, inner, of = self.profile.outer, self.profile.inner, self.material
+        parts = [
+            ("inside", revolve(inner[::-1]), of.wall, 0.6),
+            ("bottom", revolve(self._bottom()), of.bottom, 0.1),
+            ("outside", revolve(outer), of.wall, of.shine),
+            ("edges", join(*self._edges()), of.edge, of.shine),
+        ]
+        if self.graduated:
+            parts.append(("scale", self._scale(), of.ink, 0.0))
         for part, (vertices, faces), rgba, specular in parts:
             name = f"{self.name}_{part}"
             spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.9)
@@ -147,13 +151,31 @@ class Vessel(Loose):
                 mass=0,
             )
 
+    def _bottom(self) -> list[Point]:
+        """Return the section of the bottom, from the axis below to the axis above."""
+        (foot, heel, *_), thick = self.profile.outer, self.profile.bottom
+        if heel[1] > 2 * thick:  # the outside goes on straight beyond the bottom
+            heel = (self.profile.outer_radius(thick), thick)
+        return [(0.0, 0.0), foot, heel, self.profile.inner[0], (0.0, thick)]
+
+    def _edges(self) -> list[Mesh]:
+        """Return the lip and, of what stands, the heel: where light goes along the wall."""
+        outer, wall = self.profile.outer, self.profile.wall
+        lip: list[Point] = [outer[-1], self.profile.inner[-1]]
+        if wall <= _WIDEST_BEAD:
+            lip = bead(outer[-1][0] - wall / 2, self.height, wall)
+        if not self.stands:
+            return [revolve(lip)]
+        thick = min(wall, 0.7 * self.profile.bottom)
+        return [revolve(lip), revolve(bead(outer[0][0], thick, thick))]
+
     def _scale(self) -> Mesh:
         """Return the printing as one mesh: the graduation, and a label at the back."""
         profile = self.profile
         if self.one_mark is not None:
             strips = [(profile.fill_height(self.one_mark), 0.0012, 0.0, 2 * np.pi)]
         else:
-            step = next(ml for ml in (10, 20, 25, 50, 100, 200, 500) if self.capacity < 10 * ml)
+            step = next(ml for ml in _STEPS if self.capacity < 10 * ml)
             levels = np.arange(step, 0.85 * self.capacity, step) * 1e-6
             strips = [(profile.fill_height(level), 0.0012, 0.0, 0.5) for level in levels]
         strips.append((0.3 * self.height, 0.16 * self.height, np.pi, 0.9))
@@ -167,23 +189,26 @@ class Vessel(Loose):
 
     def _add_base(self, body: mujoco.MjsBody) -> None:
         """Close the bottom with a disc, and stand it on a ring of small spheres as on its rim."""
-        radius, half = self.profile.outer[0][0], (self.profile.bottom - _FOOT_DEPTH) / 2
+        foot, wide, top = self.profile.outer[0][0], self.profile.inner[0][0], self.profile.bottom
+        under = _FOOT_DEPTH if foot >= wide else self.profile.outer_height(wide)
+        half = (top - under) / 2
         _add_collision_geom(
             body,
             name=f"{self.name}_floor",
             type=mujoco.mjtGeom.mjGEOM_CYLINDER,
-            size=(radius, half, 0),
-            pos=(0, 0, _FOOT_DEPTH + half),
+            size=(max(foot, wide), half, 0),
+            pos=(0, 0, under + half),
         )
-        ring = radius - _FOOT_RADIUS  # tilted, it then rolls on the edge of the disc
-        for foot in range(FEET):
-            angle = 2 * np.pi * foot / FEET
+        small = min(_FOOT_RADIUS, foot / 3, 1.5 * top)
+        ring = foot - small  # tilted, it then rolls on the edge of the disc
+        for number in range(FEET if self.stands else 0):
+            angle = 2 * np.pi * number / FEET
             _add_collision_geom(
                 body,
-                name=f"{self.name}_foot_{foot:02d}",
+                name=f"{self.name}_foot_{number:02d}",
                 type=mujoco.mjtGeom.mjGEOM_SPHERE,
-                size=(_FOOT_RADIUS, 0, 0),
-                pos=(ring * np.cos(angle), ring * np.sin(angle), _FOOT_RADIUS),
+                size=(small, 0, 0),
+                pos=(ring * np.cos(angle), ring * np.sin(angle), small),
             )
 
     def _add_wall(

@@ -1,0 +1,1 @@
+"""Tables of glass, porcelain and plastic ware, as in catalogues; `glass.series` reads them."""

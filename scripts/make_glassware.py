@@ -1,0 +1,158 @@
+"""`python scripts/make_glassware.py`: `docs/glassware.md`, every kind of ware in all its sizes."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+import piece_pictures
+from labutopia_lerobot.labware.glass.catalogue import catalogue
+from labutopia_lerobot.labware.glass.series import Series
+from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
+from labutopia_lerobot.sim.renderer import Renderer
+from word_tables import cell, code
+
+DOCS = Path(__file__).parents[1] / "docs"
+PAGE = DOCS / "glassware.md"
+PICTURES = DOCS / "glassware"
+
+WIDTH, HEIGHT = 640, 240
+"""Of a picture [pixels]."""
+_DETAIL = 2
+"""Pictures are drawn this many times larger and shrunk, which smooths their edges."""
+_GAP = 0.015
+"""Between two sizes in a row [m]."""
+_SCALE_IN_FRONT = (np.cos(np.pi / 2 + 0.2), 0.0, 0.0, np.sin(np.pi / 2 + 0.2))
+"""Turns what looks along x to the camera."""
+_HEAD = (
+    "size",
+    "diameter x height [mm]",
+    "wall, bottom [mm]",
+    "brimful [ml]",
+    "mass [g]",
+    "grip [mm]",
+)
+
+
+def main() -> None:
+    """Write the page and its pictures."""
+    PAGE.write_text(page())
+    PICTURES.mkdir(exist_ok=True)
+    for file in PICTURES.glob("*.jpg"):
+        file.unlink()
+    for kind, series in catalogue().items():
+        picture(series).save(PICTURES / f"{kind}.jpg", quality=76, optimize=True)
+
+
+def page() -> str:
+    """Return the page in Markdown."""
+    return "\n".join(_lines()).rstrip() + "\n"
+
+
+def _lines() -> Iterator[str]:
+    count = sum(len(series.sizes) for series in catalogue().values())
+    yield "# Glass, porcelain and plastic ware"
+    yield ""
+    yield "Made by `python scripts/make_glassware.py` from `labware/glass/ware`; do not edit."
+    yield f"{len(catalogue())} kinds, {count} kinds and sizes, beside the vessels of the tasks"
+    yield "(docs/vocabulary.md). The bar is 100 mm long, black and white by 50 mm. All are open"
+    yield "and round, without spout and lid, and hold liquid. What does not stand needs a rack, a"
+    yield 'ring or a hand. "From memory" means that no text of the standard was at hand.'
+    yield ""
+    yield '`labware.glass.catalogue.glassware("beaker_low", "250 ml", name="beaker")` makes one.'
+    for kind, series in catalogue().items():
+        yield from ("", f"## {code(kind)}", "", f"![{kind}](glassware/{kind}.jpg)", "")
+        stands = "" if series.stands else " It does not stand by itself."
+        of = series.material
+        yield f"{series.what} Of {of.called}, {of.density:g} kg/m3.{stands}"
+        yield f"Source: {series.source}."
+        yield ""
+        yield f"| {' | '.join(_HEAD)} |"
+        yield f"|{' --- |' * len(_HEAD)}"
+        for size in series.sizes:
+            yield f"| {' | '.join(cell(column) for column in _columns(series, size))} |"
+
+
+def _columns(series: Series, size: str) -> tuple[str, ...]:
+    vessel, (diameter, height, *_, wall, bottom) = series.vessel(size, "it"), series.sizes[size]
+    wide = vessel.grip_width
+    grip = f"{1e3 * wide:.0f} at {1e3 * vessel.grip_height:.0f}"
+    return (
+        size,
+        f"{diameter:g} x {height:g}",
+        f"{wall:g}, {bottom:g}",
+        _three(vessel.capacity),
+        _three(1e3 * vessel.mass),
+        grip if wide < FRANKA_HAND.element.upper else f"too wide: {grip}",
+    )
+
+
+def _three(number: float) -> str:
+    """Write a number with three digits that count, and no exponent."""
+    return f"{float(f'{number:.3g}'):g}"
+
+
+def picture(series: Series) -> Image.Image:
+    """Return all sizes of a kind in a row, the smallest first, beside a bar of 100 mm."""
+    spec = mujoco.MjSpec()
+    spec.compiler.degree = False
+    piece_pictures._add_surroundings(spec)
+    spec.visual.global_.offwidth, spec.visual.global_.offheight = _DETAIL * WIDTH, _DETAIL * HEIGHT
+    back = piece_pictures._FROM / np.linalg.norm(piece_pictures._FROM)
+    right = np.cross([0.0, 0.0, 1.0], back)
+    right /= np.linalg.norm(right)
+    gap = _GAP + 0.05 * max(vessel.footprint_radius for vessel in series.vessels)
+    corners, at = [], 0.0
+    for vessel in series.vessels:
+        radius = vessel.footprint_radius
+        middle = (at + radius) * right
+        vessel.add_to(spec, spec.worldbody.add_body(pos=middle, quat=_SCALE_IN_FRONT))
+        ring = [(radius * x, radius * y, 0.0) for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1))]
+        corners += [middle + foot + (0, 0, z) for foot in ring for z in (0.0, vessel.height)]
+        at += 2 * radius + gap
+    corners += _add_bar(spec, right, at)
+    model = spec.compile()
+    model.geom("floor").pos = (0.0, 0.0, -0.001)
+    model.camera("front").pos = _eye(np.array(corners), back, right)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    renderer = Renderer(model, _DETAIL * WIDTH, _DETAIL * HEIGHT)
+    drawn = Image.fromarray(renderer.color(data, "front"))
+    renderer.close()
+    return drawn.resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS)
+
+
+def _add_bar(
+    spec: mujoco.MjSpec, right: NDArray[np.float64], at: float
+) -> list[NDArray[np.float64]]:
+    """Add a bar of 100 mm along the row, from a place on it on; return its ends."""
+    turn = np.arctan2(right[1], right[0])
+    for number, grey in enumerate((0.95, 0.10)):
+        spec.worldbody.add_geom(
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            size=(0.025, 0.003, 0.003),
+            pos=(at + 0.025 + 0.05 * number) * right + (0.0, 0.0, 0.003),
+            quat=(np.cos(turn / 2), 0.0, 0.0, np.sin(turn / 2)),
+            rgba=(grey, grey, grey, 1.0),
+        )
+    return [at * right, (at + 0.1) * right]
+
+
+def _eye(
+    points: NDArray[np.float64], back: NDArray[np.float64], right: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return where the camera sees all points, with a little around them [m]."""
+    axes = np.column_stack([right, np.cross(back, right), back])
+    seen = points @ axes
+    middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
+    half = np.tan(np.radians(piece_pictures._FIELD_OF_VIEW_DEG / 2))
+    offset = abs(seen - middle) / (half * WIDTH / HEIGHT, half, 1.0)
+    away = float(np.max(np.maximum(offset[:, 0], offset[:, 1]) + seen[:, 2] - middle[2]))
+    return np.asarray(axes @ (middle + np.array([0.0, 0.0, 1.04 * away])))
+
+
+if __name__ == "__main__":
+    main()
