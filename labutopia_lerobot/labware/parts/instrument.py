@@ -11,14 +11,13 @@ from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.form import Form
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.mounting import Still
 from labutopia_lerobot.labware.parts.openable import Door, Drawer
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.solid import Vector
-from labutopia_lerobot.labware.parts.switch import Switch
-from labutopia_lerobot.world import Button
 
 
-class Equipment:
+class Equipment(Still):
     """What is known of every instrument.
 
     Each is a frozen dataclass with a `name`. Its origin is the centre of its base, z up, its front
@@ -41,14 +40,6 @@ class Equipment:
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
         """What moves on it, buttons excepted, in an order in which all of it can be opened."""
-        return ()
-
-    @property
-    def buttons(self) -> tuple[Button, ...]:
-        return ()
-
-    @property
-    def switches(self) -> tuple[Switch, ...]:
         return ()
 
     @property

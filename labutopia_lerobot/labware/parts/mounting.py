@@ -4,7 +4,7 @@ from labutopia_lerobot.labware.parts.switch import Switch
 from labutopia_lerobot.world import Button
 
 
-class _Still:
+class Still:
     """A `Piece` of which nothing moves or switches, unless it says otherwise."""
 
     @property
@@ -21,7 +21,7 @@ class _Still:
         return ()
 
 
-class Loose(_Still):
+class Loose(Still):
     """A piece that stands free, as glassware does."""
 
     @property
@@ -30,7 +30,7 @@ class Loose(_Still):
         return True
 
 
-class Fixed(_Still):
+class Fixed(Still):
     """A piece that is screwed to the bench or too heavy to be moved, as instruments are."""
 
     @property
