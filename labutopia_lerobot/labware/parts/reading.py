@@ -53,8 +53,8 @@ class Mass:
 
 
 @dataclass(frozen=True)
-class Setting:
-    """What a knob is set to, or how far something has moved.
+class Scale:
+    """A scale: what a knob is set to, or how far something has moved.
 
     Attributes:
         joint: Name of its joint.

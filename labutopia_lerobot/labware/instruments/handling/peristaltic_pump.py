@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
 
@@ -58,7 +58,7 @@ class PeristalticPump(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Setting(self.speed.joint, self.speed.widest, 0, 300, "rpm", step=5)
+        speed = Scale(self.speed.joint, self.speed.widest, 0, 300, "rpm", step=5)
         return (Display(f"{self.name}_display", (0.060, 0.024), speed),)
 
     def _forms(self) -> list[Form]:

@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -62,8 +62,8 @@ class SyringePump(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        dosed = Setting(self.carriage.joint, self.carriage.widest, 0.0, 50.0, "ml", step=0.1)
-        rate = Setting(self.rate.joint, self.rate.widest, 0.0, 60.0, "ml/h", step=0.5)
+        dosed = Scale(self.carriage.joint, self.carriage.widest, 0.0, 50.0, "ml", step=0.1)
+        rate = Scale(self.rate.joint, self.rate.widest, 0.0, 60.0, "ml/h", step=0.5)
         return (
             Display(f"{self.name}_volume", (0.070, 0.024), dosed),
             Display(f"{self.name}_flow", (0.070, 0.024), rate, ink=(255, 190, 90)),

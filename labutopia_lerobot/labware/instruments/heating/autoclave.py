@@ -21,7 +21,7 @@ from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.valve import HandWheel, Tap
 
 _R, _BORE, _TOP = 0.225, 0.150, 0.860
@@ -75,7 +75,7 @@ class Autoclave(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        time = Setting(self.time.joint, self.time.widest, 0, 60, "min")
+        time = Scale(self.time.joint, self.time.widest, 0, 60, "min")
         return (Display(f"{self.name}_display", (0.110, 0.040), time, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

@@ -12,7 +12,7 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 
 _ROWS, _COLUMNS = (0.007, 0.030, 0.053), (0.0345, 0.0115, -0.0115, -0.0345)
@@ -55,7 +55,7 @@ class DryBlockHeater(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Setting(self.heat.joint, self.heat.widest, 20, 130, "\u00b0C", step=0.5)
+        heat = Scale(self.heat.joint, self.heat.widest, 20, 130, "\u00b0C", step=0.5)
         return (Display(f"{self.name}_display", (0.080, 0.028), heat, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

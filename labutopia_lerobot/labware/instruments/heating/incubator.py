@@ -16,7 +16,7 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.shelf import Shelf
 
@@ -77,7 +77,7 @@ class Incubator(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Setting(self.heat.joint, self.heat.widest, 20, 70, "\u00b0C", step=0.1)
+        heat = Scale(self.heat.joint, self.heat.widest, 20, 70, "\u00b0C", step=0.1)
         return (Display(f"{self.name}_display", (0.120, 0.044), heat, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

@@ -15,7 +15,7 @@ from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.valve import Tap
 
@@ -65,7 +65,7 @@ class WaterBath(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Setting(self.heat.joint, self.heat.widest, 20, 100, "\u00b0C", step=0.5)
+        heat = Scale(self.heat.joint, self.heat.widest, 20, 100, "\u00b0C", step=0.5)
         return (Display(f"{self.name}_display", (0.080, 0.030), heat, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

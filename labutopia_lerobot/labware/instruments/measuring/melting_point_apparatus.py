@@ -12,7 +12,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -49,7 +49,7 @@ class MeltingPointApparatus(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Setting(self.heat.joint, self.heat.widest, 20.0, 360.0, "\u00b0C", step=0.1)
+        heat = Scale(self.heat.joint, self.heat.widest, 20.0, 360.0, "\u00b0C", step=0.1)
         return (Display(f"{self.name}_display", (0.080, 0.030), heat, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

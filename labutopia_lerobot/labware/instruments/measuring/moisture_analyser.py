@@ -18,7 +18,7 @@ from labutopia_lerobot.labware.parts.pan import Pan
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class MoistureAnalyser(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Setting(self.heat.joint, self.heat.widest, 40, 200, "\u00b0C")
+        heat = Scale(self.heat.joint, self.heat.widest, 40, 200, "\u00b0C")
         return (
             Display(f"{self.name}_mass", (0.080, 0.026), self.pan.reading(3, 60.0)),
             Display(f"{self.name}_temperature", (0.060, 0.020), heat, ink=(255, 90, 60)),

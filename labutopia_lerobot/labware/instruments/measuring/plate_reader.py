@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -62,7 +62,7 @@ class PlateReader(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        out = Setting(self.drawer.joint, self.drawer.widest, 0, 100, "% out", step=5)
+        out = Scale(self.drawer.joint, self.drawer.widest, 0, 100, "% out", step=5)
         return (Display(f"{self.name}_display", (0.110, 0.036), out),)
 
     def _forms(self) -> list[Form]:

@@ -12,7 +12,7 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
 
@@ -50,7 +50,7 @@ class Polarimeter(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        turn = Setting(self.analyser.joint, self.analyser.widest, 0.0, 360.0, "\u00b0", step=0.05)
+        turn = Scale(self.analyser.joint, self.analyser.widest, 0.0, 360.0, "\u00b0", step=0.05)
         return (Display(f"{self.name}_display", (0.070, 0.026), turn),)
 
     def _forms(self) -> list[Form]:

@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 
 
@@ -51,7 +51,7 @@ class Refractometer(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        n = Setting(self.index.joint, self.index.widest, 1.3, 1.7, "nD", step=0.0001)
+        n = Scale(self.index.joint, self.index.widest, 1.3, 1.7, "nD", step=0.0001)
         return (Display(f"{self.name}_display", (0.062, 0.022), n, (20, 30, 25), (165, 185, 160)),)
 
     def _forms(self) -> list[Form]:

@@ -15,7 +15,7 @@ from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -66,7 +66,7 @@ class Spectrophotometer(Instrument):
     @property
     def displays(self) -> tuple[Display, ...]:
         knob = self.wavelength
-        nm = Setting(knob.joint, knob.widest, 325, 1000, "nm")
+        nm = Scale(knob.joint, knob.widest, 325, 1000, "nm")
         return (Display(f"{self.name}_display", (0.100, 0.034), nm),)
 
     def _forms(self) -> list[Form]:

@@ -15,7 +15,7 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -66,7 +66,7 @@ class Titrator(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        dosed = Setting(self.piston.joint, self.piston.widest, 0.0, 20.0, "ml", step=0.001)
+        dosed = Scale(self.piston.joint, self.piston.widest, 0.0, 20.0, "ml", step=0.001)
         return (Display(f"{self.name}_display", (0.090, 0.030), dosed),)
 
     def _forms(self) -> list[Form]:

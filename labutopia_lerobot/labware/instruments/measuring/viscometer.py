@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -55,7 +55,7 @@ class Viscometer(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Setting(self.speed.joint, self.speed.widest, 0, 200, "rpm")
+        speed = Scale(self.speed.joint, self.speed.widest, 0, 200, "rpm")
         return (Display(f"{self.name}_display", (0.080, 0.032), speed),)
 
     def _forms(self) -> list[Form]:

@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.slide import Slide
 
 _ORBIT = 0.020
@@ -64,7 +64,7 @@ class OrbitalShaker(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Setting(self.speed.joint, self.speed.widest, 0, 300, "rpm", step=5)
+        speed = Scale(self.speed.joint, self.speed.widest, 0, 300, "rpm", step=5)
         return (Display(f"{self.name}_display", (0.080, 0.026), speed),)
 
     def _forms(self) -> list[Form]:

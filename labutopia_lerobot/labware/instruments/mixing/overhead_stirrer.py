@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -57,7 +57,7 @@ class OverheadStirrer(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Setting(self.speed.joint, self.speed.widest, 0, 2000, "rpm", step=10)
+        speed = Scale(self.speed.joint, self.speed.widest, 0, 2000, "rpm", step=10)
         return (Display(f"{self.name}_display", (0.060, 0.024), speed),)
 
     def _forms(self) -> list[Form]:

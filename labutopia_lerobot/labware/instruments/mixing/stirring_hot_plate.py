@@ -11,7 +11,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 
 _TOP = 0.095
 """Height of the plate [m]."""
@@ -57,8 +57,8 @@ class StirringHotPlate(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Setting(self.heat.joint, self.heat.widest, 20, 320, "\u00b0C")
-        speed = Setting(self.speed.joint, self.speed.widest, 0, 1500, "rpm", step=10)
+        heat = Scale(self.heat.joint, self.heat.widest, 20, 320, "\u00b0C")
+        speed = Scale(self.speed.joint, self.speed.widest, 0, 1500, "rpm", step=10)
         size = (0.046, 0.016)
         return (
             Display(f"{self.name}_temperature", size, heat, ink=(255, 130, 90)),

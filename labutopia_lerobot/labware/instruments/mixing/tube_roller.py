@@ -12,7 +12,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
 
@@ -49,7 +49,7 @@ class TubeRoller(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Setting(self.speed.joint, self.speed.widest, 0, 80, "rpm")
+        speed = Scale(self.speed.joint, self.speed.widest, 0, 80, "rpm")
         return (Display(f"{self.name}_display", (0.050, 0.020), speed),)
 
     def _forms(self) -> list[Form]:

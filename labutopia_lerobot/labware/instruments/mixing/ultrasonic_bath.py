@@ -15,7 +15,7 @@ from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class UltrasonicBath(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        minutes = Setting(self.minutes.joint, self.minutes.widest, 0, 30, "min", step=5)
+        minutes = Scale(self.minutes.joint, self.minutes.widest, 0, 30, "min", step=5)
         return (Display(f"{self.name}_display", (0.070, 0.026), minutes, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.slide import Sash
 from labutopia_lerobot.labware.parts.valve import Tap
 
@@ -70,7 +70,7 @@ class FumeHood(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        sash = Setting(self.sash.joint, _OPEN, 0, 100, "% open", step=5)
+        sash = Scale(self.sash.joint, _OPEN, 0, 100, "% open", step=5)
         return (Display(f"{self.name}_display", (0.080, 0.040), sash),)
 
     def _forms(self) -> list[Form]:

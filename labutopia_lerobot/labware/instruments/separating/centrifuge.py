@@ -17,7 +17,7 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 
 _BORES, _CIRCLE = 12, 0.070
@@ -79,8 +79,8 @@ class Centrifuge(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Setting(self.speed.joint, self.speed.widest, 0, 4000, "rpm", step=50)
-        time = Setting(self.time.joint, self.time.widest, 0, 30, "min")
+        speed = Scale(self.speed.joint, self.speed.widest, 0, 4000, "rpm", step=50)
+        time = Scale(self.time.joint, self.time.widest, 0, 30, "min")
         size = (0.078, 0.026)
         return Display(f"{self.name}_rpm", size, speed), Display(f"{self.name}_min", size, time)
 

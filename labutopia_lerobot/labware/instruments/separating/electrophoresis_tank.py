@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -55,7 +55,7 @@ class ElectrophoresisTank(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        voltage = Setting(self.voltage.joint, self.voltage.widest, 0, 300, "V", step=5)
+        voltage = Scale(self.voltage.joint, self.voltage.widest, 0, 300, "V", step=5)
         return (Display(f"{self.name}_display", (0.080, 0.032), voltage, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

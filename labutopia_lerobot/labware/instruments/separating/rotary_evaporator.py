@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, leaning
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.labware.parts.valve import Tap
@@ -66,8 +66,8 @@ class RotaryEvaporator(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Setting(self.heat.joint, self.heat.widest, 20, 100, "\u00b0C")
-        speed = Setting(self.speed.joint, self.speed.widest, 0, 280, "rpm", step=5)
+        heat = Scale(self.heat.joint, self.heat.widest, 20, 100, "\u00b0C")
+        speed = Scale(self.speed.joint, self.speed.widest, 0, 280, "rpm", step=5)
         bath = Display(f"{self.name}_temperature", (0.060, 0.022), heat, ink=(255, 130, 90))
         return bath, Display(f"{self.name}_rpm", (0.060, 0.022), speed)
 

@@ -12,7 +12,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Setting
+from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 
 
@@ -44,7 +44,7 @@ class VacuumPump(Instrument):
     @property
     def displays(self) -> tuple[Display, ...]:
         regulator = self.regulator
-        reading = Setting(regulator.joint, regulator.widest, 1013, 10, "mbar")
+        reading = Scale(regulator.joint, regulator.widest, 1013, 10, "mbar")
         return (Display(f"{self.name}_display", (0.072, 0.024), reading),)
 
     def _forms(self) -> list[Form]:
