@@ -1,6 +1,13 @@
-"""What LeRobot's programs for real robots drive: the environment as a `Robot`."""
+"""What LeRobot's programs for real robots drive: a `Robot`, and what a person moves it with."""
 
 from labutopia_lerobot.devices.config_robot import LabUtopiaRobotConfig
+from labutopia_lerobot.devices.config_teleoperator import LabUtopiaTeleoperatorConfig
 from labutopia_lerobot.devices.robot import LabUtopiaRobot
+from labutopia_lerobot.devices.teleoperator import LabUtopiaTeleoperator
 
-__all__ = ["LabUtopiaRobot", "LabUtopiaRobotConfig"]  # LeRobot looks here for the robot of a config
+__all__ = [  # LeRobot looks here for the device of a config
+    "LabUtopiaRobot",
+    "LabUtopiaRobotConfig",
+    "LabUtopiaTeleoperator",
+    "LabUtopiaTeleoperatorConfig",
+]

@@ -10,9 +10,9 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-import numpy as np
 import pytest
 
+from killing import killed_at_any_moment
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recording_folder import RecordingFolderError
 from labutopia_lerobot.datasets.tables import (
@@ -202,26 +202,12 @@ def test_an_extension_that_is_stopped_leaves_the_dataset_and_goes_on(
 
 @pytest.mark.slow
 def test_killed_at_ten_moments_it_ends_in_the_same_bytes(tmp_path: Path) -> None:
-    options = [*FILM, "episodes=4"]
-    whole = recording(tmp_path / "whole", *options)
-    root, rng = tmp_path / "dataset", np.random.default_rng(0)
-    command = [sys.executable, "-m", "labutopia_lerobot.cli.record", *options, f"root={root}"]
-    kills = 0
-    while not (root / RECORDING).exists() or (root / ".recording").exists():
-        before = time.monotonic()
-        process = subprocess.Popen(
-            [*command, "workers=2"], start_new_session=True, stderr=subprocess.DEVNULL
-        )
-        if kills == 10:
-            assert process.wait() == 0
-            break
-        # At any moment: before, while candidates are played, while they are put together.
-        patience = rng.uniform(0.0, 30.0)
-        while process.poll() is None and time.monotonic() - before < patience:
-            time.sleep(0.05)
-        if process.poll() is None:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-            kills += 1
-    assert kills > 0
-    assert_same_dataset(whole, root)
+    program = [sys.executable, "-m", "labutopia_lerobot.cli.record", *FILM, "episodes=4"]
+    whole, root = tmp_path / "whole", tmp_path / "dataset"
+    begun = time.monotonic()
+    subprocess.run([*program, f"root={whole}", "workers=2"], check=True)
+    within = time.monotonic() - begun
+    command = [*program, f"root={root}", "workers=2"]
+    for _ in killed_at_any_moment(command, times=10, within=within, folder=tmp_path):
+        assert_same_dataset(whole, root)
+        shutil.rmtree(root)

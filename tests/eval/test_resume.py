@@ -8,14 +8,13 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
-from contextlib import suppress
 from io import StringIO
 from pathlib import Path
 
-import numpy as np
 import pytest
 from rich.console import Console
 
+from killing import killed_at_any_moment
 from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
 from labutopia_lerobot.evaluation.evaluate import make_pairings
 from labutopia_lerobot.evaluation.films import film
@@ -81,30 +80,23 @@ def unfinished(begun: Path, tmp_path: Path) -> Path:
 def test_killed_at_ten_random_moments_it_ends_with_the_rows_of_an_uninterrupted_run(
     evaluate_program: Program, tmp_path: Path
 ) -> None:
-    out = tmp_path / "killed"
-    for seconds in np.random.default_rng(0).uniform(0.5, 12.0, size=10):
-        process = start(tmp_path, *COMMAND, "out=killed")
-        with suppress(subprocess.TimeoutExpired):
-            process.wait(seconds)
-            continue
-        os.killpg(process.pid, signal.SIGKILL)
-        process.communicate()
-    kept = (out / "rows.jsonl").read_text()
-    done = evaluate_program(*COMMAND, "out=killed")
-    assert done.returncode == 0, done.stderr
-    assert (out / "rows.jsonl").read_text().startswith(kept)
-    assert rows_in(out) == 40
+    begun = time.monotonic()
     whole = evaluate_program(*COMMAND, "out=whole")
     assert whole.returncode == 0, whole.stderr
-    resumed, uninterrupted = (
-        json.loads((tmp_path / name / "result.json").read_text()) for name in ("killed", "whole")
-    )
-    assert resumed["rows"] == uninterrupted["rows"]
-    assert [row["seed"] for row in resumed["rows"]] == list(range(100_000, 100_040))
-    assert resumed["summary"] == uninterrupted["summary"]
-    assert resumed["provenance"]["config"].pop("out") == "killed"
-    assert uninterrupted["provenance"]["config"].pop("out") == "whole"
-    assert resumed["provenance"] == uninterrupted["provenance"]
+    command = [sys.executable, str(RUN), *COMMAND, "out=killed"]
+    within = time.monotonic() - begun
+    for _ in killed_at_any_moment(command, times=10, within=within, folder=tmp_path):
+        resumed, uninterrupted = (
+            json.loads((tmp_path / name / "result.json").read_text())
+            for name in ("killed", "whole")
+        )
+        assert resumed["rows"] == uninterrupted["rows"]
+        assert [row["seed"] for row in resumed["rows"]] == list(range(100_000, 100_040))
+        assert resumed["summary"] == uninterrupted["summary"]
+        assert resumed["provenance"]["config"].pop("out") == "killed"
+        assert uninterrupted["provenance"]["config"].pop("out") == "whole"
+        assert resumed["provenance"] == uninterrupted["provenance"]
+        shutil.rmtree(tmp_path / "killed")
 
 
 @pytest.mark.slow
