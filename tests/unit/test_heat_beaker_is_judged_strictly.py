@@ -16,7 +16,7 @@ from labutopia_lerobot.skills.skill import Phase, arrived, waited
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return begun("level2/heat_beaker")
+    return begun("level2/heat_beaker", liquid="off")
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from labutopia_lerobot.skills.place import Place
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return begun("level1/place")
+    return begun("level1/place", liquid="off")
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def test_a_hand_on_the_plate_has_struck_it(env):
 
 
 def test_a_beaker_carried_nineteen_centimetres_high_is_not_transported():
-    env = begun("level2/transport_beaker")
+    env = begun("level2/transport_beaker", liquid="off")
     beaker, plate = things(env)
     info = play(env, Pick(beaker, lift=0.19), Place(beaker, OnTop(plate)))
     assert info["outcome"] == "running"

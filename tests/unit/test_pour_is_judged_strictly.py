@@ -26,7 +26,7 @@ def empty() -> LabEnv:
 
 @pytest.fixture(scope="module")
 def whole() -> LabEnv:
-    return begun("level2/pour_liquid")
+    return begun("level2/pour_liquid", liquid="off")
 
 
 def test_the_unspoilt_skill_pours_everything_and_spills_next_to_nothing(env):
@@ -77,39 +77,41 @@ def test_without_liquid_the_unspoilt_skill_succeeds_too(empty):
     assert play(empty, *empty.workcell.task.skills)["outcome"] == "success"
 
 
-def test_a_beaker_left_tilted_is_not_upright_again(env):
-    (pour,) = env.workcell.task.skills
-    info = play(env, replace(pour, pause_s=60.0))
+def test_a_beaker_left_tilted_is_not_upright_again(empty):
+    (pour,) = empty.workcell.task.skills
+    info = play(empty, replace(pour, pause_s=60.0))
     assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["poured"])
     assert info["substeps"]["righted"] == np.inf
 
 
-def test_a_beaker_held_aslant_afterwards_is_not_upright():
-    env = begun("level1/pour", particles=1000)  # of 300, one goes astray from so high
-    (pour,) = env.workcell.task.skills
+def test_a_beaker_held_aslant_afterwards_is_not_upright(empty):
+    (pour,) = empty.workcell.task.skills
     # High enough to clear the other.
-    info = play(env, replace(pour, drop=0.2), spoil=turning(0.26, "pour/stabilise"))
+    info = play(empty, replace(pour, drop=0.2), spoil=turning(0.26, "pour/stabilise"))
     assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["poured"])
     assert not info["facts"]["beaker upright within 10 deg"]
 
 
-def test_a_beaker_let_go_afterwards_is_dropped(env):
+def test_a_beaker_let_go_afterwards_is_dropped(empty):
     def let_go(expert, action):
-        if expert.label == "pour/tilt_back" and env.workcell.world.pose(beaker).tilt < 0.3:
+        if expert.label == "pour/tilt_back" and empty.workcell.world.pose(beaker).tilt < 0.3:
             action[-1] = PANDA.max_opening
 
-    beaker, _ = env.workcell.task.start
-    assert play(env, *env.workcell.task.skills, spoil=let_go)["outcome"] in {"dropped", "struck"}
+    beaker, _ = empty.workcell.task.start
+    assert play(empty, *empty.workcell.task.skills, spoil=let_go)["outcome"] in {
+        "dropped",
+        "struck",
+    }
 
 
-def test_a_target_that_is_run_into_has_been_struck(env):
+def test_a_target_that_is_run_into_has_been_struck(empty):
     def lean_on(expert, action):
         if expert.label == "pour/ready":
             action[1] += 0.3
 
-    info = play(env, *env.workcell.task.skills, spoil=lean_on)
+    info = play(empty, *empty.workcell.task.skills, spoil=lean_on)
     assert info["outcome"] == "struck"
 
 

@@ -15,7 +15,7 @@ from labutopia_lerobot.skills.shake import Shake
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return begun("level1/shake")
+    return begun("level1/shake", liquid="off")
 
 
 def shake(env: LabEnv) -> Shake:
@@ -80,7 +80,7 @@ def test_a_beaker_held_aslant_at_the_end_is_not_back_at_the_start(env):
 
 
 def test_a_beaker_lifted_nineteen_centimetres_is_not_picked():
-    env = begun("level2/shake_beaker")
+    env = begun("level2/shake_beaker", liquid="off")
     honest = shake(env)
     low = replace(honest, at=replace(honest.at, height=0.19))
     info = play(env, Pick(honest.thing, lift=0.19), low)
