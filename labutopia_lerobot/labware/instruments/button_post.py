@@ -1,6 +1,5 @@
 """A push button alone in a small box on a post, as those of the original's press tasks."""
 
-import math
 from dataclasses import dataclass
 
 import mujoco
@@ -14,6 +13,8 @@ from labutopia_lerobot.labware.parts.solid import CYLINDER, add_look, add_part
 
 _SIDE, _DEPTH = 0.080, 0.050
 """Front and depth of the box [m] (original: cubes of 0.08)."""
+_HALF_GAP = 0.085
+"""Half of the least distance of two of them, without `layout.CLEARANCE` [m]; ours."""
 _POST_RADIUS, _POST_LENGTH = 0.014, 0.50
 """Of the post, which goes down through the bench top, whatever the height of the box [m]."""
 
@@ -54,8 +55,11 @@ class ButtonPost(Equipment):
 
     @property
     def footprint_radius(self) -> float:
-        """Radius of the circle around its origin that it needs [m]."""
-        return math.hypot(_SIDE / 2, _DEPTH)
+        """Radius of the circle around its origin that it needs [m].
+
+        Beside what presses it: two are 0.18 m apart, half a hand, half a box and 4 cm.
+        """
+        return _HALF_GAP
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.
