@@ -41,8 +41,7 @@ def export(subject: Subject, out: Path) -> Summary:
     """
     require_writable(out)
     out.parent.mkdir(parents=True, exist_ok=True)
-    model = subject.spec.compile()
-    data = _start(model)
+    model, data = subject.model, _start(subject.model)
     if out.suffix in _MJCF:
         write_mjcf(subject.spec, out)
         again = mujoco.MjModel.from_xml_path(str(out))
@@ -72,7 +71,7 @@ def require_writable(out: Path) -> None:
         raise ExportError(f"'{out}' is a folder: name a file")
     if out.suffix in _USD and find_spec("pxr") is None:
         raise ExportError(
-            "OpenUSD needs usd-core: pip install 'labutopia-lerobot[usd]'; MJCF (.xml) does not"
+            "OpenUSD needs usd-core: pip install 'lerobot_env_labutopia[usd]'; MJCF (.xml) does not"
         )
 
 

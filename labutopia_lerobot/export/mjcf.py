@@ -9,14 +9,13 @@ from labutopia_lerobot.export.textures import texture_folder, write_texture
 
 
 def write_mjcf(spec: mujoco.MjSpec, out: Path) -> None:
-    """Write a compiled spec.
+    """Write a spec.
 
     Args:
         spec: What to write.
         out: The XML file; textures go into `<stem>_textures` beside it.
     """
     written = spec.copy()
-    written.compile()
     written.modelfiledir = str(out.parent)  # where it looks for the textures that it names
     folder = texture_folder(out)
     for texture in written.textures:

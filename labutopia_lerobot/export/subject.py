@@ -34,11 +34,13 @@ class Subject:
 
     Attributes:
         name: As files and models are called after it, such as `level1_pick`.
-        spec: The model, compiled; of a task with the keyframe `START`.
+        spec: The model; of a task with the keyframe `START`.
+        model: The same, compiled.
     """
 
     name: str
     spec: mujoco.MjSpec
+    model: mujoco.MjModel
 
 
 def find_subject(what: str, size: str | None = None, seed: int = 0) -> Subject:
@@ -128,5 +130,4 @@ def _task(task: str, seed: int) -> Subject:
 
 def _compiled(name: str, spec: mujoco.MjSpec) -> Subject:
     spec.modelname = name
-    spec.compile()
-    return Subject(name, spec)
+    return Subject(name, spec, spec.compile())

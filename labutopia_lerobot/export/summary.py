@@ -68,8 +68,7 @@ def summary_of_model(model: mujoco.MjModel, data: mujoco.MjData) -> Summary:
     joints = [joint for joint in range(model.njnt) if is_joint(model, joint)]
     geoms = range(model.ngeom)
     corners = [_geom_corners(model, data, g) for g in geoms if _is_told(model, g)]
-    corners += [_flex_corners(model, data, flex) for flex in range(model.nflex)]
-    points = np.vstack(corners)
+    points = np.vstack([*corners, *([data.flexvert_xpos] if model.nflex else [])])
     return Summary(
         moving=len(moving),
         drawn=sum(is_drawn(model, geom) for geom in geoms) + model.nflex,
@@ -91,27 +90,18 @@ def _is_told(model: mujoco.MjModel, geom: int) -> bool:
 
 
 def _geom_corners(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> NDArray[np.float64]:
-    """Return the corners of the box around a geom, along its own axes, world frame."""
-    centre, half = model.geom_aabb[geom, :3], model.geom_aabb[geom, 3:]
-    if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_PLANE:
-        side = [size or FAR for size in model.geom_size[geom, :2]]
-        centre, half = np.zeros(3), np.array([*side, 0.0])
-    turn: NDArray[np.float64] = data.geom_xmat[geom].reshape(3, 3)
-    corners: NDArray[np.float64] = (
-        box_corners(centre - half, centre + half) @ turn.T + data.geom_xpos[geom]
-    )
-    return corners
-
-
-def _flex_corners(model: mujoco.MjModel, data: mujoco.MjData, flex: int) -> NDArray[np.float64]:
-    """Return the corners of the box around something soft, along the axes of its root body."""
-    first = int(model.flex_vertadr[flex])
-    body = int(model.body_rootid[model.flex_vertbodyid[first]])
-    points = data.flexvert_xpos[first : first + int(model.flex_vertnum[flex])]
-    turn: NDArray[np.float64] = data.xmat[body].reshape(3, 3)
-    local = (points - data.xpos[body]) @ turn
-    corners: NDArray[np.float64] = box_corners(local.min(axis=0), local.max(axis=0)) @ turn.T
-    corners += data.xpos[body]
+    """Return the vertices of a mesh or the corners of the box around a shape, world frame."""
+    if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_MESH:
+        mesh = int(model.geom_dataid[geom])
+        start = int(model.mesh_vertadr[mesh])
+        points = model.mesh_vert[start : start + int(model.mesh_vertnum[mesh])]
+    elif model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_PLANE:
+        half = np.array([*(size or FAR for size in model.geom_size[geom, :2]), 0.0])
+        points = box_corners(-half, half)
+    else:
+        points = box_corners(-model.geom_aabb[geom, 3:], model.geom_aabb[geom, 3:])
+    corners: NDArray[np.float64] = points @ data.geom_xmat[geom].reshape(3, 3).T
+    corners += data.geom_xpos[geom]
     return corners
 
 

@@ -37,8 +37,12 @@ def summary_of_stage(out: Path) -> Summary:
 
 
 def _corners(shape: Usd.Prim) -> NDArray[np.float64]:
-    """Return the corners of the box around a shape, along its own axes, in the stage's frame."""
-    low, high = np.array(UsdGeom.Boundable(shape).GetExtentAttr().Get(), float)
+    """Return the points of a mesh or the corners of the box around a shape, stage's frame."""
+    if shape.IsA(UsdGeom.Mesh):
+        points = np.array(UsdGeom.Mesh(shape).GetPointsAttr().Get(), float)
+    else:
+        low, high = np.array(UsdGeom.Boundable(shape).GetExtentAttr().Get(), float)
+        points = box_corners(low, high)
     world = np.array(UsdGeom.Xformable(shape).ComputeLocalToWorldTransform(Usd.TimeCode.Default()))
-    corners: NDArray[np.float64] = box_corners(low, high) @ world[:3, :3] + world[3, :3]
+    corners: NDArray[np.float64] = points @ world[:3, :3] + world[3, :3]
     return corners
