@@ -100,16 +100,19 @@ def test_what_is_exported_can_be_moved(tmp_path):
     assert str(tmp_path) not in file.read_text()
 
 
-def test_the_exported_start_of_a_task_stands_still(tmp_path):
-    export(find_subject("level1/pick", seed=3), tmp_path / "pick.xml")
-    model = mujoco.MjModel.from_xml_path(str(tmp_path / "pick.xml"))
+@pytest.mark.parametrize(
+    ("task", "thing"), [("level1/pick", "flask"), ("level1/squeeze", "beaker")]
+)
+def test_the_exported_start_of_a_task_stands_still(tmp_path, task, thing):
+    export(find_subject(task, seed=3), tmp_path / "start.xml")
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "start.xml"))
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    drawn = data.body("flask").xpos.copy()  # as a viewer shows it before a keyframe is loaded
+    drawn = data.body(thing).xpos.copy()  # as a viewer shows it before a keyframe is loaded
     mujoco.mj_resetDataKeyframe(model, data, model.key("start").id)
     mujoco.mj_forward(model, data)
     start = data.xpos.copy()
-    assert drawn == pytest.approx(data.body("flask").xpos, abs=1e-5)
+    assert drawn == pytest.approx(data.body(thing).xpos, abs=1e-5)
     mujoco.mj_step(model, data, 600)
     assert np.abs(data.xpos - start).max() < 0.002
 
