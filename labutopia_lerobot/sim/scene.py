@@ -13,8 +13,9 @@ from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.robots.set_points import SPAN
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.views import View
-from labutopia_lerobot.setting import PARTICLES
+from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
 from labutopia_lerobot.sim.displacement import SqueezeBottle
+from labutopia_lerobot.sim.filament_light import light_for_filament
 from labutopia_lerobot.sim.memory import Memory
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
@@ -73,6 +74,7 @@ def compile_scene(
     view: View,
     contents: Mapping[Piece, Filling] | None = None,
     particles: int = PARTICLES,
+    renderer: str = CLASSIC,
 ) -> Scene:
     """Put the robot and the pieces into the room and compile.
 
@@ -83,7 +85,9 @@ def compile_scene(
     memory = _memory(pieces, robot)
     spec.nuserdata = memory.size
     contents = contents or {}
-    liquid = _drawing(spec, contents, particles) if contents else None
+    liquid = _drawing(spec, contents, particles, renderer == CLASSIC) if contents else None
+    if renderer == FILAMENT:
+        light_for_filament(spec)
     model = spec.compile()
     groups, group_of_geom = _contact_groups(model, robot)
     return Scene(
@@ -145,12 +149,12 @@ def _memory(pieces: tuple[Piece, ...], robot: Robot) -> Memory:
 
 
 def _drawing(
-    spec: mujoco.MjSpec, contents: Mapping[Piece, Filling], particles: int
+    spec: mujoco.MjSpec, contents: Mapping[Piece, Filling], particles: int, skin: bool
 ) -> LiquidDrawing:
     volume = sum(filling.volume for filling in contents.values()) / particles
     colors = {filling.of: filling.substance.rgba for filling in contents.values()}
     name, spacing = " and ".join(colors), volume ** (1 / 3)
-    return LiquidDrawing.add_to(spec, name, list(colors.values()), spacing, particles)
+    return LiquidDrawing.add_to(spec, name, list(colors.values()), spacing, particles, skin)
 
 
 def _contact_groups(
