@@ -96,6 +96,9 @@ class Looks:
         sampler.CreateInput("st", kinds.Float2).ConnectToSource(st)
         for axis in ("wrapS", "wrapT"):
             sampler.CreateInput(axis, kinds.Token).Set("repeat")
+        if model.tex_nchannel[texture] == 4:
+            alpha = sampler.CreateOutput("a", kinds.Float)
+            shader.GetInput("opacity").ConnectToSource(alpha)
         rgb = sampler.CreateOutput("rgb", kinds.Float3)
         shader.GetInput("diffuseColor").ConnectToSource(rgb)
         if glow:
