@@ -26,7 +26,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 help:  ## List the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-setup: $(PACKAGES) $(LIBRARIES) $(CHROMIUM)  ## Create .venv with the pinned packages; OpenGL, FFmpeg
+setup: $(PACKAGES) $(LIBRARIES) $(CHROMIUM)  ## Create .venv with the pinned packages; OpenGL, Vulkan, FFmpeg
 
 # The main job in small, with the commands that a user types.
 demo: setup  ## Record, train and evaluate a small policy on a CPU, and print its table

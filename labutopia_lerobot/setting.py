@@ -26,6 +26,10 @@ OBSERVATION_KINDS = ("pixels", "state")
 LIQUID = ("on", "off")
 """Whether what the task's vessels hold is simulated."""
 
+CLASSIC, FILAMENT = "classic", "filament"
+RENDERERS = (CLASSIC, FILAMENT)
+"""What draws: MuJoCo's OpenGL renderer, or its physically based one, which needs Vulkan."""
+
 CAMERAS = ("front", "top", "wrist")
 """Every camera of a scene: facing the robot, overhead, on the hand."""
 
@@ -70,6 +74,7 @@ class Setting:
         particles: In how many particles the liquid of a task is divided.
         robot: What plays, an arm of `robots.ROBOTS`.
         room: Where, one of `scenes.ROOMS`.
+        renderer: `classic` (OpenGL) or `filament` (physically based, needs Vulkan; colours only).
         step: A step of the task, such as 3_place, to be played alone: the expert plays those
             before it, and the episode is over when it is done; null for the whole task.
 
@@ -91,6 +96,7 @@ class Setting:
     particles: int = PARTICLES
     robot: str = DEFAULT_ROBOT
     room: str = DEFAULT_ROOM
+    renderer: str = CLASSIC
     step: str | None = None
 
     def __post_init__(self) -> None:
@@ -104,6 +110,7 @@ class Setting:
         require_choices("liquid", [self.liquid], LIQUID)
         require_choices("robot", [self.robot], ROBOTS)
         require_choices("room", [self.room], ROOMS)
+        require_choices("renderer", [self.renderer], RENDERERS)
         require_choices("cameras", self.cameras, CAMERAS)
         if not self.cameras or len(set(self.cameras)) < len(self.cameras):
             raise UnknownOptionError(
@@ -115,6 +122,10 @@ class Setting:
             raise UnknownOptionError(
                 f"extras={list(self.extras)} needs cameras: choose obs=pixels, or of extras only "
                 f"{FORCES}"
+            )
+        if self.renderer == FILAMENT and not set(self.extras) <= {FORCES}:
+            raise UnknownOptionError(
+                f"extras={list(self.extras)} needs renderer=classic: {FILAMENT} draws colours only"
             )
         object.__setattr__(self, "extras", tuple(e for e in EXTRAS if e in self.extras))
         require_between("particles", self.particles, 1, 100_000)

@@ -1,16 +1,22 @@
 #!/usr/bin/env bash
-# Makes sure that MuJoCo can draw without a display and that LeRobot's fast video decoder finds
-# FFmpeg's libraries: tries both, and where one does not work, installs Mesa's software renderer or
-# FFmpeg with apt-get if that is allowed, else prints the command to type. Only drawing is a must:
-# without FFmpeg's libraries LeRobot decodes with PyAV, which takes longer and cannot stream.
+# Makes sure that MuJoCo can draw without a display, with OpenGL and with Vulkan, and that LeRobot's
+# fast video decoder finds FFmpeg's libraries: tries each, and where one does not work, installs
+# Mesa's software renderers or FFmpeg with apt-get if that is allowed, else prints the command to
+# type. Only OpenGL is a must: without Vulkan there is no renderer=filament, and without FFmpeg's
+# libraries LeRobot decodes with PyAV, which takes longer and cannot stream.
 # Usage: install_system_libraries.sh PYTHON
 set -euo pipefail
 python=$1
 opengl="libegl1 libgl1 libgl1-mesa-dri"
+vulkan="libvulkan1 mesa-vulkan-drivers"
 ffmpeg="ffmpeg"
 
 draws_headless() {
     MUJOCO_GL=egl "$python" -c 'import mujoco; mujoco.GLContext(8, 8).make_current()'
+}
+
+finds_vulkan() {
+    "$python" -c 'from labutopia_lerobot.sim.vulkan import vulkan_device; raise SystemExit(vulkan_device() is None)'
 }
 
 decodes() {
@@ -39,6 +45,12 @@ if ! reason=$(draws_headless 2>&1); then
     echo "Install headless OpenGL (elsewhere than on Debian and Ubuntu: Mesa with EGL), then repeat the make command:" >&2
     echo "    sudo apt-get update && sudo apt-get install -y $opengl" >&2
     exit 1
+fi
+
+finds_vulkan 2>/dev/null || install "$vulkan"
+if ! finds_vulkan 2>/dev/null; then
+    echo "There is no Vulkan: renderer=filament and its tests are left out. To have them:" >&2
+    echo "    sudo apt-get update && sudo apt-get install -y $vulkan" >&2
 fi
 
 decodes 2>/dev/null || install "$ffmpeg"

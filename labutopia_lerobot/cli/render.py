@@ -17,7 +17,7 @@ from labutopia_lerobot.datasets.rendering import render
 from labutopia_lerobot.datasets.tables import INFO, read_json
 from labutopia_lerobot.setting import Setting
 
-_DRAWING = ("cameras", "extras", "width", "height")
+_DRAWING = ("cameras", "extras", "width", "height", "renderer")
 """Fields of `Setting` on which pictures depend and, but for forces, nothing else."""
 
 

@@ -27,7 +27,7 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.runtime.workers import become_worker
 from labutopia_lerobot.setting import CAMERAS, Setting
-from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.sim.renderers import renderer_name
 
 POLICY_CAMERAS = ("front", "top")
 """What the paper's ACT and Diffusion Policy look through ("Model Input And Output")."""
@@ -95,7 +95,7 @@ def measure(
     return {
         **figures,
         "demos_per_hour": demonstrations,
-        "renderer": opengl_renderer_name(),
+        "renderer": renderer_name(base.renderer),
         "cores": cores,
         "versions": {package: version(package) for package in _PACKAGES},
     }

@@ -22,7 +22,7 @@ from labutopia_lerobot.runtime.video import VideoWriter
 from labutopia_lerobot.runtime.workers import become_worker
 from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.sim.renderers import renderer_name
 from labutopia_lerobot.task import SUCCESS
 
 SUMMARY = "candidate.json"
@@ -183,7 +183,7 @@ def _summary(env: LabEnv, seed: int, index: int, demonstration: Demonstration) -
         cause=demonstration.cause,
         frames=demonstration.frames,
         machine=machine(),
-        renderer=opengl_renderer_name() if env.setting.obs == "pixels" else "",
+        renderer=renderer_name(env.setting.renderer) if env.setting.obs == "pixels" else "",
         drawn=info["drawn"],
         volumes={name: value for name, value in info.items() if name.startswith("ml_")},
         instruction=env.task,

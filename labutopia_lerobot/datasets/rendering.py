@@ -55,7 +55,7 @@ from labutopia_lerobot.pictures import camera_and_kind, picture_names
 from labutopia_lerobot.runtime.provenance import machine
 from labutopia_lerobot.runtime.video import VideoWriter
 from labutopia_lerobot.setting import FORCES
-from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.sim.renderers import renderer_name
 
 _SOURCE = "source"
 """Folder of the episodes as they are, beside those that are drawn anew."""
@@ -141,7 +141,8 @@ def _draw_all(
             _require_faithful(root, row, played)
             arrays: dict[str, Any] = _columns(source / place.name / COLUMNS)
             np.savez(unfinished / COLUMNS, **(arrays | drawing.statistics()))
-            candidate = replace(before, machine=machine(), renderer=opengl_renderer_name())
+            drawn_by = renderer_name(config.setting(before.task).renderer)
+            candidate = replace(before, machine=machine(), renderer=drawn_by)
             (unfinished / SUMMARY).write_text(json.dumps(asdict(candidate)))
             unfinished.rename(place)
             watcher.played(candidate)

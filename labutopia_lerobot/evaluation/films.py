@@ -12,21 +12,23 @@ from labutopia_lerobot.evaluation.result import film_of, film_of_expert
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
 from labutopia_lerobot.runtime.video import write_video
 from labutopia_lerobot.setting import IMAGE_SIZE
-from labutopia_lerobot.sim.renderer import NoOpenGLError, require_opengl
+from labutopia_lerobot.sim.renderer import NoOpenGLError
+from labutopia_lerobot.sim.renderers import require_renderer
 from labutopia_lerobot.task import POLICY_UNREACHABLE, RUNNING
 
 _CAMERA = "front"
 _EXPERT = "expert"
 
 
-def require_camera() -> None:
-    """Make sure, before hours of playing, that films can be drawn.
+def require_camera(renderer: str) -> None:
+    """Make sure, before hours of playing, that films can be drawn by a kind of renderer.
 
     Raises:
-        NoOpenGLError: If there is no OpenGL.
+        NoFilamentError: If it is Filament, and there is no Vulkan.
+        NoOpenGLError: If it is the classic one, and there is no OpenGL.
     """
     try:
-        require_opengl()
+        require_renderer(renderer)
     except NoOpenGLError as error:
         raise NoOpenGLError(f"{error}\nvideos=0 films nothing and needs no OpenGL.") from None
 

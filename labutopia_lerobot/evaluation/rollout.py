@@ -13,7 +13,7 @@ from labutopia_lerobot.evaluation.precision import Precision
 from labutopia_lerobot.evaluation.row import SINGLE, Row, Series
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.sim.renderers import renderer_name
 from labutopia_lerobot.sim.workcell import Workcell
 from labutopia_lerobot.task import POLICY_UNREACHABLE
 from labutopia_lerobot.world import CONTROL_HZ
@@ -98,11 +98,15 @@ def _play(pairing: Pairing, seed: int) -> Episode:
         expert_failure=getattr(policy, "failure", None),
         cause=cause_of(row),
         device=getattr(policy, "device", None),
-        renderer=opengl_renderer_name() if pairing.setting.obs == "pixels" else None,
+        renderer=_seen_through(pairing.setting),
     )
     elements = env.workcell.simulation.command.size
     commanded = np.array(actions, dtype=np.float32).reshape(len(actions), elements)
     return Episode(pairing, row, commanded)
+
+
+def _seen_through(setting: Setting) -> str | None:
+    return renderer_name(setting.renderer) if setting.obs == "pixels" else None
 
 
 @lru_cache(maxsize=1)

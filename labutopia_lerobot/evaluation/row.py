@@ -9,6 +9,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.robots import DEFAULT_ROBOT
 from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.scenes import DEFAULT_ROOM
+from labutopia_lerobot.setting import FILAMENT
 
 SINGLE = "single"
 """One policy plays all steps (the paper's SP and, step by step, S1 to Sk)."""
@@ -114,6 +115,11 @@ class Row:
     deg_off_place: float | None = None
     unwanted_contacts: dict[str, int] | None = None
     step: str | None = None
+
+    @property
+    def seen_through_filament(self) -> bool:
+        """Whether the pictures that the policy saw were Filament's (see `sim.renderers`)."""
+        return self.renderer is not None and self.renderer.casefold().startswith(FILAMENT)
 
     @property
     def series(self) -> Series:

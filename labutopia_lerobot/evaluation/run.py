@@ -44,7 +44,7 @@ def run(config: EvaluationConfig, console: Console) -> Path | None:
         return None
     pairings = make_pairings(config)
     if config.videos:
-        require_camera()
+        require_camera(pairings[0].setting.renderer)
     began = origin(config, pairings)
     with claim(Path(config.out), began) as folder:
         episodes = _play(config, pairings, folder)

@@ -13,8 +13,9 @@ from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.robots.set_points import SPAN
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.views import View
-from labutopia_lerobot.setting import PARTICLES
+from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
 from labutopia_lerobot.sim.displacement import SqueezeBottle
+from labutopia_lerobot.sim.filament_light import light_for_filament
 from labutopia_lerobot.sim.memory import Memory
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
@@ -73,13 +74,46 @@ def compile_scene(
     view: View,
     contents: Mapping[Piece, Filling] | None = None,
     particles: int = PARTICLES,
+    renderer: str = CLASSIC,
 ) -> Scene:
     """Put the robot and the pieces into the room and compile.
 
     Pieces stand at the world's origin; a reset puts them where the layout says.
     """
     pieces = tuple(pieces)
+    spec = scene_spec(pieces, robot, room, view)
+    memory = _memory(pieces, robot)
+    spec.nuserdata = memory.size
+    contents = contents or {}
+    liquid = _drawing(spec, contents, particles, renderer == CLASSIC) if contents else None
+    if renderer == FILAMENT:
+        light_for_filament(spec)
+    model = spec.compile()
+    groups, group_of_geom = _contact_groups(model, robot)
+    return Scene(
+        model, robot, room, pieces, memory, groups, group_of_geom, contents, particles, liquid
+    )
+
+
+def scene_spec(pieces: Iterable[Piece], robot: Robot, room: Room, view: View) -> mujoco.MjSpec:
+    """Return the room with the robot and the pieces in it; what stands free has a free joint."""
     spec = room.build(view)
+    set_options(spec)
+    add_robot(spec, robot, room)
+    for piece in pieces:
+        body = piece.add_to(spec, spec.worldbody)
+        if piece.movable:
+            body.add_freejoint(name=f"{piece.name}_free")
+    if spec.flexes:
+        # The only integrator that is implicit in position: explicit ones need steps far below a
+        # millisecond for elastic bodies, implicitfast refuses them, of which this is a sibling
+        # (MuJoCo documentation, "Integrators", "Deformables").
+        spec.option.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
+    return spec
+
+
+def set_options(spec: mujoco.MjSpec) -> None:
+    """Set how a spec is stepped and drawn."""
     spec.option.timestep = 1.0 / PHYSICS_HZ
     # Elliptic cones with a high friction impedance keep a friction grasp from creeping
     # (MuJoCo documentation, "Preventing slip"): a held rod by 0.10 mm in 20 s; by 1.2 mm with 10
@@ -96,26 +130,6 @@ def compile_scene(
     spec.stat.extent = 1.0  # so that the clipping planes are in metres
     spec.visual.map.znear = 0.01
     spec.visual.map.zfar = 20.0
-
-    add_robot(spec, robot, room)
-    for piece in pieces:
-        body = piece.add_to(spec, spec.worldbody)
-        if piece.movable:
-            body.add_freejoint(name=f"{piece.name}_free")
-    if spec.flexes:
-        # The only integrator that is implicit in position: explicit ones need steps far below a
-        # millisecond for elastic bodies, implicitfast refuses them, of which this is a sibling
-        # (MuJoCo documentation, "Integrators", "Deformables").
-        spec.option.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
-    memory = _memory(pieces, robot)
-    spec.nuserdata = memory.size
-    contents = contents or {}
-    liquid = _drawing(spec, contents, particles) if contents else None
-    model = spec.compile()
-    groups, group_of_geom = _contact_groups(model, robot)
-    return Scene(
-        model, robot, room, pieces, memory, groups, group_of_geom, contents, particles, liquid
-    )
 
 
 def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
@@ -135,12 +149,12 @@ def _memory(pieces: tuple[Piece, ...], robot: Robot) -> Memory:
 
 
 def _drawing(
-    spec: mujoco.MjSpec, contents: Mapping[Piece, Filling], particles: int
+    spec: mujoco.MjSpec, contents: Mapping[Piece, Filling], particles: int, skin: bool
 ) -> LiquidDrawing:
     volume = sum(filling.volume for filling in contents.values()) / particles
     colors = {filling.of: filling.substance.rgba for filling in contents.values()}
     name, spacing = " and ".join(colors), volume ** (1 / 3)
-    return LiquidDrawing.add_to(spec, name, list(colors.values()), spacing, particles)
+    return LiquidDrawing.add_to(spec, name, list(colors.values()), spacing, particles, skin)
 
 
 def _contact_groups(

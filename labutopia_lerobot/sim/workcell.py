@@ -20,7 +20,7 @@ from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import DEPTH, SEGMENTATION, Setting
 from labutopia_lerobot.sim.appearance import Appearance
 from labutopia_lerobot.sim.motion import ReactiveMotion
-from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.renderers import Renderer, open_renderer
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.segments import segment_names, segment_of_body
 from labutopia_lerobot.sim.simulation import Simulation
@@ -53,7 +53,9 @@ class Workcell:
         pieces = (*task.start, *scenario.variation.bystanders)
         robot, room = load_robot(setting.robot), load_room(setting.room)
         self._workspace = Workspace.of(room, robot)
-        scene = compile_scene(pieces, robot, room, task.view, task.contents, setting.particles)
+        scene = compile_scene(
+            pieces, robot, room, task.view, task.contents, setting.particles, setting.renderer
+        )
         self.simulation = Simulation(scene)
         self.world = SimulatedWorld(self.simulation)
         self.filter = ActionFilter(robot, HandKinematics(scene.model, robot))
@@ -68,16 +70,18 @@ class Workcell:
 
     @cached_property
     def renderer(self) -> Renderer:
-        """The renderer, whose OpenGL context is made at first use.
+        """The renderer of the setting, made at first use.
 
         Raises:
-            NoOpenGLError: If there is no working OpenGL.
+            NoFilamentError: If it is Filament, and there is no Vulkan.
+            NoOpenGLError: If it is the classic one, and there is no working OpenGL.
         """
         scene = self.simulation.scene
         liquids = [] if scene.liquid is None else [scene.liquid]
         equipment = [piece for piece in scene.pieces if isinstance(piece, Equipment)]
         displays = [display for piece in equipment for display in piece.displays]
-        return Renderer(scene.model, self._setting.width, self._setting.height, liquids, displays)
+        size = self._setting.width, self._setting.height
+        return open_renderer(self._setting.renderer, scene.model, *size, liquids, displays)
 
     def expert(self, skills: Sequence[Skill] | None = None) -> Expert:
         """Return an expert that plays skills, those of `steps` by default; `start` it."""
@@ -187,7 +191,7 @@ class Workcell:
         }
 
     def close(self) -> None:
-        """Give the OpenGL context back."""
+        """Give what the renderer holds back."""
         renderer = self.__dict__.pop("renderer", None)
         if renderer is not None:
             renderer.close()

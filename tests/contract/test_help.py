@@ -114,6 +114,7 @@ def test_every_installed_program_is_there():
         "render",
         "replay",
         "report",
+        "scene",
         "verify",
         "view",
     }
@@ -130,7 +131,7 @@ def test_replaying_no_episode_is_a_mistake(monkeypatch, capsys):
 
 
 def test_the_benchmark_tells_of_every_measurement_before_it_begins(monkeypatch, capsys):
-    for measurement in ("_fps", "_solver_speed", "_record", "opengl_renderer_name"):
+    for measurement in ("_fps", "_solver_speed", "_record", "renderer_name"):
         monkeypatch.setattr(speed, measurement, lambda *arguments: 1)
     monkeypatch.setattr(sys, "argv", ["labutopia-bench", "level1/pick", "--json"])
     bench.main()

@@ -2,6 +2,7 @@
 
 import csv
 import io
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -106,6 +107,13 @@ def test_two_checkpoints_of_one_kind_are_told_apart(tmp_path: Path) -> None:
 def test_what_is_unusual_about_a_policy_is_told() -> None:
     rows = written("level1/pick", "act", 0.9, n=3, obs="state")
     assert [entry.policy for entry in entries([result(*rows)])] == ["act, state"]
+
+
+def test_who_saw_filaments_pictures_is_never_in_one_line_with_who_saw_others() -> None:
+    classic = written("level1/pick", "act", 0.9, n=3)
+    filament = [replace(row, seed=row.seed + 9, renderer="Filament on llvmpipe") for row in classic]
+    told = {entry.policy: len(entry.rows) for entry in entries([result(*classic, *filament)])}
+    assert told == {"act": 3, "act, renderer=filament": 3}
 
 
 TABLE = Table(

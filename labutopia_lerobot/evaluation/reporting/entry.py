@@ -11,7 +11,7 @@ from labutopia_lerobot.evaluation.statistics import Summary, summarise
 from labutopia_lerobot.evaluation.uncertainty.proportion import Interval
 from labutopia_lerobot.robots import DEFAULT_ROBOT
 from labutopia_lerobot.scenes import DEFAULT_ROOM
-from labutopia_lerobot.setting import ALL
+from labutopia_lerobot.setting import ALL, FILAMENT
 
 ID, OOD, ALL_AXES = "ID", "OOD", "all axes"
 REFERENCES = ("expert", "random", "still")
@@ -140,6 +140,7 @@ def _policy(row: Row) -> str:
         "liquid=off": row.liquid == "off",
         f"robot={row.robot}": row.robot != DEFAULT_ROBOT,
         f"room={row.room}": row.room != DEFAULT_ROOM,
+        f"renderer={FILAMENT}": row.seen_through_filament,
     }
     return ", ".join([row.policy, *(mark for mark, applies in marks.items() if applies)])
 

@@ -61,6 +61,7 @@ class LiquidDrawing:
         colors: Sequence[Color],
         spacing: float,
         particles: int,
+        skin: bool = True,
     ) -> "LiquidDrawing":
         """Make room for a liquid in a scene: an empty body, and a skin that hangs on it.
 
@@ -70,12 +71,15 @@ class LiquidDrawing:
             colors: Red, green, blue and opacity, 0 to 1, of every substance.
             spacing: Edge of the cube that has a particle's volume [m].
             particles: The most that are ever drawn.
+            skin: Whether there is a skin: without, `draw` and `upload` draw nothing, `quads` tell.
         """
         spec.worldbody.add_body(name=name)
         quads = QUADS_PER_PARTICLE * particles
+        if not skin:
+            return cls(name, colors, spacing, quads)
         vertices = np.arange(4 * quads, dtype=np.int32)
         first = vertices[::4, None]
-        skin = spec.add_skin(
+        added = spec.add_skin(
             name=name,
             group=SKIN_GROUP,
             vert=np.zeros(3 * len(vertices), np.float32),
@@ -94,8 +98,8 @@ class LiquidDrawing:
             spec.add_material(name=name).textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = name
             quad = np.arange(quads)
             middles = (np.column_stack([quad % side, quad // side]) + 0.5) / side
-            skin.texcoord = np.repeat(middles, 4, axis=0).astype(np.float32).ravel()
-            skin.material = name
+            added.texcoord = np.repeat(middles, 4, axis=0).astype(np.float32).ravel()
+            added.material = name
         return cls(name, colors, spacing, quads)
 
     def extract(
@@ -164,7 +168,7 @@ class LiquidDrawing:
             np.zeros(3),
             np.array(head + _FAR * ahead, float),
             np.eye(3).ravel(),
-            self._tint(),
+            self.tint,
         )
         geom.objtype, geom.objid = mujoco.mjtObj.mjOBJ_SKIN, skin
         geom.category = mujoco.mjtCatBit.mjCAT_DYNAMIC
@@ -174,8 +178,18 @@ class LiquidDrawing:
             geom.matid, geom.texcoord = model.material(self.name).id, 1
         scene.ngeom += 1
 
-    def _tint(self) -> NDArray[np.float32]:
-        """Return what the skin is drawn with, shape (4,): its colour, or that of full texels."""
+    @property
+    def quads(self) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.uint8]]:
+        """What was extracted last.
+
+        Corners, four for every quad, shape (4 quads, 3), metres, world frame; their normals; the
+        share that every quad has of `tint`, shape (quads, 4), 0 to 255, empty for one substance.
+        """
+        return self._corners, self._normals, self._texels
+
+    @property
+    def tint(self) -> NDArray[np.float32]:
+        """What the surface is drawn with, shape (4,): its colour, or that of full texels."""
         tint: NDArray[np.float32] = np.ones(4, np.float32)
         tint[:] = self.colors[0] if len(self.colors) == 1 else (1, 1, 1, self.colors[:, 3].max())
         return tint

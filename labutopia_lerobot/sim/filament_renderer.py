@@ -1,0 +1,176 @@
+"""Pictures by Filament, MuJoCo's physically based renderer: colours only.
+
+It needs Vulkan; Mesa's software implementation will do. Every picture of a moment has the same
+bits, whatever was drawn before.
+"""
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.sim.filament_light import HEADLIGHT_LUX, developed
+from labutopia_lerobot.sim.filament_surfaces import FilamentDisplay, FilamentLiquid
+from labutopia_lerobot.sim.vulkan import vulkan_device
+
+if TYPE_CHECKING:
+    from mujoco import mjrf
+
+_CURE = (
+    "renderer=filament needs Vulkan. On a headless Linux machine type\n"
+    "  apt-get install libvulkan1 mesa-vulkan-drivers\n"
+    "or choose renderer=classic, which needs OpenGL"
+)
+_SCENE, _FILM = "scene", "film"
+
+
+class NoFilamentError(UserError, RuntimeError):
+    """No working Filament, or what it cannot draw; the message says the cure."""
+
+
+class FilamentRenderer:
+    """Draws a model through its named cameras.
+
+    Args:
+        model: What to draw; compiled without skins of liquids.
+        width: Width of every picture [pixels].
+        height: Height of every picture [pixels].
+        liquids: The liquids in the model; pictures show the surfaces that they have extracted last.
+        displays: Of the instruments in the model; pictures show what they read.
+
+    Raises:
+        NoFilamentError: If there is no Vulkan.
+    """
+
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        width: int,
+        height: int,
+        liquids: Sequence[LiquidDrawing] = (),
+        displays: Sequence[Display] = (),
+    ) -> None:
+        context = _new_context()
+        from mujoco.rendering.filament.renderer import Renderer, View  # here: it needs the context
+
+        self._model, self._view = model, View
+        self._renderer = Renderer(context)
+        self._things = _Things(context, model, self._renderer.scene(_SCENE))
+        self._film = np.empty((height, width, 3), np.uint8)
+        self._renderer.target(_FILM, self._film)
+        self._liquids = [FilamentLiquid(context, self._things.scene, each) for each in liquids]
+        self._displays = [FilamentDisplay(context, model, each) for each in displays]
+
+    def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
+        """Return what the camera sees, shape (height, width, 3)."""
+        self._things.update(data)
+        for liquid in self._liquids:
+            liquid.update()
+        for display in self._displays:
+            display.update(data, self._things.of_geom(display.geom))
+        eye = mujoco.MjvCamera()
+        eye.type, eye.fixedcamid = mujoco.mjtCamera.mjCAMERA_FIXED, self._model.camera(camera).id
+        view = self._view(
+            scene=_SCENE,
+            target=_FILM,
+            camera=mujoco.mjv_camera2GLCamera(self._model, data, eye),
+            post_processing=False,
+            headlight=True,
+            headlight_intensity=HEADLIGHT_LUX * float(self._model.vis.headlight.diffuse.mean()),
+        )
+        self._renderer.render([view])
+        return developed(self._film)
+
+    def depth(self, data: mujoco.MjData, camera: str) -> NDArray[np.float32]:
+        """Refuse: see `NoFilamentError`."""
+        raise NoFilamentError("renderer=filament draws no depth: choose renderer=classic")
+
+    def segmentation(self, data: mujoco.MjData, camera: str) -> NDArray[np.int32]:
+        """Refuse: see `NoFilamentError`."""
+        raise NoFilamentError("renderer=filament draws no segmentation: choose renderer=classic")
+
+    def close(self) -> None:
+        """Give the context back, and what is in it."""
+        for liquid in self._liquids:
+            liquid.close()
+        self._liquids, self._displays = [], []
+        del self._things, self._renderer
+
+
+class _Things:
+    """Lights and geoms of a model in a scene of Filament's."""
+
+    def __init__(self, context: "mjrf.Context", model: mujoco.MjModel, scene: "mjrf.Scene") -> None:
+        from mujoco import mjrf
+
+        self.scene = scene
+        scene.configure_from_model(model)
+        self._resources = mjrf.ModelResources(context, model)
+        self._lights = mjrf.ModelLights(scene, self._resources)
+        self._renderables = mjrf.ModelRenderables(scene, self._resources)
+        shown = mujoco.MjvOption()
+        shown.geomgroup[3:] = 0  # collision geometry and planner hulls stay unseen
+        shown.sitegroup[:] = 0
+        self._renderables.set_options(shown)
+
+    def update(self, data: mujoco.MjData) -> None:
+        """Put everything where it is, with the colours that it has now."""
+        self._lights.update(data)
+        self._renderables.update(data)
+
+    def of_geom(self, geom: int) -> "mjrf.Renderable":
+        """Return what shows a geom."""
+        return self._renderables.get_renderable(mujoco.mjtObj.mjOBJ_GEOM, geom)
+
+
+def require_filament() -> None:
+    """Make sure, before hours of playing, that Filament can draw.
+
+    Raises:
+        NoFilamentError: If there is no Vulkan.
+    """
+    if vulkan_device() is None:
+        raise NoFilamentError(_CURE)
+
+
+def filament_renderer_name() -> str:
+    """Return what draws, such as `Filament on llvmpipe (LLVM 15.0.6, 256 bits)`.
+
+    Raises:
+        NoFilamentError: If there is no Vulkan.
+    """
+    require_filament()
+    return f"Filament on {vulkan_device()}"
+
+
+def _new_context() -> "mjrf.Context":
+    """Return a context, some 70 MB. It draws one scene: in MuJoCo 4.0.0 a second one raises."""
+    require_filament()
+    import mujoco.studio.window  # noqa: F401  # registers Filament's materials
+    from mujoco import mjrf
+
+    with _without_greetings():
+        vulkan = mjrf.GraphicsApi.GRAPHICS_API_VULKAN
+        return mjrf.Context(mjrf.ContextConfig(graphics_api=vulkan))
+
+
+@contextmanager
+def _without_greetings() -> Iterator[None]:
+    """Keep what a library says on the standard output from it: programs print JSON there."""
+    sys.stdout.flush()
+    kept = os.dup(1)
+    with open(os.devnull, "wb") as nowhere:
+        os.dup2(nowhere.fileno(), 1)
+    try:
+        yield
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)

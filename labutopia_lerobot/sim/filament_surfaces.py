@@ -1,0 +1,133 @@
+"""What changes its shape or its texture from picture to picture, in a scene of Filament's."""
+
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+
+if TYPE_CHECKING:
+    from mujoco import mjrf
+
+_ROUGHNESS = 0.25
+"""Of a liquid: still water mirrors lamps, small waves blur them; chosen."""
+
+
+class FilamentLiquid:
+    """The surface of a liquid: a mesh that is new in every picture.
+
+    Args:
+        context: Filament's.
+        scene: Where it is seen.
+        drawing: The liquid.
+    """
+
+    def __init__(
+        self, context: "mjrf.Context", scene: "mjrf.Scene", drawing: LiquidDrawing
+    ) -> None:
+        self._context, self._scene, self._drawing = context, scene, drawing
+        self._shown: tuple[Any, ...] = ()  # Filament does not keep what it shows
+
+    def update(self) -> None:
+        """Show the surface that was extracted last."""
+        from mujoco import mjrf
+
+        self.close()
+        corners, normals, texels = self._drawing.quads
+        if not len(corners):
+            return
+        uses, kinds = mjrf.VertexAttributeUsage, mjrf.VertexAttributeType
+        first = np.arange(0, len(corners), 4, dtype=np.uint32)[:, None]
+        triangles = (first + np.array([0, 1, 2, 0, 2, 3], np.uint32)).ravel()
+        config = mjrf.MeshConfig(
+            max_vertices=len(corners),
+            max_indices=len(triangles),
+            index_type=mjrf.IndexType.INDEX_TYPE_U32,
+            interleaved=False,
+            attributes=[
+                mjrf.VertexAttribute(
+                    usage=uses.VERTEX_ATTRIBUTE_USAGE_POSITION,
+                    type=kinds.VERTEX_ATTRIBUTE_TYPE_FLOAT3,
+                ),
+                mjrf.VertexAttribute(
+                    usage=uses.VERTEX_ATTRIBUTE_USAGE_NORMAL,
+                    type=kinds.VERTEX_ATTRIBUTE_TYPE_FLOAT3,
+                ),
+                mjrf.VertexAttribute(
+                    usage=uses.VERTEX_ATTRIBUTE_USAGE_UV,
+                    type=kinds.VERTEX_ATTRIBUTE_TYPE_FLOAT2,
+                ),
+            ],
+        )
+        places = np.zeros((len(corners), 2), np.float32)
+        material = mjrf.Material(color=self._drawing.tint, roughness=_ROUGHNESS, metallic=0.0)
+        texture = None
+        if len(texels):  # one for every quad, in a column
+            middles = (np.arange(len(texels)) + 0.5) / len(texels)
+            places[:, 1] = np.repeat(middles, 4)
+            texture = new_texture(self._context, texels[:, None])
+            material.color_texture = texture
+        mesh, content = self._context.create_mesh(config), mjrf.MeshData(compute_bounds=True)
+        content.set_vertices(config, corners.tobytes() + normals.tobytes() + places.tobytes())
+        content.set_indices(config, triangles.tobytes())
+        mesh.upload(content)
+        surface = self._context.create_renderable(mjrf.RenderableParams(cast_shadow=False))
+        surface.set_mesh(mesh, 0, len(triangles))
+        surface.set_material(material)
+        surface.set_pose(np.zeros(3, np.float32), np.eye(3, dtype=np.float32).ravel())
+        surface.set_size(np.ones(3, np.float32))
+        self._scene.add_renderable(surface)
+        self._shown = (surface, mesh, texture, content)
+
+    def close(self) -> None:
+        """Take it out of the scene."""
+        if self._shown:
+            self._scene.remove_renderable(self._shown[0])
+        self._shown = ()
+
+
+class FilamentDisplay:
+    """A display, whose texture is new when its text is.
+
+    Args:
+        context: Filament's.
+        model: What the display is in.
+        display: The display.
+
+    Attributes:
+        geom: Its pane.
+    """
+
+    def __init__(self, context: "mjrf.Context", model: mujoco.MjModel, display: Display) -> None:
+        self._context, self._model, self._display = context, model, display
+        self.geom = int(model.geom(display.name).id)
+        self._text: str | None = None
+        self._texture: mjrf.Texture | None = None
+
+    def update(self, data: mujoco.MjData, pane: "mjrf.Renderable") -> None:
+        """Show what it reads on its pane."""
+        text = self._display.reading.text(self._model, data)
+        if text != self._text:
+            self._text = text
+            self._texture = new_texture(self._context, self._display.picture(text))
+        material = pane.get_material()
+        material.color_texture = self._texture
+        pane.set_material(material)
+
+
+def new_texture(context: "mjrf.Context", pixels: NDArray[np.uint8]) -> "mjrf.Texture":
+    """Return a texture, from shape (height, width, 3 or 4), the lowest row first."""
+    from mujoco import mjrf
+
+    formats = {3: mjrf.PixelFormat.PIXEL_FORMAT_RGB8, 4: mjrf.PixelFormat.PIXEL_FORMAT_RGBA8}
+    config = mjrf.TextureConfig()
+    config.height, config.width, channels = pixels.shape
+    config.format = formats[channels]
+    texture = context.create_texture(config)
+    content = mjrf.TextureData()
+    content.set_image(pixels.tobytes())
+    texture.upload(content)
+    return texture

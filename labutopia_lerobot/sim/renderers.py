@@ -1,0 +1,77 @@
+"""What draws pictures: one protocol, two renderers."""
+
+from collections.abc import Sequence
+from typing import Protocol
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.setting import FILAMENT
+from labutopia_lerobot.sim import filament_renderer, renderer
+
+
+class Renderer(Protocol):
+    """Draws a model through its named cameras."""
+
+    def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
+        """Return what the camera sees, shape (height, width, 3)."""
+        ...
+
+    def depth(self, data: mujoco.MjData, camera: str) -> NDArray[np.float32]:
+        """Return the distance along the optical axis [m], shape (height, width)."""
+        ...
+
+    def segmentation(self, data: mujoco.MjData, camera: str) -> NDArray[np.int32]:
+        """Return the body id of every pixel, shape (height, width); -1 where there is none."""
+        ...
+
+    def close(self) -> None:
+        """Give what it holds back."""
+        ...
+
+
+def open_renderer(
+    kind: str,
+    model: mujoco.MjModel,
+    width: int,
+    height: int,
+    liquids: Sequence[LiquidDrawing] = (),
+    displays: Sequence[Display] = (),
+) -> Renderer:
+    """Return a renderer of a kind, one of `setting.RENDERERS`; the model is compiled for it.
+
+    Raises:
+        NoFilamentError: If it is Filament, and there is no Vulkan.
+        NoOpenGLError: If it is the classic one, and there is no working OpenGL.
+    """
+    if kind == FILAMENT:
+        return filament_renderer.FilamentRenderer(model, width, height, liquids, displays)
+    return renderer.Renderer(model, width, height, liquids, displays)
+
+
+def require_renderer(kind: str) -> None:
+    """Make sure, before hours of playing, that a kind of renderer can draw.
+
+    Raises:
+        NoFilamentError: If it is Filament, and there is no Vulkan.
+        NoOpenGLError: If it is the classic one, and there is no working OpenGL.
+    """
+    if kind == FILAMENT:
+        filament_renderer.require_filament()
+    else:
+        renderer.require_opengl()
+
+
+def renderer_name(kind: str) -> str:
+    """Return what draws, as rows and datasets tell it: no two kinds have the same name.
+
+    Raises:
+        NoFilamentError: If it is Filament, and there is no Vulkan.
+        NoOpenGLError: If it is the classic one, and there is no working OpenGL.
+    """
+    if kind == FILAMENT:
+        return filament_renderer.filament_renderer_name()
+    return renderer.opengl_renderer_name()
