@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.labware.glass.gleam import GLEAM
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.sim.opengl import BACKENDS, refused_backend
@@ -61,6 +62,7 @@ class Renderer:
         self._options.skingroup[SKIN_GROUP] = 0  # liquids draw themselves
         self._liquids = tuple(liquids)
         self._planes = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
+        self._gleaming = _gleaming(model)
         self._displays = tuple(displays)
         self._shown = [""] * len(self._displays)
 
@@ -107,6 +109,7 @@ class Renderer:
         """Fill the scene with what there is to see."""
         self._renderer.update_scene(data, camera, self._options)
         self._take_ceiling_off(data, data.camera(camera).xpos)
+        self._turn_glass(data, data.camera(camera).xpos)
         self._show_readings(data)
         for liquid in self._liquids:
             liquid.draw(self._renderer.scene, self._renderer.model)
@@ -127,6 +130,18 @@ class Renderer:
                 if geom.objtype == mujoco.mjtObj.mjOBJ_GEOM and geom.objid in behind:
                     geom.pos = _FAR
 
+    def _turn_glass(self, data: mujoco.MjData, eye_w: FloatArray) -> None:
+        """Turn round walls about their axes, so that what faces the eye is drawn see-through."""
+        scene = self._renderer.scene
+        for geom in scene.geoms[: scene.ngeom]:
+            if geom.objtype == mujoco.mjtObj.mjOBJ_GEOM and geom.objid in self._gleaming:
+                body, within = self._gleaming[geom.objid]
+                axes = data.xmat[body].reshape(3, 3)
+                x, y, _ = (eye_w - data.xpos[body]) @ axes
+                size = max(float(np.hypot(x, y)), 1e-9)
+                turn = np.array([[x, -y, 0], [y, x, 0], [0, 0, size]]) / size
+                geom.mat = axes @ turn @ within
+
     def _show_readings(self, data: mujoco.MjData) -> None:
         """Write onto the displays what has changed since the last picture."""
         model = self._renderer.model
@@ -141,6 +156,18 @@ class Renderer:
     def close(self) -> None:
         """Give the OpenGL context back."""
         self._renderer.close()
+
+
+def _gleaming(model: mujoco.MjModel) -> dict[int, tuple[int, FloatArray]]:
+    """Return the walls of clear glass: geom -> body, whose z is their axis, and axes within it."""
+    walls = {}
+    for geom in np.flatnonzero(model.geom_matid >= 0).tolist():
+        texture = model.mat_texid[model.geom_matid[geom], mujoco.mjtTextureRole.mjTEXROLE_RGB]
+        if texture >= 0 and model.texture(texture).name == GLEAM:
+            within = np.empty(9)
+            mujoco.mju_quat2Mat(within, model.geom_quat[geom])
+            walls[geom] = int(model.geom_bodyid[geom]), within.reshape(3, 3)
+    return walls
 
 
 def require_opengl() -> None:
