@@ -14,6 +14,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.glass.gleam import GLEAM
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.sim.contact_shadows import ContactShadows
 from labutopia_lerobot.sim.opengl import BACKENDS, refused_backend
 from labutopia_lerobot.world import FloatArray
 from labutopia_lerobot.world.model import SKIN_GROUP
@@ -42,6 +43,7 @@ class Renderer:
         height: Height of every picture [pixels].
         liquids: The liquids in the model; pictures show the surfaces that they have extracted last.
         displays: Of the instruments in the model; pictures show what they read.
+        shadows: Spots on the bench in colour pictures, if any.
 
     Raises:
         NoOpenGLError: If no OpenGL context can be had.
@@ -54,6 +56,7 @@ class Renderer:
         height: int,
         liquids: Sequence[LiquidDrawing] = (),
         displays: Sequence[Display] = (),
+        shadows: ContactShadows | None = None,
     ) -> None:
         self._renderer = _open(model, width, height)
         self._options = mujoco.MjvOption()
@@ -63,12 +66,15 @@ class Renderer:
         self._liquids = tuple(liquids)
         self._planes = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
         self._gleaming = _gleaming(model)
+        self._shadows = shadows
         self._displays = tuple(displays)
         self._shown = [""] * len(self._displays)
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
         self._update(data, camera)
+        if self._shadows is not None:
+            self._shadows.draw(self._renderer.scene, data)
         picture: NDArray[np.uint8] = self._renderer.render()
         return picture
 

@@ -14,6 +14,7 @@ from labutopia_lerobot.robots.set_points import SPAN
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import PARTICLES
+from labutopia_lerobot.sim import contact_shadows
 from labutopia_lerobot.sim.displacement import SqueezeBottle
 from labutopia_lerobot.sim.memory import Memory
 from labutopia_lerobot.substances.filling import Filling
@@ -97,6 +98,7 @@ def compile_scene(
     spec.visual.map.znear = 0.01
     spec.visual.map.zfar = 20.0
 
+    contact_shadows.add_material(spec)
     add_robot(spec, robot, room)
     for piece in pieces:
         body = piece.add_to(spec, spec.worldbody)

@@ -1,9 +1,9 @@
-"""Clear glass to the eye: see-through where it faces one, dark at its outline, with a streak of light.
+"""Clear glass to the eye: see-through where it faces one, dark at its outline, with streaks.
 
-A wall seen edge on is looked through for a long way, and mirrors more than it lets through (Fresnel;
-Hecht, "Optics", 4.6). Fixed shading knows nothing of that. But a vessel is round: a texture that
-goes around it says how a wall looks by its angle to the line of sight, and whoever draws the vessel
-turns it about its axis until the middle of the texture faces the eye.
+A wall seen edge on is looked through for a long way, and mirrors more than it lets through
+(Fresnel; Hecht, "Optics", 4.6). Fixed shading knows nothing of that. But a vessel is round: a
+texture that goes around it says how a wall looks by its angle to the line of sight, and whoever
+draws the vessel turns it about its axis until the beginning of the texture faces the eye.
 """
 
 import mujoco
