@@ -18,7 +18,7 @@ CRC Handbook, "Coefficients of friction")."""
 _WHITE = (0.90, 0.91, 0.92, 1.0)
 _GREY = (0.60, 0.63, 0.66, 1.0)
 _STEEL = (0.42, 0.45, 0.49, 1.0)
-_TOP = (0.33, 0.37, 0.42, 1.0)
+_TOP = (0.35, 0.39, 0.44, 1.0)
 _TILES_PER_M = 2.5
 """Repetitions of a texture of the bench top [1/m]."""
 
@@ -54,7 +54,7 @@ def _materials(spec: mujoco.MjSpec) -> None:
     floor.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = "floor"
     for name, rgba in (("wall", _WHITE), ("cabinet", _GREY), ("steel", _STEEL)):
         spec.add_material(name=name, rgba=rgba, specular=0.1, shininess=0.1)
-    spec.add_material(
+    top = spec.add_material(
         name="bench_top",
         rgba=_TOP,
         specular=0.25,
@@ -62,6 +62,7 @@ def _materials(spec: mujoco.MjSpec) -> None:
         texuniform=True,
         texrepeat=[_TILES_PER_M] * 2,
     )
+    top.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = "speckled"
     for name in PATTERNS:  # what an episode may give the bench top (sim/appearance.py)
         kind = mujoco.mjtTexture.mjTEXTURE_2D
         drawn = spec.add_texture(name=name, type=kind, width=SIZE, height=SIZE, nchannel=3)
@@ -142,11 +143,11 @@ def _lights(spec: mujoco.MjSpec) -> None:
 
     No light casts a shadow: shadow maps cost two to five times the whole image on a CPU.
     """
-    spec.visual.headlight.ambient = [0.38, 0.38, 0.38]
-    spec.visual.headlight.diffuse = [0.12, 0.12, 0.12]
+    spec.visual.headlight.ambient = [0.48, 0.48, 0.49]
+    spec.visual.headlight.diffuse = [0.10, 0.10, 0.10]
     spec.visual.headlight.specular = [0.15, 0.15, 0.15]
     for name, direction, diffuse in (
-        ("key", [-0.45, 0.55, -0.9], 0.50),
+        ("key", [-0.45, 0.55, -0.9], 0.42),
         ("fill", [0.7, -0.6, -0.5], 0.18),
     ):
         spec.worldbody.add_light(
