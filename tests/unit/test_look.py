@@ -93,18 +93,24 @@ def test_lone_drops_are_drawn_where_they_are():
     np.testing.assert_array_equal(weights, 1.0)
 
 
-def test_threads_join_what_falls_one_behind_the_other_but_not_what_falls_side_by_side():
-    gap = 0.9 * LINK * FALL * SPACING
-    for axis, joined in ((2, True), (0, False)):
-        pair = np.zeros((2, 3))
-        pair[1, axis] = gap
-        points, _ = strands(pair, np.ones(2, np.float32), SPACING)
-        assert (len(points) > 2) == joined
+def test_threads_join_what_falls_in_a_stream_but_not_what_falls_side_by_side():
+    row = np.arange(12) * 0.9 * LINK * FALL * SPACING / 2
+    stream = np.column_stack([0 * row, 0 * row, row])
+    assert len(strands(stream, np.ones(12, np.float32), SPACING)[0]) > 24
+    abreast = 2 * stream[:, ::-1]
+    assert len(strands(abreast, np.ones(12, np.float32), SPACING)[0]) == 12
 
 
 def test_a_ragged_stream_is_drawn_smoother_than_it_is():
     rng = np.random.default_rng(0)
-    stream = np.column_stack([rng.normal(0, SPACING, (40, 2)), np.arange(40) * 0.6 * SPACING])
-    points, weights = strands(stream, np.ones(40, np.float32), SPACING)
-    particles = points[weights == 1.0]
-    assert np.std(particles[:, :2]) < 0.6 * np.std(stream[:, :2])
+    off = rng.normal(0, 0.5 * SPACING, (40, 2))
+    stream = np.column_stack([off, np.arange(40) * 0.6 * SPACING])
+    points, _ = strands(stream, np.ones(40, np.float32), SPACING)
+    assert np.std(points[:40, :2]) < 0.5 * np.std(off)
+
+
+def test_there_are_never_more_than_three_balls_of_thread_for_a_particle():
+    cloud = np.random.default_rng(0).uniform(0, 30 * SPACING, (4000, 3))
+    for scale in (0.3, 0.6, 1.0):
+        points, _ = strands(scale * cloud, np.ones(4000, np.float32), SPACING)
+        assert len(points) <= 16000
