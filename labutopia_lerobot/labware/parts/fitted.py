@@ -11,6 +11,7 @@ from labutopia_lerobot.labware.parts.joinery import Chest, Cupboard
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.solid import UNTURNED, Quaternion, Vector
+from labutopia_lerobot.labware.parts.top import Top
 
 
 class Unit(NamedTuple):
@@ -37,32 +38,39 @@ class Fitted(Instrument, ABC):
     @property
     def places(self) -> tuple[Place, ...]:
         """What its tops carry, then what stands in its units."""
-        return (*self._tops(), *(place for unit in self._units() for place in unit.made.places))
+        inside = (place for unit in self._units() for place in unit.made.places)
+        return (*self._places_on_top(), *inside)
 
     @abstractmethod
     def _units(self) -> Sequence[Unit]:
         """Return its cupboards and chests."""
 
-    def _tops(self) -> Sequence[Place]:
+    def _places_on_top(self) -> Sequence[Place]:
         """Return where things stand on it."""
-        return ()
+        return along(self.name, "top", self.tops[0], count=3) if self.tops else ()
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         for unit in self._units():
             unit.made.add_to(spec, body, self.name, unit.at, unit.quat)
 
 
-def along(
-    piece: str, top: str, ys: Sequence[float], x: float, height: float, width: float
-) -> list[Place]:
-    """Return places in a row on a top.
+def along(piece: str, label: str, top: Top, count: int) -> tuple[Place, ...]:
+    """Return places in a row on a top, numbered from right to left.
 
     Args:
         piece: Name of the furniture; what stands there stands on its root body.
-        top: Name of the top, without the piece's; they are numbered.
-        ys: Where they are across the furniture [m].
-        x: Where they are in its depth [m].
-        height: Of the top [m].
-        width: Diameter of the largest thing that fits [m].
+        label: Of the top, in the names of its places.
+        top: The top.
+        count: How many places.
     """
-    return [Place(f"{piece}_{top}_{n}", piece, (x, y, height), width) for n, y in enumerate(ys)]
+    (near, far), (right, left) = top.x, top.y
+    step = (left - right) / count
+    return tuple(
+        Place(
+            f"{piece}_{label}_{n}",
+            piece,
+            ((near + far) / 2, right + (n + 0.5) * step, top.height),
+            width=0.8 * min(step, far - near),
+        )
+        for n in range(count)
+    )

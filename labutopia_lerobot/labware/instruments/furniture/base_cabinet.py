@@ -7,6 +7,7 @@ from labutopia_lerobot.labware.parts.fitted import Fitted, Unit, along
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.joinery import Cupboard
 from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.top import Top
 
 _TOP, _SLAB = 0.900, 0.030
 """Height and thickness of its top [m]."""
@@ -29,8 +30,12 @@ class BaseCabinet(Fitted):
         size = (0.55, 0.90, _TOP - _SLAB)
         return (Unit(Cupboard(f"{self.name}_cupboard", size, (0.48,)), (0.015, 0.0, 0.0)),)
 
-    def _tops(self) -> Sequence[Place]:
-        return along(self.name, "top", (-0.22, 0.22), 0.0, _TOP, 0.40)
+    @property
+    def tops(self) -> tuple[Top, ...]:
+        return (Top(_TOP, x=(-0.300, 0.300), y=(-0.450, 0.450)),)
+
+    def _places_on_top(self) -> Sequence[Place]:
+        return along(self.name, "top", self.tops[0], count=2)
 
     def _forms(self) -> list[Form]:
         return [Block((-0.300, 0.300), (-0.450, 0.450), (_TOP - _SLAB, _TOP), "anthracite")]

@@ -8,6 +8,7 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Rod
 from labutopia_lerobot.labware.parts.joinery import TURNED_BACK, Chest, Cupboard
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.solid import UNTURNED
+from labutopia_lerobot.labware.parts.top import Top
 
 _X, _Y, _TOP, _SLAB = 0.750, 1.500, 0.900, 0.030
 """Half sizes, height and thickness of its top [m]."""
@@ -40,13 +41,20 @@ class IslandBench(Fitted):
             units.append(Unit(chest, (sign * x, 0.0, 0.0), turn))
         return units
 
-    def _tops(self) -> Sequence[Place]:
-        rows = [("front", -0.45, _TOP, 0.50), ("back", 0.45, _TOP, 0.50)]
-        rows += [("lower_shelf", 0.0, _HIGH[0], 0.25), ("upper_shelf", 0.0, _HIGH[1], 0.25)]
-        ys = (-1.05, -0.35, 0.35, 1.05)
-        return [
-            place for top, x, z, width in rows for place in along(self.name, top, ys, x, z, width)
-        ]
+    @property
+    def tops(self) -> tuple[Top, ...]:
+        """Before the reagent shelves, and behind them."""
+        middle = _SHELF + 0.02
+        return (
+            Top(_TOP, x=(-_X, -middle), y=(-_Y, _Y)),
+            Top(_TOP, x=(middle, _X), y=(-_Y, _Y), behind=True),
+        )
+
+    def _places_on_top(self) -> Sequence[Place]:
+        rows = dict(zip(("front", "back"), self.tops, strict=True))
+        for label, z in zip(("lower_shelf", "upper_shelf"), _HIGH, strict=True):
+            rows[label] = Top(z, x=(-_SHELF, _SHELF), y=(-_Y + 0.05, _Y - 0.05))
+        return [place for label, top in rows.items() for place in along(self.name, label, top, 4)]
 
     def _forms(self) -> list[Form]:
         forms: list[Form] = [

@@ -6,6 +6,7 @@ from labutopia_lerobot.labware.parts.fitted import along
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.top import Top
 
 _X, _Y, _HEIGHT = 0.250, 0.500, 2.000
 _LEVELS = (0.120, 0.560, 1.000, 1.440, 1.880)
@@ -26,12 +27,19 @@ class ShelfRack(Instrument):
     source = "1000 x 500 x 2000 mm, five shelves, a usual boltless rack; from memory"
 
     @property
+    def tops(self) -> tuple[Top, ...]:
+        """Its shelves from below, between the posts."""
+        inside = _X - 0.04, _Y - 0.04
+        x, y = ((-half, half) for half in inside)
+        return tuple(Top(z, x, y) for z in _LEVELS)
+
+    @property
     def places(self) -> tuple[Place, ...]:
         """Its shelves from below, each by number from right to left."""
         return tuple(
             place
-            for number, z in enumerate(_LEVELS)
-            for place in along(self.name, f"shelf_{number}", (-0.25, 0.25), 0.0, z, 0.36)
+            for number, top in enumerate(self.tops)
+            for place in along(self.name, f"shelf_{number}", top, count=2)
         )
 
     def _forms(self) -> list[Form]:

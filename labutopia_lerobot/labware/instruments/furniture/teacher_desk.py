@@ -7,6 +7,7 @@ from labutopia_lerobot.labware.parts.fitted import Fitted, Unit, along
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.joinery import Chest, Cupboard
 from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.top import Top
 
 _X, _Y, _TOP, _SLAB = 0.375, 1.050, 0.900, 0.030
 """Half sizes, height and thickness of its top [m]."""
@@ -31,8 +32,12 @@ class TeacherDesk(Fitted):
         chest = Chest(f"{self.name}_chest", (0.52, 0.60, tall), front="petrol")
         return Unit(cupboard, (x, 0.63, 0.0)), Unit(chest, (x, -0.73, 0.0))
 
-    def _tops(self) -> Sequence[Place]:
-        return along(self.name, "top", (-0.75, -0.25, 0.25, 0.75), 0.0, _TOP, 0.45)
+    @property
+    def tops(self) -> tuple[Top, ...]:
+        return (Top(_TOP, x=(-_X, _X), y=(-_Y, _Y)),)
+
+    def _places_on_top(self) -> Sequence[Place]:
+        return along(self.name, "top", self.tops[0], count=4)
 
     def _forms(self) -> list[Form]:
         return [

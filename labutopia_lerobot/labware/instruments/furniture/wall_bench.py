@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from labutopia_lerobot.labware.parts.fitted import Fitted, Unit, along
+from labutopia_lerobot.labware.parts.fitted import Fitted, Unit
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.joinery import Chest, Cupboard
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.top import Top
 
 _X, _Y, _TOP, _SLAB = 0.375, 0.750, 0.900, 0.030
 """Half sizes, height and thickness of its top [m]."""
@@ -32,8 +32,9 @@ class WallBench(Fitted):
         x = -_X + 0.040 + 0.26  # the top stands over the grips
         return Unit(cupboard, (x, 0.30, 0.0)), Unit(chest, (x, -0.45, 0.0))
 
-    def _tops(self) -> Sequence[Place]:
-        return along(self.name, "top", (-0.5, 0.0, 0.5), -0.05, _TOP, 0.45)
+    @property
+    def tops(self) -> tuple[Top, ...]:
+        return (Top(_TOP, x=(-_X, _X), y=(-_Y, _Y)),)
 
     def _forms(self) -> list[Form]:
         return [

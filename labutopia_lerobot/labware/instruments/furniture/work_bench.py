@@ -6,6 +6,7 @@ from labutopia_lerobot.labware.parts.fitted import along
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.top import Top
 
 _X, _Y, _TOP, _SLAB = 0.70, 0.90, 0.775, 0.030
 """Half sizes, height and thickness of its top [m]."""
@@ -27,7 +28,7 @@ class WorkBench(Instrument):
     @property
     def places(self) -> tuple[Place, ...]:
         """Its top, by number from right to left, before the robot."""
-        return tuple(along(self.name, "top", (-0.6, 0.0, 0.6), -0.20, _TOP, 0.55))
+        return along(self.name, "top", Top(_TOP, (-_X, 0.2), (-_Y, _Y)), count=3)
 
     def _forms(self) -> list[Form]:
         y, low = _Y - 0.04, 0.080

@@ -7,6 +7,7 @@ from labutopia_lerobot.labware.parts.fitted import Fitted, Unit, along
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.joinery import Chest
 from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.top import Top
 
 _X, _Y, _TOP = 0.350, 0.600, 0.740
 """Half sizes and height of its top [m]."""
@@ -29,8 +30,12 @@ class WritingDesk(Fitted):
         chest = Chest(f"{self.name}_chest", (0.58, 0.40, 0.715), 3, plinth=0.05, front="wood")
         return (Unit(chest, (0.02, -0.38, 0.0)),)
 
-    def _tops(self) -> Sequence[Place]:
-        return along(self.name, "top", (-0.35, 0.20), 0.0, _TOP, 0.45)
+    @property
+    def tops(self) -> tuple[Top, ...]:
+        return (Top(_TOP, x=(-_X, _X), y=(-_Y, _Y)),)
+
+    def _places_on_top(self) -> Sequence[Place]:
+        return along(self.name, "top", self.tops[0], count=2)
 
     def _forms(self) -> list[Form]:
         legs: list[Form] = [
