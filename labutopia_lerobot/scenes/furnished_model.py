@@ -1,6 +1,7 @@
 """A plan as a MuJoCo spec: building, furniture, instruments, with all that can be opened."""
 
 import math
+from collections.abc import Iterable
 
 import mujoco
 
@@ -10,10 +11,11 @@ from labutopia_lerobot.scenes.building.masonry import Masonry, masonry
 from labutopia_lerobot.scenes.building.surfaces_model import (
     add_surface_materials,
     add_surfaces,
-    add_walls,
+    add_wall_looks,
+    add_wall_solids,
 )
 from labutopia_lerobot.scenes.laboratory_model import add_lights
-from labutopia_lerobot.scenes.plan import Opening, Plan
+from labutopia_lerobot.scenes.plan import Opening, Placed, Plan
 from labutopia_lerobot.world import ROOM
 from labutopia_lerobot.world.model import PHYSICS_HZ, SOLIMP, SOLREF
 
@@ -39,18 +41,18 @@ def build(plan: Plan) -> mujoco.MjSpec:
     spec.visual.global_.offwidth, spec.visual.global_.offheight = 1920, 1080
     spec.visual.quality.shadowsize = 0
     add_surface_materials(spec, plan)
-    add_building(spec, plan)
-    add_pieces(spec, plan)
+    room, walls = spec.worldbody.add_body(name=ROOM), masonry(plan)
+    add_surfaces(room, plan)
+    add_wall_solids(room, (box for wall in walls for box in wall.boxes()))
+    add_wall_looks(spec, room, walls)
+    add_openings(spec, plan, walls)
+    add_pieces(spec, plan.pieces)
     add_lights(spec)
     return spec
 
 
-def add_building(spec: mujoco.MjSpec, plan: Plan) -> None:
-    """Add floor, ceiling, walls, doors and windows."""
-    room = spec.worldbody.add_body(name=ROOM)
-    add_surfaces(room, plan)
-    walls = masonry(plan)
-    add_walls(spec, room, walls)
+def add_openings(spec: mujoco.MjSpec, plan: Plan, walls: list[Masonry]) -> None:
+    """Add doors and windows."""
     numbers = {"door": 0, "window": 0}
     for opening in plan.openings:
         numbers[opening.kind] += 1
@@ -64,9 +66,9 @@ def add_building(spec: mujoco.MjSpec, plan: Plan) -> None:
                 add(spec, body, opening, wall.across[1] - wall.across[0])
 
 
-def add_pieces(spec: mujoco.MjSpec, plan: Plan) -> None:
+def add_pieces(spec: mujoco.MjSpec, pieces: Iterable[Placed]) -> None:
     """Add furniture and instruments."""
-    for placed in plan.pieces:
+    for placed in pieces:
         piece = instrument(placed.kind, placed.name)
         body = piece.add_to(spec, spec.worldbody)
         body.pos = (placed.x, placed.y, placed.height)

@@ -80,6 +80,7 @@ def compile_scene(
     """
     pieces = tuple(pieces)
     spec = room.build(view)
+    room.decorate(spec, view)
     spec.option.timestep = 1.0 / PHYSICS_HZ
     # Elliptic cones with a high friction impedance keep a friction grasp from creeping
     # (MuJoCo documentation, "Preventing slip"): a held rod by 0.10 mm in 20 s; by 1.2 mm with 10

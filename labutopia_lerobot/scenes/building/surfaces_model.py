@@ -1,10 +1,12 @@
 """Floor, walls and ceiling of a plan as geoms, and the materials of them."""
 
+from collections.abc import Iterable
+
 import mujoco
 import numpy as np
 
 from labutopia_lerobot.labware.parts.shell import Shell
-from labutopia_lerobot.scenes.building.masonry import Masonry, shell_of
+from labutopia_lerobot.scenes.building.masonry import Box, Masonry, shell_of
 from labutopia_lerobot.scenes.building.surfaces import (
     FLOOR_REPEATS,
     SIZE,
@@ -32,14 +34,14 @@ _SKIRTING = (0.070, 0.004)
 
 
 def add_surface_materials(spec: mujoco.MjSpec, plan: Plan) -> None:
-    """Add the materials `floor`, `wall`, `ceiling`, `skirting`, `cap` and `sky`."""
+    """Add the materials `floor`, `wall`, `ceiling`, `skirting`, `cap` and `sky`, or change them."""
     kind = plan.floor.rpartition(" ")[2]
     repeats = 2.0 / FLOOR_REPEATS[kind]  # of a plane MuJoCo counts them by its half sizes
-    drawn = spec.add_texture(name="floor", type=_TEXTURE, width=SIZE, height=SIZE, nchannel=3)
+    drawn = spec.add_texture(name="flooring", type=_TEXTURE, width=SIZE, height=SIZE, nchannel=3)
     drawn.data = floor_texture(kind).tobytes()
     floor = _material(spec, "floor", FLOOR_FINISHES[plan.floor])
     floor.texuniform, floor.texrepeat = True, [repeats, repeats]
-    floor.textures[_RGB] = "floor"
+    floor.textures[_RGB] = "flooring"
     _material(spec, "wall", WALL_FINISHES[plan.wall])
     picture = ceiling_texture(plan.size[0], plan.size[1])
     high, wide, _ = picture.shape
@@ -54,9 +56,10 @@ def add_surface_materials(spec: mujoco.MjSpec, plan: Plan) -> None:
 
 
 def _material(spec: mujoco.MjSpec, name: str, finish: Finish) -> mujoco.MjsMaterial:
-    return spec.add_material(
-        name=name, rgba=finish.rgba, specular=finish.specular, shininess=finish.shininess
-    )
+    material = spec.material(name) or spec.add_material(name=name)
+    material.rgba = finish.rgba
+    material.specular, material.shininess = finish.specular, finish.shininess
+    return material
 
 
 def add_surfaces(room: mujoco.MjsBody, plan: Plan) -> None:
@@ -77,18 +80,21 @@ def add_surfaces(room: mujoco.MjsBody, plan: Plan) -> None:
     )
 
 
-def add_walls(spec: mujoco.MjSpec, room: mujoco.MjsBody, walls: list[Masonry]) -> None:
-    """Add walls: boxes that are touched, and of what is seen one mesh a material."""
-    for number, wall in enumerate(walls):
-        for part, (x, y, z) in enumerate(wall.boxes()):
-            low, high = (np.array([span[end] for span in (x, y, z)]) for end in (0, 1))
-            room.add_geom(
-                name=f"wall_{number}_{part}",
-                type=mujoco.mjtGeom.mjGEOM_BOX,
-                pos=(low + high) / 2,
-                size=(high - low) / 2,
-                group=COLLISION_GROUP,
-            )
+def add_wall_solids(room: mujoco.MjsBody, boxes: Iterable[Box]) -> None:
+    """Add what is touched of walls."""
+    for number, spans in enumerate(boxes):
+        low, high = np.array(spans).T
+        room.add_geom(
+            name=f"wall_{number}",
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            pos=(low + high) / 2,
+            size=(high - low) / 2,
+            group=COLLISION_GROUP,
+        )
+
+
+def add_wall_looks(spec: mujoco.MjSpec, room: mujoco.MjsBody, walls: list[Masonry]) -> None:
+    """Add what is seen of walls: one mesh a material."""
     seen = {
         "wall": [face for wall in walls for face in wall.faces()],
         "cap": [face for wall in walls for face in wall.caps()],
