@@ -34,7 +34,7 @@ def laboratory(room: Room, view: View) -> mujoco.MjSpec:
     _materials(spec)
     _walls(spec)
     _bench(spec, room)
-    _lights(spec)
+    add_lights(spec)
     _add_camera(spec, "front", view.front)
     _add_camera(spec, "top", view.top)
     return spec
@@ -137,7 +137,7 @@ def _bench(spec: mujoco.MjSpec, room: Room) -> None:
     )
 
 
-def _lights(spec: mujoco.MjSpec) -> None:
+def add_lights(spec: mujoco.MjSpec) -> None:
     """Two unequal directional lights and a weak headlight: every face of a box shades differently.
 
     No light casts a shadow: shadow maps cost two to five times the whole image on a CPU.
