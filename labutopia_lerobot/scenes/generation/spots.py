@@ -1,26 +1,15 @@
 """Where a piece could stand: points of a grid, a patch of which shares heading and height."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from labutopia_lerobot.scenes.plan import Heading
 from labutopia_lerobot.world import FloatArray
 
 GRID = 0.05
 """Distance of two points [m]."""
-
-
-class Spot(NamedTuple):
-    """A place for a piece; see `plan.Placed`."""
-
-    x: float
-    y: float
-    heading: Heading
-    height: float = 0.0
-    on: str | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,10 +33,11 @@ class Patch:
     def __len__(self) -> int:
         return len(self.x) * len(self.y)
 
-    def __getitem__(self, number: int) -> Spot:
-        row, column = divmod(number, len(self.x))
-        x, y = float(self.x[column]), float(self.y[row])
-        return Spot(x, y, self.heading, self.height, self.on)
+    def offsets(self, numbers: NDArray[np.int_]) -> FloatArray:
+        """Return some of its points, by their numbers, shape (n, 3) [m]."""
+        rows, columns = np.divmod(numbers, len(self.x))
+        heights = np.full(len(numbers), self.height)
+        return np.column_stack([self.x[columns], self.y[rows], heights])
 
 
 def points(low: float, high: float, step: float = GRID) -> FloatArray:
@@ -59,13 +49,3 @@ def points(low: float, high: float, step: float = GRID) -> FloatArray:
     if grid[-1] != last:
         grid.append(last)
     return np.array(grid) / 1e3
-
-
-def pick(patches: Sequence[Patch], numbers: Sequence[int]) -> list[Spot]:
-    """Return points by their numbers among all of several patches."""
-    ends = np.cumsum([len(patch) for patch in patches])
-    which = np.searchsorted(ends, numbers, side="right")
-    return [
-        patches[patch][int(number - (ends[patch - 1] if patch else 0))]
-        for patch, number in zip(which, numbers, strict=True)
-    ]

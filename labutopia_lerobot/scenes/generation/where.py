@@ -33,6 +33,11 @@ class Where(Protocol):
         ...
 
     @property
+    def on_floor(self) -> bool:
+        """Whether it stands on the floor, and neither hangs nor stands on something."""
+        ...
+
+    @property
     def edge(self) -> float:
         """How much better it stands near an edge or a corner than in the open, -1 to 1."""
         ...
@@ -71,6 +76,10 @@ class AtWall:
     def walkway(self) -> tuple[float, float, float]:
         return self.before, 0.0, 0.0
 
+    @property
+    def on_floor(self) -> bool:
+        return self.height == 0.0
+
     def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
         for heading in HEADINGS:
             if not self.outer or heading in region.outer:
@@ -92,6 +101,7 @@ class Peninsula:
     """
 
     aisle: float = 1.0
+    on_floor = True
     edge = 0.3
     apart = 1.5
 
@@ -120,6 +130,7 @@ class InMiddle:
     """
 
     aisle: float = 1.0
+    on_floor = True
     edge = -0.2
     apart = 1.5
 
@@ -144,6 +155,7 @@ class ToWorkAt:
     """A bench with a robot before it: its view is free, and it is turned any way."""
 
     walkway = (0.0, 0.0, 0.0)
+    on_floor = True
     edge = 0.5
     apart = 0.0
 
@@ -166,6 +178,7 @@ class On:
 
     kinds: tuple[str, ...]
     walkway = (0.0, 0.0, 0.0)
+    on_floor = False
     edge = 1.0
     apart = 0.4
 
@@ -194,6 +207,7 @@ class Before:
 
     kinds: tuple[str, ...]
     walkway = (0.0, 0.0, 0.0)
+    on_floor = True
     edge = 0.0
     apart = 0.6
 
@@ -202,7 +216,7 @@ class Before:
         for carrier, top in sketch.tops(self.kinds, region):
             facing: Heading = 180 if top.behind else 0
             edge = top.x[1] + front if top.behind else top.x[0] - front
-            away = np.array([-0.25, 0.05, 0.15])  # under it, at it, drawn back
+            away = np.array([-0.25, 0.05, 0.45])  # under it, at it, clear of its drawers
             x = np.round(edge + (away if top.behind else -away), 3)
             reach = max(-kind.hull.low[0, 1], back)
             y = points(top.y[0] + reach, top.y[1] - reach)

@@ -44,7 +44,7 @@ def claims(plan: Plan) -> Iterator[Claim]:
         yield from claims_of_piece(piece)
     yield from claims_of_openings(plan.openings, plan.size[2])
     for number, wall in enumerate(plan.walls, start=1):
-        yield Claim(f"wall {number}", "", _masonry(wall, plan.openings, plan.size[2]))
+        yield Claim(f"wall {number}", "", masonry(wall, plan.openings, plan.size[2]))
     for place in plan.work_places:
         yield from claims_of_work_place(place, bench_height(plan, place))
 
@@ -99,7 +99,7 @@ def _before(opening: Opening, start: float, end: float, ceiling: float) -> Boxes
     return boxes(spans).placed(opening.heading).moved(np.array([opening.x, opening.y, 0.0]))
 
 
-def _masonry(wall: Wall, openings: tuple[Opening, ...], ceiling: float) -> Boxes:
+def masonry(wall: Wall, openings: tuple[Opening, ...], ceiling: float) -> Boxes:
     """Return what is left of a wall around the openings in it."""
     along = 0 if wall.start[1] == wall.end[1] else 1
     low, high = sorted((wall.start[along], wall.end[along]))
