@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class UnknownRoomError(UserError, ValueError):
-    """A room that does not exist; the message lists those that do."""
+    """A room that does not exist; the message names some that do."""
 
 
 @dataclass(frozen=True)
