@@ -110,7 +110,9 @@ def _finish(model: mujoco.MjModel, geom: int) -> tuple[Color, float]:
         start, channels = int(model.tex_adr[texture]), int(model.tex_nchannel[texture])
         pixels = int(model.tex_height[texture]) * int(model.tex_width[texture])
         picture = model.tex_data[start : start + channels * pixels].reshape(-1, channels)
-        red, green, blue = (picture[:, :3].mean(axis=0) / 255 * (red, green, blue)).tolist()
+        mean = picture.mean(axis=0) / 255
+        red, green, blue = (mean[:3] * (red, green, blue)).tolist()
+        alpha *= float(mean[3]) if channels == 4 else 1.0
     return (red, green, blue, alpha), float(model.mat_specular[material])
 
 
