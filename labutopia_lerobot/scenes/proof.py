@@ -67,6 +67,8 @@ def _conflicts(claimed: list[Claim]) -> Iterator[str]:
     for one, other in combinations(claimed, 2):
         if one.owner == other.owner or (one.what and other.what):
             continue
+        if one.owner.startswith("wall ") and other.owner.startswith("wall "):
+            continue  # they meet
         if one.room.hull.meet(other.room.hull) and one.room.meet(other.room):
             if one.what or other.what:
                 free, solid = (one, other) if one.what else (other, one)

@@ -33,7 +33,7 @@ FAMILY = Family(
                 Need("fume_hood", (2, 3), AT_OUTER_WALL, VITAL),
                 Need("island_bench", (1, 2), ISLAND, MAIN),
                 Need("wall_bench", (2, 5), AT_WALL, MAIN),
-                Need("laboratory_sink", (1, 1), AT_WALL, MAIN),
+                Need("laboratory_sink", (1, 1), AT_WALL, MAIN, near="wall_bench"),
                 Need("safety_cabinet", (1, 1), AT_WALL, MAIN),
                 Need("safety_shower", (1, 1), AT_WALL, MAIN),
                 Need("wall_cupboard", (0, 3), HUNG_HIGH),

@@ -12,6 +12,8 @@ type Range = tuple[float, float]
 class Importance(IntEnum):
     """Which pieces find their places first."""
 
+    FIRST = 4
+    """What all the rest looks at."""
     VITAL = 3
     """What the room is for: work places, hoods, benches to work at."""
     MAIN = 2

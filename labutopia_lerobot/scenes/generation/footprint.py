@@ -81,9 +81,11 @@ def _one_room(
     family: Family, room: Chamber, rng: np.random.Generator, size: tuple[float, float] | None
 ) -> Footprint:
     width, depth = size or (_drawn(room.width, rng), _drawn(room.depth, rng))
-    sides: tuple[Heading, ...] = (90, 0, 180)  # of the entrance: south, west, east
+    sides: tuple[Heading, ...] = (90, 0, 180)  # of the entrance: the south, west or east wall
     side = sides[int(rng.integers(len(sides)))]
-    region = Region("", (0.0, width), (0.0, depth), frozenset({270}), room.needs)
+    corner: list[Heading] = [one for one in sides[1:] if one != side]
+    outer = frozenset[Heading]({270, corner[int(rng.integers(len(corner)))]})  # at a corner of the house
+    region = Region("", (0.0, width), (0.0, depth), outer, room.needs)
     entrance = _door(region, side, room.door, rng)
     windows = _windows(region, room.windows, rng)
     return Footprint((width, depth, family.height), (), (entrance, *windows), (region,))

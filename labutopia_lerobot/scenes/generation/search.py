@@ -27,7 +27,7 @@ GRID_TRIES = 700
 """Spots of the whole grid that the search looks at for a piece, evenly spread."""
 BRANCHES = 6
 """Spots of a piece that the search tries, from the best, as far as they are apart."""
-STEPS = 150
+STEPS = 100
 """Pieces that the search puts down before it gives up."""
 
 
@@ -62,10 +62,11 @@ def wanted(footprint: Footprint, rng: np.random.Generator) -> list[Wanted]:
     return [*sorted(least, key=_rank), *sorted(more, key=_rank)]
 
 
-def _rank(one: Wanted) -> tuple[int, float]:
+def _rank(one: Wanted) -> tuple[int, bool, float]:
     hull = extent(one.need.kind).hull
     depth, width = (hull.high - hull.low)[0, :2]
-    return -one.need.importance, -round(float(depth * width), 4)
+    follows = one.need.near is not None
+    return -one.need.importance, follows, -round(float(depth * width), 4)
 
 
 def furnish(

@@ -9,7 +9,7 @@ import numpy as np
 from labutopia_lerobot.scenes.generation.spots import Patch, points
 from labutopia_lerobot.scenes.plan import Heading, Placed
 from labutopia_lerobot.scenes.space.boxes import Boxes
-from labutopia_lerobot.scenes.space.extent import Extent
+from labutopia_lerobot.scenes.space.extent import Extent, extent
 
 if TYPE_CHECKING:
     from labutopia_lerobot.scenes.generation.footprint import Region
@@ -83,7 +83,7 @@ class AtWall:
     def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
         for heading in HEADINGS:
             if not self.outer or heading in region.outer:
-                x, y = _inside(kind.hull.placed(heading), region)
+                x, y = _inside(_with_back_free(kind).placed(heading), region)
                 yield _against(heading, x, y, self.height)
 
     def spelt(self, kind: Extent) -> str:
@@ -225,6 +225,42 @@ class Before:
     def spelt(self, kind: Extent) -> str:
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         return f"{width:.2f} x {depth:.2f} m before one of: {', '.join(self.kinds)}"
+
+
+@dataclass(frozen=True)
+class Facing:
+    """Some way before a thing at a wall, with its front towards it, as a teacher's desk.
+
+    Attributes:
+        kind: What it faces.
+        away: Least and greatest distance [m].
+    """
+
+    kind: str
+    away: tuple[float, float] = (0.9, 1.6)
+    walkway = (0.7, 0.7, 0.0)
+    on_floor = True
+    edge = 0.0
+    apart = 0.0
+
+    def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+        for faced in sketch.of_kind(self.kind, region):
+            hull = extent(self.kind).hull
+            front = float(hull.low[0, 0] + kind.hull.low[0, 0])
+            x = points(front - self.away[1], front - self.away[0])
+            yield _in_frame_of(faced, x, points(-1.0, 1.0), 0, 0.0, None)
+
+    def spelt(self, kind: Extent) -> str:
+        depth, width = (kind.hull.high - kind.hull.low)[0, :2]
+        return f"{width:.2f} x {depth:.2f} m at least {self.away[0]:g} m before a {self.kind}"
+
+
+def _with_back_free(kind: Extent) -> Boxes:
+    """Return the hull of a kind, as deep as lids go that open towards its back."""
+    back = np.max([kind.hull.high[0, 0], *(swing.room.high[:, 0].max() for swing in kind.swings)])
+    high = kind.hull.high.copy()
+    high[0, 0] = back
+    return Boxes(kind.hull.low, high)
 
 
 def _inside(hull: Boxes, region: "Region") -> tuple[tuple[float, float], tuple[float, float]]:

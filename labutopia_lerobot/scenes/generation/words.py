@@ -10,13 +10,15 @@ from labutopia_lerobot.scenes.generation.family import (
 from labutopia_lerobot.scenes.generation.where import (
     AtWall,
     Before,
+    Facing,
     InMiddle,
     On,
     Peninsula,
     ToWorkAt,
 )
 
-VITAL, MAIN, USUAL, DETAIL = (
+FIRST, VITAL, MAIN, USUAL, DETAIL = (
+    Importance.FIRST,
     Importance.VITAL,
     Importance.MAIN,
     Importance.USUAL,
@@ -24,6 +26,8 @@ VITAL, MAIN, USUAL, DETAIL = (
 )
 
 AT_WALL = AtWall()
+DESK_AT_WALL = AtWall(before=1.2)
+"""With room for a chair that turns."""
 AT_OUTER_WALL = AtWall(outer=True)
 BESIDE = AtWall(before=0.3)
 """At a wall, where nobody works before it."""
@@ -32,6 +36,7 @@ HUNG_HIGH = AtWall(before=0.0, height=1.5)
 """Over benches (furniture hangs 1.5 m high, as `instruments/furniture` says)."""
 BOARD = AtWall(before=0.6, height=0.8)
 """As blackboards hang."""
+BEFORE_BOARD = Facing("blackboard")
 ISLAND = InMiddle()
 PENINSULA = Peninsula()
 WORK_PLACE = ToWorkAt()
@@ -39,7 +44,7 @@ WORK_PLACE = ToWorkAt()
 BENCHES = ("wall_bench", "island_bench", "base_cabinet")
 ON_BENCH = On(BENCHES)
 ON_WALL_BENCH = On(("wall_bench", "base_cabinet"))
-ON_DESK = On(("writing_desk",))
+IN_RACK = On(("shelf_rack",))
 AT_BENCH = Before(("wall_bench", "island_bench"))
 AT_DESK = Before(("writing_desk", "teacher_desk"))
 
@@ -58,16 +63,19 @@ __all__ = [
     "AT_DESK",
     "AT_OUTER_WALL",
     "AT_WALL",
+    "BEFORE_BOARD",
     "BENCHES",
     "BESIDE",
     "BOARD",
     "DETAIL",
+    "DESK_AT_WALL",
+    "FIRST",
     "HUNG_HIGH",
     "HUNG_LOW",
+    "IN_RACK",
     "ISLAND",
     "MAIN",
     "ON_BENCH",
-    "ON_DESK",
     "ON_WALL_BENCH",
     "PENINSULA",
     "SAFETY",

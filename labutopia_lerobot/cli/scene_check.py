@@ -1,0 +1,37 @@
+"""Prove rooms: nothing overlaps, all opens, a robot of 0.6 m gets to everything.
+
+Exit status 1 if a room has faults; they are named.
+"""
+
+import argparse
+import sys
+
+from rich.console import Console
+
+NAME = "check"
+HELP = "prove that rooms can be worked in"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of this command."""
+    parser.add_argument("rooms", nargs="+", metavar="ROOM", help="name of a room, or a .json file")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the faults of every room."""
+    from labutopia_lerobot.scenes.plans import find_plan  # here: they bring mujoco
+    from labutopia_lerobot.scenes.proof import faults
+
+    console, faulty = Console(highlight=False, soft_wrap=True), 0
+    for room in arguments.rooms:
+        plan = find_plan(room)
+        found = faults(plan)
+        for fault in found:
+            console.print(f"Fault: {room}: {fault}", markup=False)
+        if not found:
+            told = f"{len(plan.pieces)} pieces, {len(plan.work_places)} work places"
+            console.print(f"{room} is proven: {told}", markup=False)
+        faulty += bool(found)
+    if faulty:
+        console.print(f"{faulty} of {len(arguments.rooms)} rooms have faults", markup=False)
+        sys.exit(1)
