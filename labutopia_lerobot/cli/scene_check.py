@@ -1,4 +1,4 @@
-"""Prove rooms: nothing overlaps, all opens, a robot of 0.6 m gets to everything.
+"""`labutopia-scene check`: prove rooms: nothing overlaps, all opens, a robot of 0.6 m gets to everything.
 
 Exit status 1 if a room has faults; they are named.
 """
@@ -8,16 +8,20 @@ import sys
 
 from rich.console import Console
 
-NAME = "check"
-HELP = "prove that rooms can be worked in"
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options of this command."""
+def add_check(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command `check`; `run` of what it parses does it."""
+    parser = commands.add_parser(
+        "check",
+        help="prove that rooms can be worked in",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("rooms", nargs="+", metavar="ROOM", help="name of a room, or a .json file")
+    parser.set_defaults(run=_run)
 
 
-def run(arguments: argparse.Namespace) -> None:
+def _run(arguments: argparse.Namespace) -> None:
     """Print the faults of every room."""
     from labutopia_lerobot.scenes.plans import find_plan  # here: they bring mujoco
     from labutopia_lerobot.scenes.proof import faults

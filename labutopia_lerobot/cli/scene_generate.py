@@ -1,4 +1,4 @@
-"""Generate a room: writes NAME.json (specification), NAME.xml (MJCF) and NAME.png (picture).
+"""`labutopia-scene generate`: generate a room: writes NAME.json (specification), NAME.xml (MJCF) and NAME.png (picture).
 
 The same family and seed give the same bytes.
 """
@@ -8,12 +8,15 @@ from pathlib import Path
 
 from rich.console import Console
 
-NAME = "generate"
-HELP = "generate a room from a family and a seed"
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options of this command."""
+def add_generate(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command `generate`; `run` of what it parses does it."""
+    parser = commands.add_parser(
+        "generate",
+        help="generate a room from a family and a seed",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("--family", required=True, help="kind of laboratory, such as organic")
     parser.add_argument("--seed", type=_seed, default=0, help="draws all that is drawn (default 0)")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to write to")
@@ -25,14 +28,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar=("WIDTH", "DEPTH"),
         help="of the room [m], for families of one room (default: drawn)",
     )
+    parser.set_defaults(run=_run)
 
 
-def run(arguments: argparse.Namespace) -> None:
+def _run(arguments: argparse.Namespace) -> None:
     """Generate, prove and write a room."""
     from labutopia_lerobot.scenes.families import family  # here: they bring mujoco
     from labutopia_lerobot.scenes.generation import generate
     from labutopia_lerobot.scenes.proof import proven
-    from labutopia_lerobot.sim.room_files import write_room
+    from labutopia_lerobot.export.room_files import write_room
 
     size = tuple(arguments.size) if arguments.size else None
     plan = generate(family(arguments.family), arguments.seed, arguments.name, size)

@@ -1,20 +1,24 @@
-"""List what there is: instruments (furniture included), glassware, families and rooms."""
+"""`labutopia-scene list`: list what there is: instruments (furniture included), glassware, families and rooms."""
 
 import argparse
 import json
 
 from rich.console import Console
 
-NAME = "list"
-HELP = "list instruments, glassware, families and rooms"
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options of this command."""
+def add_list(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command `list`; `run` of what it parses does it."""
+    parser = commands.add_parser(
+        "list",
+        help="list instruments, glassware, families and rooms",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("--json", action="store_true", help="as JSON: four sorted lists")
+    parser.set_defaults(run=_run)
 
 
-def run(arguments: argparse.Namespace) -> None:
+def _run(arguments: argparse.Namespace) -> None:
     """Print what there is."""
     console = Console(highlight=False, soft_wrap=True)
     found = everything()

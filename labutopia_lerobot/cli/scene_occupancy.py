@@ -1,4 +1,4 @@
-"""Map where in a room one can drive: ROOM_RESOLUTION.npz (data) and ROOM_RESOLUTION.png.
+"""`labutopia-scene occupancy`: map where in a room one can drive: ROOM_RESOLUTION.npz (data) and ROOM_RESOLUTION.png.
 
 Cells are 0 (free), 1 (occupied), -1 (beside the floor); rows go north, columns east, from the
 room's south-west corner. The picture has north up: white, black, grey. Arrays in the archive:
@@ -10,12 +10,15 @@ from pathlib import Path
 
 from rich.console import Console
 
-NAME = "occupancy"
-HELP = "map where in a room one can drive"
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options of this command."""
+def add_occupancy(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command `occupancy`; `run` of what it parses does it."""
+    parser = commands.add_parser(
+        "occupancy",
+        help="map where in a room one can drive",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("room", help="name of a room, or a .json file")
     parser.add_argument(
         "--resolution",
@@ -25,9 +28,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="width of a cell (default 0.05; the paper has 0.5)",
     )
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to write to")
+    parser.set_defaults(run=_run)
 
 
-def run(arguments: argparse.Namespace) -> None:
+def _run(arguments: argparse.Namespace) -> None:
     """Write the map of a room."""
     from labutopia_lerobot.scenes.occupancy import FREE, Occupancy  # here: they bring mujoco
     from labutopia_lerobot.scenes.plans import find_plan

@@ -79,8 +79,38 @@ def compile_scene(
     Pieces stand at the world's origin; a reset puts them where the layout says.
     """
     pieces = tuple(pieces)
+    spec = scene_spec(pieces, robot, room, view)
+    memory = _memory(pieces, robot)
+    spec.nuserdata = memory.size
+    contents = contents or {}
+    liquid = _drawing(spec, contents, particles) if contents else None
+    model = spec.compile()
+    groups, group_of_geom = _contact_groups(model, robot)
+    return Scene(
+        model, robot, room, pieces, memory, groups, group_of_geom, contents, particles, liquid
+    )
+
+
+def scene_spec(pieces: Iterable[Piece], robot: Robot, room: Room, view: View) -> mujoco.MjSpec:
+    """Return the room with the robot and the pieces in it; what stands free has a free joint."""
     spec = room.build(view)
     room.decorate(spec, view)
+    set_options(spec)
+    add_robot(spec, robot, room)
+    for piece in pieces:
+        body = piece.add_to(spec, spec.worldbody)
+        if piece.movable:
+            body.add_freejoint(name=f"{piece.name}_free")
+    if spec.flexes:
+        # The only integrator that is implicit in position: explicit ones need steps far below a
+        # millisecond for elastic bodies, implicitfast refuses them, of which this is a sibling
+        # (MuJoCo documentation, "Integrators", "Deformables").
+        spec.option.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
+    return spec
+
+
+def set_options(spec: mujoco.MjSpec) -> None:
+    """Set how a spec is stepped and drawn."""
     spec.option.timestep = 1.0 / PHYSICS_HZ
     # Elliptic cones with a high friction impedance keep a friction grasp from creeping
     # (MuJoCo documentation, "Preventing slip"): a held rod by 0.10 mm in 20 s; by 1.2 mm with 10
@@ -97,26 +127,6 @@ def compile_scene(
     spec.stat.extent = 1.0  # so that the clipping planes are in metres
     spec.visual.map.znear = 0.01
     spec.visual.map.zfar = 20.0
-
-    add_robot(spec, robot, room)
-    for piece in pieces:
-        body = piece.add_to(spec, spec.worldbody)
-        if piece.movable:
-            body.add_freejoint(name=f"{piece.name}_free")
-    if spec.flexes:
-        # The only integrator that is implicit in position: explicit ones need steps far below a
-        # millisecond for elastic bodies, implicitfast refuses them, of which this is a sibling
-        # (MuJoCo documentation, "Integrators", "Deformables").
-        spec.option.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
-    memory = _memory(pieces, robot)
-    spec.nuserdata = memory.size
-    contents = contents or {}
-    liquid = _drawing(spec, contents, particles) if contents else None
-    model = spec.compile()
-    groups, group_of_geom = _contact_groups(model, robot)
-    return Scene(
-        model, robot, room, pieces, memory, groups, group_of_geom, contents, particles, liquid
-    )
 
 
 def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:

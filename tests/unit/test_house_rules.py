@@ -21,6 +21,7 @@ LAYERS = (
     "tasks scenario",
     "liquids",
     "sim",
+    "export",
     "features env vector gymnasium_ids",
     "checks",
     "runtime",
@@ -32,7 +33,7 @@ LAYERS = (
 
 HEIGHT = {room: height for height, line in enumerate(LAYERS) for room in line.split()}
 
-MUJOCO = {"labware", "robots", "scenes", "liquids", "sim"}
+MUJOCO = {"labware", "robots", "scenes", "liquids", "sim", "export"}
 LEROBOT = {"datasets", "devices", "evaluation", "lerobot_plugin"}
 
 

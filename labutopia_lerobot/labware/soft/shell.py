@@ -145,6 +145,7 @@ class Shell:
                 continue
             vertex = f"{name}_{number:03d}"
             point = body.add_body(name=vertex, pos=position, explicitinertial=True, mass=share)
+            point.ipos = (0.0, 0.0, 0.0)  # MuJoCo does not write an inertia without a place
             point.inertia = (share * 1e-6,) * 3  # not felt: it never turns
             for axis, direction in zip("xyz", np.eye(3), strict=True):
                 slide = mujoco.mjtJoint.mjJNT_SLIDE

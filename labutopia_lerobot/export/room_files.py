@@ -8,6 +8,7 @@ import numpy as np
 from PIL import Image
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.export.mjcf import write_mjcf
 from labutopia_lerobot.labware.catalogue import instrument
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.scenes.furnished_model import build
@@ -25,7 +26,7 @@ _FROM = np.array([-0.35, -0.62, 0.85])
 
 
 def write_room(plan: Plan, folder: Path) -> tuple[Path, Path, Path]:
-    """Write NAME.json, NAME.xml and NAME.png; the same bytes for the same plan.
+    """Write NAME.json, NAME.xml with its textures and NAME.png; the same bytes for the same plan.
 
     Args:
         plan: The room.
@@ -40,7 +41,7 @@ def write_room(plan: Plan, folder: Path) -> tuple[Path, Path, Path]:
     model = spec.compile()
     files = tuple(folder / f"{plan.name}.{kind}" for kind in ("json", "xml", "png"))
     files[0].write_text(text_of(plan), encoding="utf-8")
-    files[1].write_text(spec.to_xml(), encoding="utf-8")
+    write_mjcf(spec, files[1])
     picture(plan, model).save(files[2])
     return files[0], files[1], files[2]
 
