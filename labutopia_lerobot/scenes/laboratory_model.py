@@ -1,5 +1,7 @@
 """The laboratory as a MuJoCo spec: bench, pedestal, lights and the two fixed cameras."""
 
+from collections.abc import Callable
+
 import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -23,8 +25,16 @@ _TILES_PER_M = 2.5
 """Repetitions of a texture of the bench top [1/m]."""
 
 
-def laboratory(room: Room, view: View) -> mujoco.MjSpec:
-    """Return the room, with bench, robot pedestal, lights and the cameras `front` and `top`."""
+def laboratory(
+    room: Room, view: View, surround: Callable[[mujoco.MjSpec], None] | None = None
+) -> mujoco.MjSpec:
+    """Return the room, with bench, robot pedestal, lights and the cameras `front` and `top`.
+
+    Args:
+        room: Where bench and robot are in it.
+        view: Where the cameras are.
+        surround: Adds the body `world.ROOM`; a plain one with four walls by default.
+    """
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
     spec.modelname = "laboratory"
@@ -32,9 +42,9 @@ def laboratory(room: Room, view: View) -> mujoco.MjSpec:
     spec.default.geom.solref[:] = SOLREF
     spec.default.geom.solimp[:] = SOLIMP
     _materials(spec)
-    _walls(spec)
+    (surround or _walls)(spec)
     _bench(spec, room)
-    _lights(spec)
+    add_lights(spec)
     _add_camera(spec, "front", view.front)
     _add_camera(spec, "top", view.top)
     return spec
@@ -138,7 +148,7 @@ def _bench(spec: mujoco.MjSpec, room: Room) -> None:
     )
 
 
-def _lights(spec: mujoco.MjSpec) -> None:
+def add_lights(spec: mujoco.MjSpec) -> None:
     """Two unequal directional lights and a weak headlight: every face of a box shades differently.
 
     No light casts a shadow: shadow maps cost two to five times the whole image on a CPU.

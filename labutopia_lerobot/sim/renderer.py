@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.scenes.views import FIXED_CAMERAS, WIDEST_PICTURE
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
 from labutopia_lerobot.sim.gleaming_walls import GleamingWalls
 from labutopia_lerobot.sim.opengl import BACKENDS, refused_backend
 from labutopia_lerobot.world import FloatArray
-from labutopia_lerobot.world.model import SKIN_GROUP
+from labutopia_lerobot.world.model import BEYOND_GROUP, SKIN_GROUP
 
 _CURE = (
     "No picture without OpenGL. On a headless Linux machine type\n"
@@ -63,6 +64,7 @@ class Renderer:
         self._options.geomgroup[3:] = 0  # collision geometry and planner hulls stay unseen
         self._options.sitegroup[:] = 0
         self._options.skingroup[SKIN_GROUP] = 0  # liquids draw themselves
+        self._wide = width > WIDEST_PICTURE * height
         self._liquids = tuple(liquids)
         self._planes = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
         self._gleaming = GleamingWalls(model)
@@ -113,6 +115,7 @@ class Renderer:
 
     def _update(self, data: mujoco.MjData, camera: str) -> None:
         """Fill the scene with what there is to see."""
+        self._options.geomgroup[BEYOND_GROUP] = self._wide or camera not in FIXED_CAMERAS
         self._renderer.update_scene(data, camera, self._options)
         self._take_ceiling_off(data, data.camera(camera).xpos)
         self._turn_glass(data, data.camera(camera).xpos)

@@ -100,6 +100,7 @@ def compile_scene(
 def scene_spec(pieces: Iterable[Piece], robot: Robot, room: Room, view: View) -> mujoco.MjSpec:
     """Return the room with the robot and the pieces in it; what stands free has a free joint."""
     spec = room.build(view)
+    room.decorate(spec, view)
     set_options(spec)
     add_robot(spec, robot, room)
     for piece in pieces:
