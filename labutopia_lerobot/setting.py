@@ -15,7 +15,7 @@ from typing import Any, dataclass_transform
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import require_task
 from labutopia_lerobot.robots import DEFAULT_ROBOT, ROBOTS
-from labutopia_lerobot.scenes import DEFAULT_ROOM, ROOMS
+from labutopia_lerobot.scenes import DEFAULT_ROOM, load_room
 
 SPLITS = ("train", "id", "ood")
 """`train`: demonstrations. `id`: the same values, other seeds. `ood`: values never trained on."""
@@ -73,7 +73,7 @@ class Setting:
         liquid: `on`; with `off` vessels are empty, pouring and spilling are judged by tilts.
         particles: In how many particles the liquid of a task is divided.
         robot: What plays, an arm of `robots.ROBOTS`.
-        room: Where, one of `scenes.ROOMS`.
+        room: Where: `laboratory`, or a furnished room such as `organic_7` that has a work place.
         renderer: `classic` (OpenGL) or `filament` (physically based, needs Vulkan; colours only).
         step: A step of the task, such as 3_place, to be played alone: the expert plays those
             before it, and the episode is over when it is done; null for the whole task.
@@ -109,7 +109,7 @@ class Setting:
         require_choices("split", [self.split], SPLITS)
         require_choices("liquid", [self.liquid], LIQUID)
         require_choices("robot", [self.robot], ROBOTS)
-        require_choices("room", [self.room], ROOMS)
+        load_room(self.room)  # it must be one that can be played in
         require_choices("renderer", [self.renderer], RENDERERS)
         require_choices("cameras", self.cameras, CAMERAS)
         if not self.cameras or len(set(self.cameras)) < len(self.cameras):

@@ -25,7 +25,6 @@ LINKS = (
 
 def build(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
     """An arm of six joints, after a fan with a motor of its own, which is no element of it."""
-    spec.add_material(name="plain", rgba=(0.5, 0.5, 0.6, 1.0))
     body = parent.add_body(name="socket", gravcomp=1)
     fan = body.add_body(name="fan", pos=(-0.2, 0, 0.1))
     fan.add_joint(name="fan", axis=(0, 0, 1))
@@ -46,7 +45,7 @@ def build(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
         add_joint_servo(spec, joint, stiffness=2000.0, damping=60.0, force=100.0)
     half = math.sqrt(0.5)  # of the hand: z along the last axis, fingers side by side
     hand = body.add_body(name="hand", pos=(0.06, 0, 0), quat=(half, 0, half, 0), gravcomp=1)
-    add_franka_hand(spec, hand, material="plain")
+    add_franka_hand(spec, hand)
 
 
 SIX = Robot(

@@ -11,6 +11,8 @@ from labutopia_lerobot.labware.glass.catalogue import catalogue as ware
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenes import ROOMS, load_room
+from labutopia_lerobot.scenes.furnished_model import build
+from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.setting import LIQUID, Setting
 from labutopia_lerobot.sim.scene import scene_spec, set_options
@@ -68,9 +70,9 @@ def find_subject(what: str, size: str | None = None, seed: int = 0) -> Subject:
         size = size or next(iter(sizes))
         return _piece(f"{what}_{size.replace(' ', '_')}", ware()[what].vessel(size, what))
     if what in ROOMS:
-        spec = load_room(what).build(VESSEL_VIEW)
-        set_options(spec)
-        return _compiled(what, spec)
+        return _compiled(what, _with_options(load_room(what).build(VESSEL_VIEW)))
+    if what in plan_names():
+        return _compiled(what, _with_options(build(load_plan(what))))
     _require_known(what)
     return _task(what, seed)
 
@@ -79,7 +81,7 @@ def _require_known(what: str) -> None:
     sorts = {
         "instruments": list(instruments()),
         "ware": list(ware()),
-        "rooms": list(ROOMS),
+        "rooms": [*ROOMS, *plan_names()],
         "tasks": list(task_files()),
     }
     names = [name for sort in sorts.values() for name in sort]
@@ -101,8 +103,7 @@ def _piece(name: str, piece: Piece) -> Subject:
     spec.compiler.degree = False
     spec.default.geom.solref[:] = SOLREF
     spec.default.geom.solimp[:] = SOLIMP
-    set_options(spec)
-    body = piece.add_to(spec, spec.worldbody)
+    body = piece.add_to(_with_options(spec), spec.worldbody)
     if piece.movable:
         body.add_freejoint(name=f"{piece.name}_free")
     return _compiled(name, spec)
@@ -126,6 +127,11 @@ def _task(task: str, seed: int) -> Subject:
         return _compiled(task.replace("/", "_"), spec)
     finally:
         cells.close()
+
+
+def _with_options(spec: mujoco.MjSpec) -> mujoco.MjSpec:
+    set_options(spec)
+    return spec
 
 
 def _compiled(name: str, spec: mujoco.MjSpec) -> Subject:

@@ -12,6 +12,7 @@ from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
 from labutopia_lerobot.robots.parts import (
     add_collision_box,
     add_servo,
+    add_tones,
     add_visual_mesh,
     set_inertia,
 )
@@ -31,27 +32,39 @@ _FINGER_ARMATURE = 0.5
 """Mass of the drive felt at a finger [kg]: not published. With 0.1 the servo's damping outweighed
 the fingers sixfold in a physics step, and pads that met a heavy flask bounced off and struck it."""
 
-_TRIANGLES_HAND = 700
-_TRIANGLES_FINGER = 150
+FRANKA_MESHES = "xacro/qut_frankie_description/meshes/visual"
+"""Where `rtb-data` has the meshes of `franka_description`, in colour."""
+FRANKA_FINISH = "franka"
+"""Material of all that is Franka's."""
+
+_WHITE = (0.93, 0.93, 0.92)
+_GREY = (0.66, 0.68, 0.70)
+_ANTHRACITE = (0.27, 0.28, 0.30)
+"""Shells, fingers and flange, covers and pads; the shades in the files are 1, 0.92 and 0.25."""
+
+_TONES = ((0.5, _ANTHRACITE), (0.9, _GREY), (0.95, _GREY), (0.98, _WHITE))
+
+_TRIANGLES_HAND = 600
+_TRIANGLES_FINGER = 180
 
 
-def add_franka_hand(spec: mujoco.MjSpec, hand: mujoco.MjsBody, material: str) -> None:
+def add_franka_hand(spec: mujoco.MjSpec, hand: mujoco.MjsBody) -> None:
     """Build the hand on a body: fingers, pads, gripper servo, grasp site and wrist camera.
 
     Args:
-        spec: The spec of the body.
+        spec: The spec of the body; it gets the material `FRANKA_FINISH`, too.
         hand: A body whose frame is that of the hand: z forward, y along the finger motion.
-        material: Name of a material of the spec.
     """
+    add_tones(spec, FRANKA_FINISH, *_TONES, specular=0.35, shininess=0.5)
     set_inertia(hand, 0.73, (-0.01, 0.0, 0.03), (0.001, 0.0025, 0.0017, 0.0, 0.0, 0.0))
-    add_visual_mesh(spec, hand, "meshes/FRANKA-EMIKA/Panda/hand.stl", _TRIANGLES_HAND, material)
+    add_visual_mesh(spec, hand, f"{FRANKA_MESHES}/hand.dae", _TRIANGLES_HAND, FRANKA_FINISH)
     add_collision_box(hand, "hand_collision", (0.0, 0.0, 0.022), (0.028, 0.1, 0.042))
     # Half a turn from the hand's own axes, so that x, on the side of the camera, is up where joint
     # 7 is in the middle of its range and can tilt a held vessel either way.
     hand.add_site(name=FRANKA_HAND.site, pos=(0, 0, _GRASP_OFFSET), quat=(0, 0, 0, 1), group=4)
     _add_wrist_camera(hand)
-    _add_finger(spec, hand, "left", FRANKA_HAND.finger_joints[0], (1, 0, 0, 0), material)
-    _add_finger(spec, hand, "right", FRANKA_HAND.finger_joints[1], (0, 0, 0, 1), material)
+    _add_finger(spec, hand, "left", FRANKA_HAND.finger_joints[0], (1, 0, 0, 0))
+    _add_finger(spec, hand, "right", FRANKA_HAND.finger_joints[1], (0, 0, 0, 1))
     spec.add_exclude(bodyname1="left_finger", bodyname2="right_finger")
     _couple_fingers(spec)
 
@@ -77,7 +90,6 @@ def _add_finger(
     side: str,
     joint: str,
     quat_wxyz: tuple[float, float, float, float],
-    material: str,
 ) -> None:
     """Add a finger that opens along its own +y; the face of its pad is the plane y = 0."""
     finger = hand.add_body(
@@ -91,9 +103,7 @@ def _add_finger(
         armature=_FINGER_ARMATURE,
     )
     set_inertia(finger, 0.015, (0.0, 0.0, 0.0), (2.375e-6, 2.375e-6, 7.5e-7, 0.0, 0.0, 0.0))
-    add_visual_mesh(
-        spec, finger, "meshes/FRANKA-EMIKA/Panda/finger.stl", _TRIANGLES_FINGER, material
-    )
+    add_visual_mesh(spec, finger, f"{FRANKA_MESHES}/finger.dae", _TRIANGLES_FINGER, FRANKA_FINISH)
     add_collision_box(
         finger, f"{side}_finger_collision", (0.0, 0.0175, 0.018), (0.0105, 0.0085, 0.018)
     )

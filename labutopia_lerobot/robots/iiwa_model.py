@@ -153,7 +153,7 @@ def add_iiwa(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
     )
     for i, joint in enumerate(IIWA.joints):
         add_joint_servo(spec, joint, _STIFFNESS[i], _DAMPING[i], _JOINT_TORQUE[i])
-    add_franka_hand(spec, hand, material="dark")
+    add_franka_hand(spec, hand)
     for first, second in _NEIGHBOURS:
         spec.add_exclude(bodyname1=first, bodyname2=second)
 

@@ -7,44 +7,45 @@ from importlib.metadata import version
 from importlib.resources import as_file, files
 from pathlib import Path
 
-import fast_simplification
 import numpy as np
 import trimesh
-from numpy.typing import NDArray
+
+from labutopia_lerobot.robots.collada import read_collada
+from labutopia_lerobot.robots.thinning import Part, ThinMesh, thin_mesh
 
 logger = logging.getLogger(__name__)
 
-type Mesh = tuple[NDArray[np.float32], NDArray[np.int32]]
-"""Vertices [m], (n, 3), and triangles as indices into them, (m, 3)."""
+_MADE_BY = 2
+"""Of the way that meshes are made; what another has left in the cache is not taken."""
 
 
-def load_mesh(name: str, triangles: int) -> Mesh:
+def load_mesh(name: str, triangles: int) -> ThinMesh:
     """Load a mesh of `rtb-data` and thin it out.
 
-    Thinning takes about 50 ms a mesh, so the result is cached. A cache that cannot be written is
+    Thinning takes about a second a mesh, so the result is cached. A cache that cannot be written is
     reported as a warning and costs only that time.
 
     Args:
-        name: Path in `rtbdata`, for example `meshes/FRANKA-EMIKA/Panda/link0.stl`.
+        name: Path in `rtbdata`, STL or COLLADA.
         triangles: How many triangles to keep, about.
 
     Returns:
-        Vertices in the frame of the file and triangles.
+        The mesh, in the frame of the file; an STL is white.
 
     Raises:
         FileNotFoundError: If `rtb-data` has no such mesh.
     """
-    stem = name.removesuffix(".stl").replace("/", "-")
-    cached = _cache_folder() / f"{stem}-{version('rtb-data')}-{triangles}.npz"
+    stem = name.replace("/", "-")
+    cached = _cache_folder() / f"{stem}-{version('rtb-data')}-{triangles}-{_MADE_BY}.npz"
     if cached.is_file():
         with np.load(cached) as arrays:
-            return arrays["vertices"], arrays["faces"]
-    vertices, faces = _simplify(name, triangles)
+            return ThinMesh(**arrays)
+    mesh = thin_mesh(_read(name), triangles)
     try:
-        _write_atomically(cached, vertices, faces)
+        _write_atomically(cached, mesh)
     except OSError as error:
         logger.warning("The mesh cache %s cannot be written (%s); going on without.", cached, error)
-    return vertices, faces
+    return mesh
 
 
 def _cache_folder() -> Path:
@@ -53,26 +54,22 @@ def _cache_folder() -> Path:
     return Path(root) / "labutopia_lerobot"
 
 
-def _simplify(name: str, triangles: int) -> Mesh:
+def _read(name: str) -> list[Part]:
     with as_file(files("rtbdata") / name) as path:
         if not path.is_file():
             raise FileNotFoundError(f"rtb-data {version('rtb-data')} has no mesh {name!r}.")
-        # Merging the corners of the STL's separate triangles lets them share edges to collapse.
+        if path.suffix == ".dae":
+            return read_collada(path)
         mesh = trimesh.load_mesh(path)
-    vertices, faces = fast_simplification.simplify(
-        np.asarray(mesh.vertices, np.float32),
-        np.asarray(mesh.faces, np.int32),
-        target_count=min(triangles, len(mesh.faces)),
-    )
-    return np.asarray(vertices, np.float32), np.asarray(faces, np.int32)
+    return [Part(np.asarray(mesh.vertices, float), np.asarray(mesh.faces, np.int32), 1.0)]
 
 
-def _write_atomically(path: Path, vertices: NDArray[np.float32], faces: NDArray[np.int32]) -> None:
+def _write_atomically(path: Path, mesh: ThinMesh) -> None:
     """Write beside the target and rename, so that a parallel worker never reads half a file."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".tmp", delete=False) as file:
         try:
-            np.savez(file, vertices=vertices, faces=faces)
+            np.savez(file, **mesh._asdict())
             file.close()
             os.replace(file.name, path)
         except OSError:

@@ -14,7 +14,11 @@ import math
 
 import mujoco
 
-from labutopia_lerobot.robots.franka_hand_model import add_franka_hand
+from labutopia_lerobot.robots.franka_hand_model import (
+    FRANKA_FINISH,
+    FRANKA_MESHES,
+    add_franka_hand,
+)
 from labutopia_lerobot.robots.panda import PANDA
 from labutopia_lerobot.robots.parts import (
     Capsule,
@@ -118,7 +122,7 @@ _FLANGE_OFFSET = 0.107
 _HAND_TURN = -math.pi / 4
 """Of the hand on the flange [rad] (franka_description)."""
 
-_LINK_TRIANGLES = 600
+_LINK_TRIANGLES = 520
 """Triangles of each link's mesh: few, for rendering speed, yet smooth at 256 x 256 pixels."""
 
 # Links that overlap at a joint, or sit two joints apart with little between them. MuJoCo skips
@@ -135,8 +139,6 @@ _NEIGHBOURS = (
 
 def add_panda(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
     """Build the arm with its hand onto a body (see `Robot.add_to`)."""
-    spec.add_material(name="white", rgba=(0.93, 0.93, 0.92, 1.0), specular=0.3, shininess=0.4)
-    spec.add_material(name="dark", rgba=(0.22, 0.23, 0.25, 1.0), specular=0.3, shininess=0.4)
     hand = _add_arm(spec, parent).add_body(
         name=PANDA.gripper.body,
         pos=(0, 0, _FLANGE_OFFSET),
@@ -145,7 +147,7 @@ def add_panda(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
     )
     for i, joint in enumerate(PANDA.joints):
         add_joint_servo(spec, joint, _STIFFNESS[i], _DAMPING[i], _JOINT_TORQUE[i])
-    add_franka_hand(spec, hand, material="dark")
+    add_franka_hand(spec, hand)
     for first, second in _NEIGHBOURS:
         spec.add_exclude(bodyname1=first, bodyname2=second)
 
@@ -176,6 +178,4 @@ def _add_arm(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
 
 def _add_mass_and_mesh(spec: mujoco.MjSpec, body: mujoco.MjsBody, link: int) -> None:
     set_inertia(body, _MASS[link], _CENTRE_OF_MASS[link], _INERTIA[link])
-    add_visual_mesh(
-        spec, body, f"meshes/FRANKA-EMIKA/Panda/link{link}.stl", _LINK_TRIANGLES, "white"
-    )
+    add_visual_mesh(spec, body, f"{FRANKA_MESHES}/link{link}.dae", _LINK_TRIANGLES, FRANKA_FINISH)

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 import mujoco
+import numpy as np
 
 from labutopia_lerobot.robots.meshes import load_mesh
 from labutopia_lerobot.robots.robot import Element
@@ -12,6 +13,9 @@ type Vector = tuple[float, float, float]
 type Inertia = tuple[float, float, float, float, float, float]
 type Capsule = tuple[Vector, Vector, float]
 """End points of the axis in the body frame [m] and radius [m]."""
+
+_TONES = 32
+"""Width of the texture that tones are looked up in [pixels]."""
 
 
 def set_inertia(body: mujoco.MjsBody, mass: float, centre: Vector, inertia: Inertia) -> None:
@@ -41,13 +45,16 @@ def add_visual_mesh(
         triangles: As in `load_mesh`.
         material: Name of a material of the spec.
     """
-    name = file.removesuffix(".stl").rpartition("/")[-1]
+    name = file.rpartition(".")[0].rpartition("/")[-1]
     if spec.mesh(name) is None:
-        vertices, faces = load_mesh(file, triangles)
+        mesh = load_mesh(file, triangles)
         spec.add_mesh(
             name=name,
-            uservert=vertices.ravel(),
-            userface=faces.ravel(),
+            uservert=mesh.vertices.ravel(),
+            usernormal=mesh.normals.ravel(),
+            # Where a material has tones (see `add_tones`), this is the vertex's place in them.
+            usertexcoord=np.repeat((0.5 + (_TONES - 1) * mesh.tones) / _TONES, 2),
+            userface=mesh.faces.ravel(),
             # The files are not watertight, so they have no volume to weigh.
             inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL,
         )
@@ -61,6 +68,30 @@ def add_visual_mesh(
         conaffinity=0,
         group=VISUAL_GROUP,
     )
+
+
+def add_tones(
+    spec: mujoco.MjSpec, name: str, *tones: tuple[float, Vector], specular: float, shininess: float
+) -> None:
+    """Add a material that meshes of several shades are drawn in, one geom for all of them.
+
+    Args:
+        spec: The spec.
+        name: Of the material and its texture.
+        *tones: How bright a part is in the file, rising, and the colour that it gets.
+        specular: How strongly it reflects lights, 0 to 1.
+        shininess: How small their reflections are, 0 to 1.
+    """
+    shades, colors = zip(*tones, strict=True)
+    levels = np.linspace(0.0, 1.0, _TONES)
+    channels = zip(*colors, strict=True)
+    row = np.column_stack([np.interp(levels, shades, channel) for channel in channels])
+    texture = spec.add_texture(
+        name=name, type=mujoco.mjtTexture.mjTEXTURE_2D, nchannel=3, width=_TONES, height=_TONES
+    )
+    texture.data = np.rint(255 * np.tile(row, (_TONES, 1, 1))).astype(np.uint8).tobytes()
+    material = spec.add_material(name=name, specular=specular, shininess=shininess)
+    material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = name
 
 
 def add_collision_box(

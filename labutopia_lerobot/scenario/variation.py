@@ -13,6 +13,7 @@ from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.scenario.bystanders import bystander_sets
 from labutopia_lerobot.scenario.draw import Draw
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
+from labutopia_lerobot.scenes.views import MOST_DISPLACED
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import FloatArray
 
@@ -60,7 +61,8 @@ def draw_variation(draw: Draw, joints: int) -> Variation:
         dim, bright = (0.45, 0.65), (1.35, 1.55)
         drawn["brightness"] = draw.uniform("light", train=(0.8, 1.2), test=(dim, bright))
     if draw.varies("camera"):  # a hand's breadth at most: the things stay in view
-        drawn["cameras"] = draw.displacement("camera", 3, train=(0.0, 0.03), test=[(0.05, 0.08)])
+        far = (0.05, MOST_DISPLACED)
+        drawn["cameras"] = draw.displacement("camera", 3, train=(0.0, 0.03), test=[far])
     if draw.varies("robot_start"):
         drawn["robot_start"] = draw.displacement(
             "robot_start", joints, train=(0.0, 0.10), test=[(0.15, 0.25)]

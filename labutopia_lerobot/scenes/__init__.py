@@ -1,30 +1,69 @@
 """Rooms and furniture as MuJoCo specs, and where the cameras of a task stand in them."""
 
+import difflib
+from collections.abc import Sequence
+from functools import cache
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.scenes.furnished_room import furnished_room
 from labutopia_lerobot.scenes.laboratory import LABORATORY
+from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.scenes.room import Room, Surface, UnknownRoomError
 
 ROOMS = {room.name: room for room in (LABORATORY,)}
-"""Every room by its name."""
+"""Rooms that are no plans, by name."""
 
 DEFAULT_ROOM = LABORATORY.name
 """The room of the paper's levels 1 to 4."""
 
+_LISTED = 30
+"""How many names a message has at most."""
+
+
+class NoWorkPlaceError(UserError, ValueError):
+    """A room in which no task can be played; the message names some in which one can."""
+
 
 def load_room(name: str) -> Room:
-    """Return the room of a name.
+    """Return the room of a name, such as `laboratory` or `organic_7`.
 
     Raises:
-        UnknownRoomError: If there is none; the message lists the choices.
+        UnknownRoomError: If there is none; the message names what is spelt alike.
+        NoWorkPlaceError: If no robot can work in it.
     """
-    if name not in ROOMS:
-        raise UnknownRoomError(f"room={name!r} is unknown. Choose from: {', '.join(ROOMS)}")
-    return ROOMS[name]
+    if name in ROOMS:
+        return ROOMS[name]
+    known = (*ROOMS, *plan_names())
+    if name not in known:
+        near = difflib.get_close_matches(name, known, n=3, cutoff=0.5)
+        choices = f"Did you mean: {', '.join(near)}?" if near else f"Choose from: {_some(known)}"
+        raise UnknownRoomError(f"room={name!r} is unknown. {choices}")
+    return _planned_room(name)
+
+
+@cache
+def _planned_room(name: str) -> Room:
+    plan = load_plan(name)
+    if not plan.work_places:
+        fit = [other for other in plan_names() if load_plan(other).work_places]
+        raise NoWorkPlaceError(
+            f"room={name!r} has no work place, a bench with a stand for the robot before it. Rooms "
+            f"that have one: {_some([*ROOMS, *fit])}"
+        )
+    return furnished_room(plan)
+
+
+def _some(names: Sequence[str]) -> str:
+    """Return names in a line, the first ones of many."""
+    more = len(names) - _LISTED
+    return ", ".join(names[:_LISTED]) + (f" and {more} more" if more > 0 else "")
 
 
 __all__ = [
     "DEFAULT_ROOM",
     "LABORATORY",
     "ROOMS",
+    "NoWorkPlaceError",
     "Room",
     "Surface",
     "UnknownRoomError",

@@ -48,3 +48,14 @@ WALL_FINISHES = {
     "terracotta": Finish((0.72, 0.46, 0.36, 1.0), 0.1, 0.1),
 }
 """Paints of laboratory walls; ours."""
+
+FLOOR_FINISHES = {
+    "grey vinyl": Finish((0.69, 0.71, 0.73, 1.0), 0.1, 0.1),
+    "blue vinyl": Finish((0.52, 0.62, 0.72, 1.0), 0.1, 0.1),
+    "green vinyl": Finish((0.58, 0.68, 0.60, 1.0), 0.1, 0.1),
+    "beige vinyl": Finish((0.78, 0.73, 0.62, 1.0), 0.1, 0.1),
+    "white tiles": Finish((0.86, 0.87, 0.87, 1.0), 0.3, 0.4),
+    "grey tiles": Finish((0.58, 0.59, 0.60, 1.0), 0.3, 0.4),
+    "grey epoxy": Finish((0.62, 0.64, 0.65, 1.0), 0.4, 0.5),
+}
+"""Floors of laboratories; ours."""

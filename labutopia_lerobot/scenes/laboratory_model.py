@@ -1,5 +1,7 @@
 """The laboratory as a MuJoCo spec: bench, pedestal, lights and the two fixed cameras."""
 
+from collections.abc import Callable
+
 import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -18,13 +20,21 @@ CRC Handbook, "Coefficients of friction")."""
 _WHITE = (0.90, 0.91, 0.92, 1.0)
 _GREY = (0.60, 0.63, 0.66, 1.0)
 _STEEL = (0.42, 0.45, 0.49, 1.0)
-_TOP = (0.33, 0.37, 0.42, 1.0)
+_TOP = (0.35, 0.39, 0.44, 1.0)
 _TILES_PER_M = 2.5
 """Repetitions of a texture of the bench top [1/m]."""
 
 
-def laboratory(room: Room, view: View) -> mujoco.MjSpec:
-    """Return the room, with bench, robot pedestal, lights and the cameras `front` and `top`."""
+def laboratory(
+    room: Room, view: View, surround: Callable[[mujoco.MjSpec], None] | None = None
+) -> mujoco.MjSpec:
+    """Return the room, with bench, robot pedestal, lights and the cameras `front` and `top`.
+
+    Args:
+        room: Where bench and robot are in it.
+        view: Where the cameras are.
+        surround: Adds the body `world.ROOM`; a plain one with four walls by default.
+    """
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
     spec.modelname = "laboratory"
@@ -32,9 +42,9 @@ def laboratory(room: Room, view: View) -> mujoco.MjSpec:
     spec.default.geom.solref[:] = SOLREF
     spec.default.geom.solimp[:] = SOLIMP
     _materials(spec)
-    _walls(spec)
+    (surround or _walls)(spec)
     _bench(spec, room)
-    _lights(spec)
+    add_lights(spec)
     _add_camera(spec, "front", view.front)
     _add_camera(spec, "top", view.top)
     return spec
@@ -54,7 +64,7 @@ def _materials(spec: mujoco.MjSpec) -> None:
     floor.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = "floor"
     for name, rgba in (("wall", _WHITE), ("cabinet", _GREY), ("steel", _STEEL)):
         spec.add_material(name=name, rgba=rgba, specular=0.1, shininess=0.1)
-    spec.add_material(
+    top = spec.add_material(
         name="bench_top",
         rgba=_TOP,
         specular=0.25,
@@ -62,6 +72,7 @@ def _materials(spec: mujoco.MjSpec) -> None:
         texuniform=True,
         texrepeat=[_TILES_PER_M] * 2,
     )
+    top.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = "speckled"
     for name in PATTERNS:  # what an episode may give the bench top (sim/appearance.py)
         kind = mujoco.mjtTexture.mjTEXTURE_2D
         drawn = spec.add_texture(name=name, type=kind, width=SIZE, height=SIZE, nchannel=3)
@@ -137,16 +148,16 @@ def _bench(spec: mujoco.MjSpec, room: Room) -> None:
     )
 
 
-def _lights(spec: mujoco.MjSpec) -> None:
+def add_lights(spec: mujoco.MjSpec) -> None:
     """Two unequal directional lights and a weak headlight: every face of a box shades differently.
 
     No light casts a shadow: shadow maps cost two to five times the whole image on a CPU.
     """
-    spec.visual.headlight.ambient = [0.38, 0.38, 0.38]
-    spec.visual.headlight.diffuse = [0.12, 0.12, 0.12]
+    spec.visual.headlight.ambient = [0.48, 0.48, 0.49]
+    spec.visual.headlight.diffuse = [0.10, 0.10, 0.10]
     spec.visual.headlight.specular = [0.15, 0.15, 0.15]
     for name, direction, diffuse in (
-        ("key", [-0.45, 0.55, -0.9], 0.50),
+        ("key", [-0.45, 0.55, -0.9], 0.42),
         ("fill", [0.7, -0.6, -0.5], 0.18),
     ):
         spec.worldbody.add_light(

@@ -10,6 +10,9 @@ from typing import Literal
 Heading = Literal[0, 90, 180, 270]
 """East, north, west, south [deg]."""
 
+WALL_THICKNESS = 0.12
+"""Of a wall inside a room [m]: plasterboard of two layers on 75 mm studs is 125 mm (DIN 18183)."""
+
 
 @dataclass(frozen=True)
 class Wall:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class UnknownRoomError(UserError, ValueError):
-    """A room that does not exist; the message lists those that do."""
+    """A room that does not exist; the message names some that do."""
 
 
 @dataclass(frozen=True)
@@ -41,12 +41,14 @@ class Room:
         builder: Returns a room as a spec (see `build`).
         bench: Top of the bench.
         robot_stand: Where the base of a robot is mounted, facing +x [m], world frame.
+        decorator: Adds to such a spec what is seen and never touched, or None.
     """
 
     name: str
     builder: "Callable[[Room, View], mujoco.MjSpec]"
     bench: Surface
     robot_stand: Vector
+    decorator: "Callable[[mujoco.MjSpec, View], None] | None" = None
 
     def build(self, view: View) -> "mujoco.MjSpec":
         """Return the room as a spec (angles in radians) with the cameras `front` and `top`.
@@ -54,3 +56,8 @@ class Room:
         The bench is the body `world.BENCH`; floor and walls are the body `world.ROOM`.
         """
         return self.builder(self, view)
+
+    def decorate(self, spec: "mujoco.MjSpec", view: View) -> None:
+        """Add to the spec that was built what is seen around the bench and never touched."""
+        if self.decorator is not None:
+            self.decorator(spec, view)

@@ -19,18 +19,21 @@ class Pattern:
         length: How far the noise is alike along the grain, its standard deviation [pixels].
         width: The same across the grain [pixels].
         rings: Into how many lines, light and dark, the noise is cut; 0 leaves it as it is.
+        flecks: Share of the surface that is as dark as it gets, the rest being half as dark at
+            most; 0 for all shades equally often.
     """
 
     depth: float
     length: float
     width: float
     rings: int = 0
+    flecks: float = 0.0
 
 
 PATTERNS = {
-    "speckled": Pattern(depth=0.08, length=0.8, width=0.8),
-    "grained": Pattern(depth=0.32, length=80.0, width=9.0, rings=5),
-    "brushed": Pattern(depth=0.18, length=60.0, width=0.7),
+    "speckled": Pattern(depth=0.13, length=0.45, width=0.45, flecks=0.08),
+    "grained": Pattern(depth=0.34, length=90.0, width=8.0, rings=7),
+    "brushed": Pattern(depth=0.20, length=70.0, width=0.8),
 }
 """Laminate with a fine grain; wood; steel that was ground in one direction. All ours."""
 
@@ -51,5 +54,7 @@ def texture(name: str) -> NDArray[np.uint8]:
     level = ranks.reshape(smooth.shape)  # every shade equally often
     if pattern.rings:
         level = 0.5 + 0.5 * np.sin(2 * np.pi * pattern.rings * level)
+    if pattern.flecks:
+        level = np.where(level > 1.0 - pattern.flecks, 1.0, 0.5 * level)
     grey = np.round(255 * (1.0 - pattern.depth * level)).astype(np.uint8)
     return np.repeat(grey[:, :, None], 3, axis=2)

@@ -4,6 +4,15 @@ from dataclasses import dataclass
 
 Vector = tuple[float, float, float]
 
+FIXED_CAMERAS = ("front", "top")
+"""Those of a `View`."""
+
+WIDEST_PICTURE = 2.0
+"""Width over height up to which rooms leave out what the fixed cameras cannot see."""
+
+MOST_DISPLACED = 0.08
+"""How far the axis `camera` displaces the fixed cameras at most [m]."""
+
 
 @dataclass(frozen=True)
 class CameraPose:

@@ -4,8 +4,7 @@ import mujoco
 
 from labutopia_lerobot.scenario.variation import Variation
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES, Finish
-
-_FIXED_CAMERAS = ("front", "top")
+from labutopia_lerobot.scenes.views import FIXED_CAMERAS
 
 
 class Appearance:
@@ -45,7 +44,7 @@ class Appearance:
         for light in (head.ambient, head.diffuse, head.specular):
             light[:] *= variation.brightness
         if variation.cameras is not None:
-            for name in _FIXED_CAMERAS:
+            for name in FIXED_CAMERAS:
                 model.camera(name).pos += variation.cameras
 
     def _paint(self, material: str, finish: Finish) -> None:

@@ -17,9 +17,12 @@ from numpy.typing import NDArray
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.scenes.views import FIXED_CAMERAS, WIDEST_PICTURE
 from labutopia_lerobot.sim.filament_light import HEADLIGHT_LUX, developed
 from labutopia_lerobot.sim.filament_surfaces import FilamentDisplay, FilamentLiquid
+from labutopia_lerobot.sim.gleaming_walls import GleamingWalls
 from labutopia_lerobot.sim.vulkan import vulkan_device
+from labutopia_lerobot.world.model import BEYOND_GROUP
 
 if TYPE_CHECKING:
     from mujoco import mjrf
@@ -64,6 +67,8 @@ class FilamentRenderer:
         self._model, self._view = model, View
         self._renderer = Renderer(context)
         self._things = _Things(context, model, self._renderer.scene(_SCENE))
+        self._gleaming = GleamingWalls(model)
+        self._wide = width > WIDEST_PICTURE * height
         self._film = np.empty((height, width, 3), np.uint8)
         self._renderer.target(_FILM, self._film)
         self._liquids = [FilamentLiquid(context, self._things.scene, each) for each in liquids]
@@ -71,9 +76,11 @@ class FilamentRenderer:
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
-        self._things.update(data)
+        self._things.update(data, self._wide or camera not in FIXED_CAMERAS)
         for liquid in self._liquids:
             liquid.update()
+        for wall, axes in self._gleaming.turned(data, data.camera(camera).xpos):
+            self._things.of_geom(wall).set_pose(data.geom_xpos[wall], axes.ravel())
         for display in self._displays:
             display.update(data, self._things.of_geom(display.geom))
         eye = mujoco.MjvCamera()
@@ -116,13 +123,19 @@ class _Things:
         self._resources = mjrf.ModelResources(context, model)
         self._lights = mjrf.ModelLights(scene, self._resources)
         self._renderables = mjrf.ModelRenderables(scene, self._resources)
-        shown = mujoco.MjvOption()
-        shown.geomgroup[3:] = 0  # collision geometry and planner hulls stay unseen
-        shown.sitegroup[:] = 0
-        self._renderables.set_options(shown)
+        self._shown = mujoco.MjvOption()
+        self._shown.geomgroup[3:] = 0  # collision geometry and planner hulls stay unseen
+        self._shown.sitegroup[:] = 0
 
-    def update(self, data: mujoco.MjData) -> None:
-        """Put everything where it is, with the colours that it has now."""
+    def update(self, data: mujoco.MjData, beyond: bool) -> None:
+        """Put everything where it is, with the colours that it has now.
+
+        Args:
+            data: Where it is.
+            beyond: Whether to show what no fixed camera sees.
+        """
+        self._shown.geomgroup[BEYOND_GROUP] = beyond
+        self._renderables.set_options(self._shown)
         self._lights.update(data)
         self._renderables.update(data)
 

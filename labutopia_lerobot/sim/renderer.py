@@ -13,9 +13,12 @@ from numpy.typing import NDArray
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.scenes.views import FIXED_CAMERAS, WIDEST_PICTURE
+from labutopia_lerobot.sim.contact_shadows import ContactShadows
+from labutopia_lerobot.sim.gleaming_walls import GleamingWalls
 from labutopia_lerobot.sim.opengl import BACKENDS, refused_backend
 from labutopia_lerobot.world import FloatArray
-from labutopia_lerobot.world.model import SKIN_GROUP
+from labutopia_lerobot.world.model import BEYOND_GROUP, SKIN_GROUP
 
 _CURE = (
     "No picture without OpenGL. On a headless Linux machine type\n"
@@ -41,6 +44,7 @@ class Renderer:
         height: Height of every picture [pixels].
         liquids: The liquids in the model; pictures show the surfaces that they have extracted last.
         displays: Of the instruments in the model; pictures show what they read.
+        shadows: Spots on the bench in colour pictures, if any.
 
     Raises:
         NoOpenGLError: If no OpenGL context can be had.
@@ -53,20 +57,26 @@ class Renderer:
         height: int,
         liquids: Sequence[LiquidDrawing] = (),
         displays: Sequence[Display] = (),
+        shadows: ContactShadows | None = None,
     ) -> None:
         self._renderer = _open(model, width, height)
         self._options = mujoco.MjvOption()
         self._options.geomgroup[3:] = 0  # collision geometry and planner hulls stay unseen
         self._options.sitegroup[:] = 0
         self._options.skingroup[SKIN_GROUP] = 0  # liquids draw themselves
+        self._wide = width > WIDEST_PICTURE * height
         self._liquids = tuple(liquids)
         self._planes = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
+        self._gleaming = GleamingWalls(model)
+        self._shadows = shadows
         self._displays = tuple(displays)
         self._shown = [""] * len(self._displays)
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
         self._update(data, camera)
+        if self._shadows is not None:
+            self._shadows.draw(self._renderer.scene, data)
         picture: NDArray[np.uint8] = self._renderer.render()
         return picture
 
@@ -105,8 +115,10 @@ class Renderer:
 
     def _update(self, data: mujoco.MjData, camera: str) -> None:
         """Fill the scene with what there is to see."""
+        self._options.geomgroup[BEYOND_GROUP] = self._wide or camera not in FIXED_CAMERAS
         self._renderer.update_scene(data, camera, self._options)
         self._take_ceiling_off(data, data.camera(camera).xpos)
+        self._turn_glass(data, data.camera(camera).xpos)
         self._show_readings(data)
         for liquid in self._liquids:
             liquid.draw(self._renderer.scene, self._renderer.model)
@@ -126,6 +138,14 @@ class Renderer:
             for geom in scene.geoms[: scene.ngeom]:
                 if geom.objtype == mujoco.mjtObj.mjOBJ_GEOM and geom.objid in behind:
                     geom.pos = _FAR
+
+    def _turn_glass(self, data: mujoco.MjData, eye_w: FloatArray) -> None:
+        """Turn round walls about their axes, so that what faces the eye is drawn see-through."""
+        turned = dict(self._gleaming.turned(data, eye_w))
+        scene = self._renderer.scene
+        for geom in scene.geoms[: scene.ngeom]:
+            if geom.objtype == mujoco.mjtObj.mjOBJ_GEOM and geom.objid in turned:
+                geom.mat = turned[geom.objid]
 
     def _show_readings(self, data: mujoco.MjData) -> None:
         """Write onto the displays what has changed since the last picture."""

@@ -11,6 +11,7 @@ from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.setting import FILAMENT
 from labutopia_lerobot.sim import filament_renderer, renderer
+from labutopia_lerobot.sim.contact_shadows import ContactShadows
 
 
 class Renderer(Protocol):
@@ -40,8 +41,11 @@ def open_renderer(
     height: int,
     liquids: Sequence[LiquidDrawing] = (),
     displays: Sequence[Display] = (),
+    shadows: ContactShadows | None = None,
 ) -> Renderer:
     """Return a renderer of a kind, one of `setting.RENDERERS`; the model is compiled for it.
+
+    Filament has shade of its own where things stand, and leaves `shadows` out.
 
     Raises:
         NoFilamentError: If it is Filament, and there is no Vulkan.
@@ -49,7 +53,7 @@ def open_renderer(
     """
     if kind == FILAMENT:
         return filament_renderer.FilamentRenderer(model, width, height, liquids, displays)
-    return renderer.Renderer(model, width, height, liquids, displays)
+    return renderer.Renderer(model, width, height, liquids, displays, shadows)
 
 
 def require_renderer(kind: str) -> None:

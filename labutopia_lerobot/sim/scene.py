@@ -14,6 +14,7 @@ from labutopia_lerobot.robots.set_points import SPAN
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
+from labutopia_lerobot.sim import contact_shadows
 from labutopia_lerobot.sim.displacement import SqueezeBottle
 from labutopia_lerobot.sim.filament_light import light_for_filament
 from labutopia_lerobot.sim.memory import Memory
@@ -82,6 +83,7 @@ def compile_scene(
     """
     pieces = tuple(pieces)
     spec = scene_spec(pieces, robot, room, view)
+    contact_shadows.add_material(spec)
     memory = _memory(pieces, robot)
     spec.nuserdata = memory.size
     contents = contents or {}
@@ -98,6 +100,7 @@ def compile_scene(
 def scene_spec(pieces: Iterable[Piece], robot: Robot, room: Room, view: View) -> mujoco.MjSpec:
     """Return the room with the robot and the pieces in it; what stands free has a free joint."""
     spec = room.build(view)
+    room.decorate(spec, view)
     set_options(spec)
     add_robot(spec, robot, room)
     for piece in pieces:

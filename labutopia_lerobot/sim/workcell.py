@@ -19,6 +19,7 @@ from labutopia_lerobot.scenario.bystanders import place_bystanders
 from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import DEPTH, SEGMENTATION, Setting
 from labutopia_lerobot.sim.appearance import Appearance
+from labutopia_lerobot.sim.contact_shadows import ContactShadows
 from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.renderers import Renderer, open_renderer
 from labutopia_lerobot.sim.scene import compile_scene
@@ -80,8 +81,10 @@ class Workcell:
         liquids = [] if scene.liquid is None else [scene.liquid]
         equipment = [piece for piece in scene.pieces if isinstance(piece, Equipment)]
         displays = [display for piece in equipment for display in piece.displays]
+        bodies = [*(piece.name for piece in scene.pieces), scene.robot.gripper.body]
+        shadows = ContactShadows(scene.model, bodies, scene.room.bench)
         size = self._setting.width, self._setting.height
-        return open_renderer(self._setting.renderer, scene.model, *size, liquids, displays)
+        return open_renderer(self._setting.renderer, scene.model, *size, liquids, displays, shadows)
 
     def expert(self, skills: Sequence[Skill] | None = None) -> Expert:
         """Return an expert that plays skills, those of `steps` by default; `start` it."""

@@ -15,6 +15,8 @@ SOLIMP = (0.95, 0.99, 0.0005, 0.5, 2.0)
 """Contacts are hard within half a millimetre. Measured: an 8 mm ball is stopped by the walls up to
 1.2 m/s at 300 steps per second, and goes through some of them at 1.5 m/s."""
 
+BEYOND_GROUP = 1
+"""Geoms that are drawn, but not in pictures of the fixed cameras, which cannot see them."""
 VISUAL_GROUP = 2
 """Geoms that are drawn."""
 COLLISION_GROUP = 3

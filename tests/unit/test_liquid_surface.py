@@ -189,7 +189,7 @@ def test_nothing_pokes_out_of_the_glass(make, tilt_deg):
 
 def test_a_thread_is_one_piece_and_drops_apart_are_many():
     assert pieces(liquid_surface(stream(apart=1.1), SPACING, [], BENCH)) == 1
-    assert pieces(liquid_surface(stream(40, apart=2.5), SPACING, [], BENCH)) == 40
+    assert pieces(liquid_surface(stream(40, apart=5.0), SPACING, [], BENCH)) == 40
 
 
 def test_a_thread_into_a_vessel_is_one_piece():

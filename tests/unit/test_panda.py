@@ -1,10 +1,19 @@
+from importlib.resources import as_file, files
+
 import mujoco
 import numpy as np
 import pytest
+import trimesh
 from numpy.typing import NDArray
+from scipy.spatial import KDTree
 
 from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.robots.collada import read_collada
+from labutopia_lerobot.robots.franka_hand_model import FRANKA_MESHES
 from labutopia_lerobot.robots.meshes import load_mesh
+from labutopia_lerobot.robots.thinning import creased, seen_from_outside
+
+FINGER = f"{FRANKA_MESHES}/finger.dae"
 
 # Rows a [m], d [m], alpha [rad], theta offset [rad] of the Franka Control Interface documentation,
 # the flange and the hand as further rows; the joint angles are added to the first seven.
@@ -185,9 +194,9 @@ def test_the_wrist_camera_sees_both_pads(model, data):
 
 def test_a_cached_mesh_is_the_mesh(tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    made = load_mesh("meshes/FRANKA-EMIKA/Panda/hand.stl", 500)
+    made = load_mesh(FINGER, 200)
     assert len(list((tmp_path / "labutopia_lerobot").iterdir())) == 1
-    cached = load_mesh("meshes/FRANKA-EMIKA/Panda/hand.stl", 500)
+    cached = load_mesh(FINGER, 200)
     for fresh, kept in zip(made, cached, strict=True):
         np.testing.assert_array_equal(fresh, kept)
 
@@ -195,11 +204,40 @@ def test_a_cached_mesh_is_the_mesh(tmp_path, monkeypatch):
 def test_a_cache_that_cannot_be_written_only_warns(tmp_path, monkeypatch, caplog):
     (tmp_path / "labutopia_lerobot").write_text("a file where the folder should be")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    _, faces = load_mesh("meshes/FRANKA-EMIKA/Panda/hand.stl", 500)
-    assert len(faces) == pytest.approx(500, rel=0.1)
+    assert len(load_mesh(FINGER, 200).faces) == pytest.approx(200, rel=0.1)
     assert "cannot be written" in caplog.text
 
 
 def test_an_unknown_mesh_is_named_in_the_error():
     with pytest.raises(FileNotFoundError, match="no mesh 'nowhere\\.stl'"):
         load_mesh("nowhere.stl", 500)
+
+
+@pytest.mark.parametrize("link", ["link1", "link2", "hand"])
+def test_a_thinned_mesh_has_no_holes_and_no_spikes(link):
+    with as_file(files("rtbdata") / f"{FRANKA_MESHES}/{link}.dae") as path:
+        largest = max(read_collada(path), key=lambda part: len(part.faces))
+    seen = seen_from_outside(largest.vertices, largest.faces)
+    whole = sampled(largest.vertices, largest.faces[seen])
+    thin = load_mesh(f"{FRANKA_MESHES}/{link}.dae", 700)
+    shown = thin.tones == np.float32(largest.tone)
+    kept = sampled(thin.vertices, thin.faces[shown[thin.faces].all(axis=1)])
+    from_whole, _ = KDTree(kept).query(whole)
+    assert np.quantile(from_whole, 0.99) < 0.004
+    assert KDTree(whole).query(kept)[0].max() < 0.006
+
+
+def test_shading_is_smooth_where_faces_meet_at_less_than_a_crease():
+    ridge = np.array([[0, 0, 0], [0, 1, 0], [1, 0, -0.2], [-1, 0, -0.2]])
+    faces = np.array([[0, 2, 1], [0, 1, 3]], np.int32)
+    vertices, normals, _ = creased(ridge, faces)
+    assert len(vertices) == 4
+    np.testing.assert_allclose(normals[vertices[:, 0] == 0], [[0, 0, 1]] * 2, atol=1e-9)
+    vertices, *_ = creased(ridge * (1, 1, 5), faces)
+    assert len(vertices) == 6
+
+
+def sampled(vertices: NDArray[np.floating], faces: NDArray[np.int32]) -> NDArray[np.float64]:
+    """Points on triangles, a millimetre apart on average."""
+    mesh = trimesh.Trimesh(vertices, faces, process=False)
+    return trimesh.sample.sample_surface(mesh, int(mesh.area / 1e-6), seed=0)[0]

@@ -8,6 +8,7 @@ from itertools import pairwise
 import mujoco
 import numpy as np
 
+from labutopia_lerobot.labware.glass.gleam import CLEAR, coordinates, gleam
 from labutopia_lerobot.labware.glass.material import BOROSILICATE, Material
 from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
 from labutopia_lerobot.labware.parts.contact import FRICTION
@@ -23,6 +24,9 @@ FEET = 8
 
 _FOOT_RADIUS = 0.004
 _FOOT_DEPTH = 0.0002  # how far the feet stand out below the bottom [m]
+
+_OUTLINE_OPACITY = {"inside": 1.4, "outside": 2.4}
+"""How much more opaque clear walls are at their outline than on average."""
 
 _WIDEST_BEAD = 0.002  # a thicker lip is drawn flat, not as a bead [m]
 _STEPS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 25, 50, 100, 200, 500, 1000, 2000)
@@ -131,15 +135,21 @@ class Vessel(Loose):
         ]
         if self.graduated:
             parts.append(("scale", self._scale(), of.ink, 0.0))
+        clear = of.wall[3] < CLEAR
         for part, (vertices, faces), rgba, specular in parts:
             name = f"{self.name}_{part}"
-            spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.9)
-            spec.add_mesh(
+            material = spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.9)
+            mesh = spec.add_mesh(
                 name=name,
                 uservert=vertices.ravel(),
                 userface=faces.ravel(),
                 inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL,
             )
+            if clear and rgba == of.wall:
+                outline = _OUTLINE_OPACITY[part] * rgba[3]
+                mesh.usertexcoord = coordinates(SEGMENTS, len(vertices) // (SEGMENTS + 1)).ravel()
+                material.rgba = (*rgba[:3], outline)
+                material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = gleam(spec)
             body.add_geom(
                 name=name,
                 type=mujoco.mjtGeom.mjGEOM_MESH,

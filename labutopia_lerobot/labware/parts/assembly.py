@@ -8,7 +8,7 @@ import numpy as np
 
 from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.form import Form, Primitive
-from labutopia_lerobot.labware.parts.shell import Shell, joined
+from labutopia_lerobot.labware.parts.shell import Shell, joined, negligible
 from labutopia_lerobot.labware.parts.solid import BOX
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
@@ -33,7 +33,8 @@ def assemble(
     shells: dict[str, list[Shell]] = {}
     primitives: list[Primitive] = []
     for form in forms:
-        shells.setdefault(form.look, []).append(form.shell())
+        if not negligible(drawn := form.shell()):
+            shells.setdefault(form.look, []).append(drawn)
         primitives += form.primitives() if form.touch else ()
     for look, parts in shells.items():
         _add_look(spec, body, f"{body.name}_{look}", joined(parts), finish(spec, piece, look))

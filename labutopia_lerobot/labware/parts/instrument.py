@@ -15,6 +15,7 @@ from labutopia_lerobot.labware.parts.mounting import Still
 from labutopia_lerobot.labware.parts.openable import Door, Drawer
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.solid import Vector
+from labutopia_lerobot.labware.parts.top import Top
 
 
 class Equipment(Still):
@@ -45,6 +46,11 @@ class Equipment(Still):
     @property
     def places(self) -> tuple[Place, ...]:
         """Where things stand on it or are put in."""
+        return ()
+
+    @property
+    def tops(self) -> tuple[Top, ...]:
+        """What of it carries instruments: of furniture; bottles and vessels go to `places`."""
         return ()
 
     @property

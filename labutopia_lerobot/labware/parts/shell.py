@@ -1,6 +1,8 @@
 """Triangle meshes with normals of their own: edges that are rounded to the eye with few faces."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from itertools import pairwise
 
 import numpy as np
@@ -15,10 +17,28 @@ type Shell = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]
 SEGMENTS = 32
 """Around an axis."""
 
+_COARSE = ContextVar("coarse", default=False)
+_COARSE_SEGMENTS, _COARSE_STEP, _NEGLIGIBLE = 8, 0.004, 0.02
+"""Most segments, shortest step of a profile and least size of what is coarse [m]: a pixel at 2 m is
+7 mm wide in a picture of 256 pixels and 55 degrees."""
+
 type _Pair = tuple[tuple[float, float], tuple[float, float]]
 
 _CREASE = np.cos(np.radians(50.0))
 """Two faces that meet at less are shaded as one; cosine."""
+
+
+@contextmanager
+def coarse() -> Iterator[None]:
+    """Let what is made within this have sharp edges and few segments: what is looked at from afar.
+
+    A room has a tenth of the triangles so, and what is larger than a hand looks the same at 2 m.
+    """
+    token = _COARSE.set(True)
+    try:
+        yield
+    finally:
+        _COARSE.reset(token)
 
 
 def rounded_box(size: Sequence[float], edge: float) -> Shell:
@@ -29,7 +49,7 @@ def rounded_box(size: Sequence[float], edge: float) -> Shell:
         edge: Radius of the edges [m]; 0 for sharp ones.
     """
     half = np.asarray(size) / 2
-    edge = min(edge, *(0.99 * half))
+    edge = 0.0 if _COARSE.get() else min(edge, *(0.99 * half))
     # Across an edge: towards the neighbour, half way, and straight out from the face.
     steps = np.array([-1.0, -1.0, 1.0, 1.0]) if edge else np.array([-1.0, 1.0])
     lean = np.array([-1.0, 0.0, 0.0, 1.0]) if edge else np.array([0.0, 0.0])
@@ -62,6 +82,8 @@ def turned(profile: Outline, segments: int = SEGMENTS) -> Shell:
         profile: (radius, height) corners [m]; rising ones give faces that look away from the axis.
         segments: Number of steps around the axis.
     """
+    if _COARSE.get():
+        segments, profile = min(segments, _COARSE_SEGMENTS), _thinned(profile)
     angles = np.linspace(0, 2 * np.pi, segments + 1)
     around = np.column_stack([np.cos(angles), np.sin(angles)])
     shells: list[Shell] = []
@@ -88,6 +110,7 @@ def extruded(outline: Outline, width: float, edge: float) -> Shell:
         width: Along y [m].
         edge: Radius of its edges [m], in one step; 0 for sharp ones.
     """
+    edge = 0.0 if _COARSE.get() else edge
     corners = rounded(outline, edge) if edge else list(outline)
     inner = inset(corners, edge) if edge else corners
     half = width / 2
@@ -125,6 +148,8 @@ def rounded(outline: Outline, radius: float, closed: bool = True) -> list[tuple[
         radius: From the corner to where the arc begins, at most a third of a side [m].
         closed: Whether the last corner is joined to the first; else both ends stay.
     """
+    if _COARSE.get():
+        return list(outline)
     points = [np.asarray(point, float) for point in outline]
     result: list[tuple[float, float]] = []
     for number, point in enumerate(points):
@@ -159,6 +184,21 @@ def joined(shells: Sequence[Shell]) -> Shell:
     vertices, normals, faces = zip(*shells, strict=True)
     shifted = [part + offset for part, offset in zip(faces, offsets, strict=True)]
     return np.vstack(vertices), np.vstack(normals), np.vstack(shifted)
+
+
+def negligible(mesh: Shell) -> bool:
+    """Tell whether a form is too small to be seen, where all is coarse."""
+    return _COARSE.get() and bool(np.ptp(mesh[0], axis=0).max() < _NEGLIGIBLE)
+
+
+def _thinned(profile: Outline) -> list[tuple[float, float]]:
+    """Return a profile without its short steps; its ends stay."""
+    kept = [profile[0]]
+    step = min(_COARSE_STEP, 0.25 * float(np.ptp(np.asarray(profile), axis=0).max()))
+    for point in profile[1:-1]:
+        if np.hypot(point[0] - kept[-1][0], point[1] - kept[-1][1]) > step:
+            kept.append(point)
+    return [*kept, profile[-1]]
 
 
 def _smoothed(outline: Outline, closed: bool) -> list[tuple[_Pair, _Pair]]:

@@ -21,6 +21,7 @@ from labutopia_lerobot.liquids.drawing.particle_field import (
     outside_bodies,
     take_away,
 )
+from labutopia_lerobot.liquids.drawing.strands import FALL, LINK, strands
 from labutopia_lerobot.liquids.drawing.surface_nets import (
     BLOCK,
     Field,
@@ -90,12 +91,14 @@ def liquid_surface(
     loose = outside_bodies(bodies, grid, positions_w, spacing)
     if not loose.any():
         return body
-    drop_grid, drops = _empty(positions_w[loose > 0], drop_reach, DROP_CELL * spacing)
+    # Threads span gaps between particles, and so must the grid.
+    room = drop_reach + 0.5 * FALL * LINK * spacing
+    drop_grid, drops = _empty(positions_w[loose > 0], drop_reach, DROP_CELL * spacing, room)
     for space, members in parts:
         these = members[loose[members] > 0]
         if len(these):
-            weights = loose[these]
-            add_drops(drops, drop_grid, positions_w[these], weights, space, drop_reach, spacing)
+            places, weights = strands(positions_w[these], loose[these], spacing)
+            add_drops(drops, drop_grid, places, weights, space, drop_reach, spacing)
     take_away(drops, drop_grid, bodies, grid)
     rest = Surface(*surface_of(drop_grid, drops, -drop_reach))
     return Surface(
@@ -105,10 +108,12 @@ def liquid_surface(
     )
 
 
-def _empty(positions_w: NDArray[np.float64], reach: float, cell: float) -> tuple[Grid, Field]:
-    """Return a grid with room for a kernel around every particle, and a field without liquid."""
+def _empty(
+    positions_w: NDArray[np.float64], reach: float, cell: float, room: float | None = None
+) -> tuple[Grid, Field]:
+    """Return a grid with room around every particle, by default a kernel's, without liquid."""
     # Two cells more: the surface then never comes to the last nodes, and is closed.
-    grid = grid_around(positions_w, reach + 2 * cell, cell)
+    grid = grid_around(positions_w, (reach if room is None else room) + 2 * cell, cell)
     return grid, np.full((len(grid.blocks), BLOCK, BLOCK, BLOCK), -reach, np.float32)
 
 

@@ -1,0 +1,1 @@
+"""Benches, tables, cupboards, shelves: what a laboratory is furnished with."""

@@ -1,0 +1,58 @@
+"""Instrumental analysis: chromatographs and photometers on benches along the walls."""
+
+from labutopia_lerobot.scenes.generation.words import (
+    AT_BENCH,
+    AT_DESK,
+    AT_OUTER_WALL,
+    AT_WALL,
+    DESK_AT_WALL,
+    DETAIL,
+    HUNG_HIGH,
+    HUNG_LOW,
+    MAIN,
+    ON_BENCH,
+    PENINSULA,
+    SAFETY,
+    VITAL,
+    WORK_BENCH,
+    Chamber,
+    Family,
+    Need,
+)
+
+FAMILY = Family(
+    name="analytical",
+    about="Instrumental analysis, with chromatographs and gas supply",
+    rooms=(
+        Chamber(
+            "laboratory",
+            width=(7.5, 10.0),
+            depth=(6.5, 8.0),
+            windows=(1, 3),
+            needs=(
+                WORK_BENCH,
+                Need("wall_bench", (4, 7), AT_WALL, VITAL),
+                Need("island_bench", (0, 1), PENINSULA, MAIN),
+                Need("laboratory_sink", (1, 1), AT_WALL, MAIN, near="wall_bench", within=4.0),
+                Need("fume_hood", (0, 1), AT_OUTER_WALL, MAIN),
+                Need("gas_cylinder", (1, 3), AT_WALL, MAIN),
+                Need("writing_desk", (1, 1), DESK_AT_WALL, MAIN),
+                Need("laboratory_chair", (1, 1), AT_DESK, near="writing_desk", within=1.5),
+                Need("gas_chromatograph", (1, 2), ON_BENCH),
+                Need("liquid_chromatograph", (1, 2), ON_BENCH),
+                Need("spectrophotometer", (1, 2), ON_BENCH),
+                Need("titrator", (1, 2), ON_BENCH),
+                Need("ph_meter", (1, 2), ON_BENCH, near="laboratory_sink", within=6.0),
+                Need("analytical_balance", (1, 1), ON_BENCH),
+                Need("refractometer", (0, 1), ON_BENCH),
+                Need("polarimeter", (0, 1), ON_BENCH),
+                Need("viscometer", (0, 1), ON_BENCH),
+                Need("wall_cupboard", (0, 3), HUNG_HIGH, near="wall_bench", within=1.0),
+                Need("eyewash", (1, 1), HUNG_LOW, near="laboratory_sink"),
+                Need("stool", (0, 3), AT_BENCH, DETAIL),
+                *SAFETY,
+            ),
+        ),
+    ),
+    walls=("white", "light grey", "pale blue"),
+)

@@ -1,0 +1,57 @@
+"""Cell and molecular biology: sterile benches, incubators, cold storage, small centrifuges."""
+
+from labutopia_lerobot.scenes.generation.words import (
+    AT_BENCH,
+    AT_WALL,
+    BESIDE,
+    DETAIL,
+    HUNG_LOW,
+    MAIN,
+    ON_BENCH,
+    SAFETY,
+    VITAL,
+    WORK_BENCH,
+    Chamber,
+    Family,
+    Need,
+)
+
+FAMILY = Family(
+    name="biology",
+    about="Cell and molecular biology, with sterile benches and cold storage",
+    rooms=(
+        Chamber(
+            "laboratory",
+            width=(8.0, 10.5),
+            depth=(6.5, 8.0),
+            windows=(1, 2),
+            needs=(
+                WORK_BENCH,
+                Need("laminar_flow_bench", (1, 2), AT_WALL, VITAL),
+                Need("wall_bench", (3, 6), AT_WALL, VITAL),
+                Need("refrigerator", (1, 2), AT_WALL, MAIN),
+                Need("ultra_low_freezer", (1, 1), AT_WALL, MAIN),
+                Need("laboratory_sink", (1, 1), AT_WALL, MAIN, near="wall_bench", within=4.0),
+                Need("autoclave", (0, 1), AT_WALL, MAIN),
+                Need("nitrogen_dewar", (0, 1), BESIDE, MAIN),
+                Need("incubator", (1, 2), ON_BENCH, MAIN),
+                Need("centrifuge", (1, 1), ON_BENCH),
+                Need("thermal_cycler", (1, 2), ON_BENCH),
+                Need("plate_reader", (0, 1), ON_BENCH),
+                Need("electrophoresis_tank", (1, 2), ON_BENCH),
+                Need("microscope", (1, 2), ON_BENCH),
+                Need("mini_centrifuge", (1, 2), ON_BENCH),
+                Need("vortex_mixer", (1, 2), ON_BENCH),
+                Need("pipette_stand", (1, 3), ON_BENCH),
+                Need("rocking_shaker", (0, 1), ON_BENCH),
+                Need("dry_block_heater", (0, 2), ON_BENCH),
+                Need("ice_bucket", (0, 2), ON_BENCH, DETAIL),
+                Need("eyewash", (1, 1), HUNG_LOW, near="laboratory_sink"),
+                Need("stool", (1, 3), AT_BENCH, DETAIL),
+                *SAFETY,
+            ),
+        ),
+    ),
+    floors=("blue vinyl", "green vinyl", "grey vinyl"),
+    walls=("white", "pale blue", "pale green"),
+)

@@ -1,0 +1,55 @@
+"""Organic synthesis: hoods at the outer wall, islands with shelves, an evaporator by the sink."""
+
+from labutopia_lerobot.scenes.generation.words import (
+    AT_BENCH,
+    AT_OUTER_WALL,
+    AT_WALL,
+    DETAIL,
+    HUNG_HIGH,
+    HUNG_LOW,
+    ISLAND,
+    MAIN,
+    ON_BENCH,
+    ON_WALL_BENCH,
+    SAFETY,
+    VITAL,
+    WORK_BENCH,
+    Chamber,
+    Family,
+    Need,
+)
+
+FAMILY = Family(
+    name="organic",
+    about="Organic synthesis, with fume hoods and reagents",
+    rooms=(
+        Chamber(
+            "laboratory",
+            width=(8.5, 11.0),
+            depth=(6.5, 8.0),
+            windows=(1, 2),
+            needs=(
+                WORK_BENCH,
+                Need("fume_hood", (2, 3), AT_OUTER_WALL, VITAL),
+                Need("island_bench", (1, 2), ISLAND, MAIN),
+                Need("wall_bench", (2, 5), AT_WALL, MAIN),
+                Need("laboratory_sink", (1, 1), AT_WALL, MAIN, near="wall_bench"),
+                Need("safety_cabinet", (1, 1), AT_WALL, MAIN),
+                Need("safety_shower", (1, 1), AT_WALL, MAIN),
+                Need("wall_cupboard", (0, 3), HUNG_HIGH, near="wall_bench", within=1.0),
+                Need("eyewash", (1, 1), HUNG_LOW, near="laboratory_sink"),
+                Need("drying_rack", (1, 1), ON_WALL_BENCH, near="laboratory_sink", within=4.0),
+                Need("rotary_evaporator", (1, 2), ON_BENCH),
+                Need("vacuum_pump", (1, 2), ON_BENCH),
+                Need("stirring_hot_plate", (2, 5), ON_BENCH),
+                Need("heating_mantle", (1, 3), ON_BENCH),
+                Need("overhead_stirrer", (0, 2), ON_BENCH),
+                Need("melting_point_apparatus", (0, 1), ON_BENCH),
+                Need("retort_stand", (1, 4), ON_BENCH),
+                Need("stool", (1, 4), AT_BENCH, DETAIL),
+                *SAFETY,
+            ),
+        ),
+    ),
+    floors=("grey vinyl", "grey epoxy", "white tiles"),
+)

@@ -1,0 +1,57 @@
+"""A physics laboratory: tables in the middle, optics and heat, cylinders and pumps."""
+
+from labutopia_lerobot.scenes.generation.words import (
+    AT_BENCH,
+    AT_DESK,
+    AT_WALL,
+    BESIDE,
+    BOARD,
+    DESK_AT_WALL,
+    DETAIL,
+    ISLAND,
+    MAIN,
+    ON_BENCH,
+    SAFETY,
+    VITAL,
+    WORK_BENCH,
+    Chamber,
+    Family,
+    Need,
+)
+
+FAMILY = Family(
+    name="physics",
+    about="Experiments with heat, vacuum and light on tables in the middle",
+    rooms=(
+        Chamber(
+            "laboratory",
+            width=(8.0, 11.0),
+            depth=(6.5, 8.5),
+            windows=(1, 3),
+            needs=(
+                WORK_BENCH,
+                Need("island_bench", (1, 2), ISLAND, VITAL),
+                Need("wall_bench", (2, 4), AT_WALL, MAIN),
+                Need("shelf_rack", (1, 2), AT_WALL, MAIN),
+                Need("tall_cupboard", (1, 2), AT_WALL, MAIN),
+                Need("writing_desk", (1, 2), DESK_AT_WALL, MAIN),
+                Need("blackboard", (0, 1), BOARD, MAIN),
+                Need("gas_cylinder", (1, 2), AT_WALL, MAIN),
+                Need("nitrogen_dewar", (1, 1), BESIDE, MAIN),
+                Need("laboratory_chair", (1, 2), AT_DESK),
+                Need("muffle_furnace", (1, 1), ON_BENCH),
+                Need("vacuum_oven", (0, 1), ON_BENCH),
+                Need("vacuum_pump", (1, 3), ON_BENCH),
+                Need("polarimeter", (1, 1), ON_BENCH),
+                Need("viscometer", (0, 1), ON_BENCH),
+                Need("refractometer", (0, 1), ON_BENCH),
+                Need("heater", (0, 2), ON_BENCH),
+                Need("retort_stand", (1, 4), ON_BENCH),
+                Need("precision_balance", (0, 2), ON_BENCH),
+                Need("stool", (1, 4), AT_BENCH, DETAIL),
+                *SAFETY,
+            ),
+        ),
+    ),
+    floors=("grey vinyl", "beige vinyl", "grey tiles"),
+)

@@ -1,0 +1,55 @@
+"""Where solutions are made and glass is cleaned: sinks, drying, stirring, weighing."""
+
+from labutopia_lerobot.scenes.generation.words import (
+    AT_BENCH,
+    AT_OUTER_WALL,
+    AT_WALL,
+    DETAIL,
+    HUNG_HIGH,
+    HUNG_LOW,
+    MAIN,
+    ON_BENCH,
+    ON_WALL_BENCH,
+    SAFETY,
+    VITAL,
+    WORK_BENCH,
+    Chamber,
+    Family,
+    Need,
+)
+
+FAMILY = Family(
+    name="preparation",
+    about="Solutions are made, glass is washed and dried",
+    rooms=(
+        Chamber(
+            "laboratory",
+            width=(6.8, 9.0),
+            depth=(6.0, 7.5),
+            windows=(1, 2),
+            needs=(
+                WORK_BENCH,
+                Need("laboratory_sink", (2, 2), AT_WALL, VITAL, near="wall_bench"),
+                Need("wall_bench", (3, 5), AT_WALL, VITAL),
+                Need("fume_hood", (0, 1), AT_OUTER_WALL, MAIN),
+                Need("tall_cupboard", (1, 2), AT_WALL, MAIN),
+                Need("shelf_rack", (0, 2), AT_WALL, MAIN),
+                Need("drying_oven", (1, 1), ON_BENCH, MAIN),
+                Need("drying_rack", (1, 2), ON_WALL_BENCH, near="laboratory_sink", within=3.0),
+                Need("water_bath", (0, 2), ON_BENCH),
+                Need("ultrasonic_bath", (1, 1), ON_BENCH, near="laboratory_sink", within=6.0),
+                Need("stirring_hot_plate", (2, 4), ON_BENCH),
+                Need("precision_balance", (1, 2), ON_BENCH),
+                Need("ph_meter", (1, 1), ON_BENCH),
+                Need("burette_stand", (0, 2), ON_BENCH),
+                Need("orbital_shaker", (0, 1), ON_BENCH),
+                Need("tube_roller", (0, 1), ON_BENCH),
+                Need("wall_cupboard", (1, 3), HUNG_HIGH, near="wall_bench", within=1.0),
+                Need("eyewash", (1, 1), HUNG_LOW, near="laboratory_sink"),
+                Need("stool", (0, 2), AT_BENCH, DETAIL),
+                *SAFETY,
+            ),
+        ),
+    ),
+    floors=("white tiles", "grey tiles", "grey vinyl"),
+)

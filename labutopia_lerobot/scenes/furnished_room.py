@@ -1,0 +1,39 @@
+"""A plan as the room of a task: its first work place is where the laboratory's bench is."""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from labutopia_lerobot.scenes.laboratory import LABORATORY
+from labutopia_lerobot.scenes.plan import Plan
+from labutopia_lerobot.scenes.room import Room
+from labutopia_lerobot.scenes.views import View
+
+if TYPE_CHECKING:
+    import mujoco
+
+
+def furnished_room(plan: Plan) -> Room:
+    """Return the room of a plan that has a work place.
+
+    Bench, robot and cameras are where they are in the laboratory, so that a task is the same in
+    every room; the room is moved around them.
+    """
+    return Room(
+        name=plan.name,
+        builder=partial(_build, plan),
+        bench=LABORATORY.bench,
+        robot_stand=LABORATORY.robot_stand,
+        decorator=partial(_decorate, plan),
+    )
+
+
+def _build(plan: Plan, room: Room, view: View) -> "mujoco.MjSpec":
+    from labutopia_lerobot.scenes.furnished_room_model import work_place  # here: mujoco
+
+    return work_place(plan, room, view)
+
+
+def _decorate(plan: Plan, spec: "mujoco.MjSpec", view: View) -> None:
+    from labutopia_lerobot.scenes.furnished_room_model import decorate  # here: mujoco
+
+    decorate(plan, spec, view)

@@ -1,0 +1,59 @@
+"""Furnished rooms from a description and a seed, as in the paper's generation pipeline.
+
+Pieces are placed in order of importance and size; spots come from a grid and keep the boundary,
+collisions, and what an instrument needs; the best score wins; a search with backtracking follows
+where sampling fails (paper, "Environment Generation Pipeline").
+"""
+
+import numpy as np
+
+from labutopia_lerobot.scenes.generation.family import Family
+from labutopia_lerobot.scenes.generation.footprint import draw_footprint
+from labutopia_lerobot.scenes.generation.search import RoomTooSmallError, furnish, wanted
+from labutopia_lerobot.scenes.plan import Placed, Plan
+
+
+def generate(
+    family: Family,
+    seed: int,
+    name: str | None = None,
+    size: tuple[float, float] | None = None,
+) -> Plan:
+    """Return a room of a family; the same for the same seed.
+
+    Args:
+        family: What kind of laboratory.
+        seed: Draws all that is drawn, at least 0.
+        name: Of the plan; family and seed if not said.
+        size: Width and depth of the room [m] instead of those that the family draws.
+
+    Raises:
+        RoomTooSmallError: If what it needs does not fit.
+        FootprintError: If it cannot have this size.
+    """
+    rng = np.random.default_rng([seed, *family.name.encode()])
+    footprint = draw_footprint(family, rng, size)
+    floor, wall = (
+        str(looks[int(rng.integers(len(looks)))]) for looks in (family.floors, family.walls)
+    )
+    sketch = furnish(family, footprint, wanted(footprint, rng), rng)
+    return Plan(
+        name=name or f"{family.name}_{seed}",
+        family=family.name,
+        seed=seed,
+        size=footprint.size,
+        walls=footprint.walls,
+        openings=footprint.openings,
+        pieces=_carriers_first([entry.piece for entry in sketch.entries]),
+        work_places=tuple(entry.place for entry in sketch.entries if entry.place is not None),
+        floor=floor,
+        wall=wall,
+    )
+
+
+def _carriers_first(pieces: list[Placed]) -> tuple[Placed, ...]:
+    """Return pieces by kind, what stands on others at the end."""
+    return tuple(sorted(pieces, key=lambda piece: (piece.on is not None, piece.kind, piece.name)))
+
+
+__all__ = ["Family", "RoomTooSmallError", "generate"]

@@ -1,0 +1,105 @@
+"""What a kind of laboratory is: how large, what it needs, where that belongs, how it looks."""
+
+from dataclasses import dataclass, field
+from enum import IntEnum
+
+from labutopia_lerobot.scenes.generation.where import Where
+
+type Range = tuple[float, float]
+"""Least and greatest [m]."""
+
+
+class Importance(IntEnum):
+    """Which pieces find their places first."""
+
+    FIRST = 4
+    """What all the rest looks at."""
+    VITAL = 3
+    """What the room is for: work places, hoods, benches to work at."""
+    MAIN = 2
+    """Furniture."""
+    USUAL = 1
+    """What stands on and beside it."""
+    DETAIL = 0
+    """What could be missing."""
+
+
+@dataclass(frozen=True)
+class Need:
+    """Pieces of one kind.
+
+    Attributes:
+        kind: Of the instruments' catalogue, furniture included.
+        count: Least and most of them; between them it is drawn, and what of it is more than the
+            least is left out where it finds no room.
+        where: Where it belongs.
+        importance: Those of more come first, and of equal ones the larger.
+        near: Kind of which one is at most `within` away.
+        within: From middle to middle [m].
+    """
+
+    kind: str
+    count: tuple[int, int]
+    where: Where
+    importance: Importance = Importance.USUAL
+    near: str | None = None
+    within: float = 2.5
+
+
+@dataclass(frozen=True)
+class Chamber:
+    """A room with a door, windows on its north side, and what it needs.
+
+    Attributes:
+        name: Prefix of its pieces where there are several rooms.
+        width: From west to east.
+        depth: From south to north.
+        needs: What is in it.
+        windows: Least and most of them.
+        door: Width of its door [m].
+    """
+
+    name: str
+    width: Range
+    depth: Range
+    needs: tuple[Need, ...]
+    windows: tuple[int, int] = (1, 3)
+    door: float = 1.0
+
+
+@dataclass(frozen=True)
+class Corridor:
+    """What several rooms are entered from: along their south side, the entrance at its west end.
+
+    Attributes:
+        width: From south to north.
+        needs: What is in it.
+        door: Width of the entrance [m].
+    """
+
+    width: Range
+    needs: tuple[Need, ...] = ()
+    door: float = 1.2
+
+
+@dataclass(frozen=True)
+class Family:
+    """A kind of laboratory.
+
+    Attributes:
+        name: As in `labutopia-scene generate --family NAME`.
+        about: One sentence.
+        rooms: From west to east; several need a corridor.
+        corridor: What they are entered from; without it the entrance is that of the one room.
+        height: Of the ceilings [m].
+        floors: Floor finishes to draw from.
+        walls: Wall finishes to draw from.
+    """
+
+    name: str
+    about: str
+    rooms: tuple[Chamber, ...]
+    corridor: Corridor | None = None
+    height: float = 3.0
+    floors: tuple[str, ...] = field(default=("grey vinyl", "blue vinyl", "beige vinyl"))
+    walls: tuple[str, ...] = field(default=("white", "cream", "light grey", "pale blue"))

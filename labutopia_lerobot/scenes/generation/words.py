@@ -1,0 +1,91 @@
+"""The words that families are written in."""
+
+from labutopia_lerobot.scenes.generation.family import (
+    Chamber,
+    Corridor,
+    Family,
+    Importance,
+    Need,
+)
+from labutopia_lerobot.scenes.generation.where import (
+    AtWall,
+    Before,
+    Facing,
+    InMiddle,
+    On,
+    Peninsula,
+    ToWorkAt,
+)
+
+FIRST, VITAL, MAIN, USUAL, DETAIL = (
+    Importance.FIRST,
+    Importance.VITAL,
+    Importance.MAIN,
+    Importance.USUAL,
+    Importance.DETAIL,
+)
+
+AT_WALL = AtWall()
+DESK_AT_WALL = AtWall(before=1.2)
+"""With room for a chair that turns."""
+AT_OUTER_WALL = AtWall(outer=True)
+BESIDE = AtWall(before=0.3)
+"""At a wall, where nobody works before it."""
+HUNG_LOW = AtWall(before=0.3, height=0.9)
+HUNG_HIGH = AtWall(before=0.0, height=1.5)
+"""Over benches (furniture hangs 1.5 m high, as `instruments/furniture` says)."""
+BOARD = AtWall(before=0.6, height=0.8)
+"""As blackboards hang."""
+BEFORE_BOARD = Facing("blackboard")
+ISLAND = InMiddle()
+PENINSULA = Peninsula()
+WORK_PLACE = ToWorkAt()
+
+BENCHES = ("wall_bench", "island_bench", "base_cabinet")
+ON_BENCH = On(BENCHES)
+ON_WALL_BENCH = On(("wall_bench", "base_cabinet"))
+IN_RACK = On(("shelf_rack",))
+AT_BENCH = Before(("wall_bench", "island_bench"))
+AT_DESK = Before(("writing_desk", "teacher_desk"))
+
+WORK_BENCH = Need("work_bench", (1, 1), WORK_PLACE, VITAL)
+"""A place for the robot arm."""
+
+SAFETY = (
+    Need("fire_extinguisher", (1, 1), HUNG_LOW, USUAL),
+    Need("waste_bin", (1, 2), BESIDE, DETAIL),
+    Need("coat_rack", (0, 1), BESIDE, DETAIL),
+)
+"""What every laboratory has (DGUV Information 213-850)."""
+
+__all__ = [
+    "AT_BENCH",
+    "AT_DESK",
+    "AT_OUTER_WALL",
+    "AT_WALL",
+    "BEFORE_BOARD",
+    "BENCHES",
+    "BESIDE",
+    "BOARD",
+    "DESK_AT_WALL",
+    "DETAIL",
+    "FIRST",
+    "HUNG_HIGH",
+    "HUNG_LOW",
+    "IN_RACK",
+    "ISLAND",
+    "MAIN",
+    "ON_BENCH",
+    "ON_WALL_BENCH",
+    "PENINSULA",
+    "SAFETY",
+    "USUAL",
+    "VITAL",
+    "WORK_BENCH",
+    "WORK_PLACE",
+    "Chamber",
+    "Corridor",
+    "Family",
+    "Need",
+    "On",
+]

@@ -1,0 +1,117 @@
+"""Where in a room one can drive: a map of cells, as data and as a picture.
+
+As in the paper (appendix "Navigation Details"): what is between 0.1 and 1.6 m above the floor is
+projected onto it. What is beside the floor is undefined. Neither can be driven over.
+"""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from scipy import ndimage
+
+from labutopia_lerobot.scenes.plan import Plan
+from labutopia_lerobot.scenes.space.boxes import Boxes
+from labutopia_lerobot.scenes.space.claims import claims
+
+FREE, OCCUPIED, UNDEFINED = 0, 1, -1
+"""What a cell is."""
+
+LOWEST, HIGHEST = 0.1, 1.6
+"""Between them things stand in the way of a robot [m] (paper, "Navigation Details")."""
+
+FINE, COARSE = 0.05, 0.5
+"""Width of a cell [m]: ours, and that of the paper."""
+
+_GREYS = {FREE: 254, OCCUPIED: 0, UNDEFINED: 205}
+"""As ROS writes maps (map_server, "Image Format")."""
+
+
+@dataclass(frozen=True, eq=False)
+class Occupancy:
+    """A map of a room.
+
+    Attributes:
+        cells: FREE, OCCUPIED or UNDEFINED, shape (rows, columns): rows go north (y), columns east
+            (x); int8.
+        origin: Where the south-west corner of cell (0, 0) is, (x, y) [m], room frame.
+        resolution: Width of a cell [m].
+    """
+
+    cells: NDArray[np.int8]
+    origin: tuple[float, float]
+    resolution: float
+
+    @classmethod
+    def of(cls, plan: Plan, resolution: float = FINE) -> "Occupancy":
+        """Return the map of a room, doors being open."""
+        occupancy = cls.empty(plan.size[:2], resolution)
+        occupancy.add(claim.room for claim in claims(plan) if not claim.what)
+        return occupancy
+
+    @classmethod
+    def empty(cls, size: tuple[float, float], resolution: float = FINE) -> "Occupancy":
+        """Return the map of a room in which nothing stands; the cells that are cut are undefined.
+
+        Args:
+            size: Width and depth of the room [m].
+            resolution: Width of a cell [m].
+        """
+        columns, rows = (math.ceil(round(side / resolution, 6)) for side in size)
+        cells = np.zeros((rows, columns), np.int8)
+        cells[math.floor(round(size[1] / resolution, 6)) :] = UNDEFINED
+        cells[:, math.floor(round(size[0] / resolution, 6)) :] = UNDEFINED
+        return cls(cells, (0.0, 0.0), resolution)
+
+    def copy(self) -> "Occupancy":
+        """Return the same map, to be changed on its own."""
+        return Occupancy(self.cells.copy(), self.origin, self.resolution)
+
+    def add(self, solids: Iterable[Boxes]) -> None:
+        """Mark what solid boxes stand in, as far as it is at a robot's height."""
+        rows, columns = self.cells.shape
+        for solid in solids:
+            tall = (solid.high[:, 2] > LOWEST) & (solid.low[:, 2] < HIGHEST)
+            low = np.floor(np.round(solid.low[tall, :2] / self.resolution, 3)).astype(int)
+            high = np.ceil(np.round(solid.high[tall, :2] / self.resolution, 3)).astype(int)
+            low, high = np.clip(low, 0, (columns, rows)), np.clip(high, 0, (columns, rows))
+            for (left, bottom), (right, top) in zip(low, high, strict=True):
+                block = self.cells[bottom:top, left:right]
+                block[block == FREE] = OCCUPIED
+
+    def passable(self, radius: float) -> NDArray[np.bool_]:
+        """Tell where the middle of a disc of a radius [m] can be, shape (rows, columns)."""
+        blocked = np.pad(self.cells != FREE, 1, constant_values=True)
+        distance = ndimage.distance_transform_edt(~blocked)[1:-1, 1:-1]
+        least = radius / self.resolution + math.sqrt(0.5)  # from middle to middle of a cell
+        free: NDArray[np.bool_] = distance >= least
+        return free
+
+    def cell(self, x: float, y: float) -> tuple[int, int]:
+        """Return row and column of a point [m], room frame; the nearest if it is outside."""
+        rows, columns = self.cells.shape
+        row = math.floor((y - self.origin[1]) / self.resolution)
+        column = math.floor((x - self.origin[0]) / self.resolution)
+        return min(max(row, 0), rows - 1), min(max(column, 0), columns - 1)
+
+    def middles(self, cells: NDArray[np.bool_]) -> NDArray[np.float64]:
+        """Return the middles of the cells that are said, shape (n, 2) [m], room frame."""
+        rows, columns = np.nonzero(cells)
+        return np.column_stack([columns, rows]) * self.resolution + (
+            np.array(self.origin) + self.resolution / 2
+        )
+
+    def save_picture(self, path: Path) -> None:
+        """Write the map as a PNG, a pixel a cell, north up, in the greys of ROS."""
+        greys = np.full(self.cells.shape, _GREYS[UNDEFINED], np.uint8)
+        for value, grey in _GREYS.items():
+            greys[self.cells == value] = grey
+        Image.fromarray(greys[::-1]).save(path)
+
+    def save(self, path: Path) -> None:
+        """Write the map as a NumPy archive of `cells`, `origin` and `resolution`."""
+        np.savez_compressed(path, cells=self.cells, origin=self.origin, resolution=self.resolution)

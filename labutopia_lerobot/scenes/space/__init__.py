@@ -1,0 +1,1 @@
+"""The room that things take: boxes, what moves out of them, what must stay free, who gets where."""
