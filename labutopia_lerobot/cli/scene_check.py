@@ -1,6 +1,7 @@
-"""`labutopia-scene check`: prove rooms: nothing overlaps, all opens, a robot of 0.6 m gets to everything.
+"""`labutopia-scene check ROOM...`: can one work in these rooms?
 
-Exit status 1 if a room has faults; they are named.
+Nothing overlaps, all opens over its whole range, a robot of 0.6 m gets to everything. Exit status 1
+if a room has faults; they are named.
 """
 
 import argparse

@@ -1,6 +1,7 @@
-"""`labutopia-scene generate`: generate a room: writes NAME.json (specification), NAME.xml (MJCF) and NAME.png (picture).
+"""`labutopia-scene generate --family F --seed N --out DIR`: a new room.
 
-The same family and seed give the same bytes.
+Writes NAME.json (specification), NAME.xml with NAME_textures (MJCF) and NAME.png (picture). The
+same family and seed give the same bytes.
 """
 
 import argparse
@@ -33,10 +34,10 @@ def add_generate(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 def _run(arguments: argparse.Namespace) -> None:
     """Generate, prove and write a room."""
+    from labutopia_lerobot.export.room_files import write_room
     from labutopia_lerobot.scenes.families import family  # here: they bring mujoco
     from labutopia_lerobot.scenes.generation import generate
     from labutopia_lerobot.scenes.proof import proven
-    from labutopia_lerobot.export.room_files import write_room
 
     size = tuple(arguments.size) if arguments.size else None
     plan = generate(family(arguments.family), arguments.seed, arguments.name, size)

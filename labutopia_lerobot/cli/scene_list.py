@@ -1,4 +1,4 @@
-"""`labutopia-scene list`: list what there is: instruments (furniture included), glassware, families and rooms."""
+"""`labutopia-scene list`: instruments (furniture included), glassware, families and rooms."""
 
 import argparse
 import json

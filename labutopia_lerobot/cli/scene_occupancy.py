@@ -1,8 +1,8 @@
-"""`labutopia-scene occupancy`: map where in a room one can drive: ROOM_RESOLUTION.npz (data) and ROOM_RESOLUTION.png.
+"""`labutopia-scene occupancy ROOM --out DIR`: where in a room one can drive.
 
-Cells are 0 (free), 1 (occupied), -1 (beside the floor); rows go north, columns east, from the
-room's south-west corner. The picture has north up: white, black, grey. Arrays in the archive:
-cells, origin (x, y) [m], resolution [m].
+Writes ROOM_RESOLUTION.npz (cells; origin x, y and resolution [m]) and ROOM_RESOLUTION.png. Cells
+are 0 (free), 1 (occupied), -1 (beside the floor); rows go north, columns east, from the room's
+south-west corner. The picture has north up: white, black, grey.
 """
 
 import argparse

@@ -114,6 +114,4 @@ class Occupancy:
 
     def save(self, path: Path) -> None:
         """Write the map as a NumPy archive of `cells`, `origin` and `resolution`."""
-        np.savez_compressed(
-            path, cells=self.cells, origin=self.origin, resolution=self.resolution
-        )
+        np.savez_compressed(path, cells=self.cells, origin=self.origin, resolution=self.resolution)

@@ -47,7 +47,7 @@ FAMILY = Family(
                 Need("refractometer", (0, 1), ON_BENCH),
                 Need("polarimeter", (0, 1), ON_BENCH),
                 Need("viscometer", (0, 1), ON_BENCH),
-                Need("wall_cupboard", (0, 3), HUNG_HIGH),
+                Need("wall_cupboard", (0, 3), HUNG_HIGH, near="wall_bench", within=1.0),
                 Need("eyewash", (1, 1), HUNG_LOW, near="laboratory_sink"),
                 Need("stool", (0, 3), AT_BENCH, DETAIL),
                 *SAFETY,

@@ -62,7 +62,7 @@ FAMILY = Family(
                 Need("precision_balance", (1, 1), ON_BENCH),
                 Need("vortex_mixer", (0, 2), ON_BENCH),
                 Need("retort_stand", (0, 2), ON_BENCH),
-                Need("wall_cupboard", (0, 2), HUNG_HIGH),
+                Need("wall_cupboard", (0, 2), HUNG_HIGH, near="wall_bench", within=1.0),
                 Need("eyewash", (1, 1), HUNG_LOW, near="laboratory_sink"),
                 Need("stool", (0, 2), AT_BENCH, DETAIL),
                 *SAFETY,

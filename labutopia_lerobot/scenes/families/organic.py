@@ -1,4 +1,4 @@
-"""Organic synthesis: hoods along the outer wall, islands with shelves, an evaporator by the sink."""
+"""Organic synthesis: hoods at the outer wall, islands with shelves, an evaporator by the sink."""
 
 from labutopia_lerobot.scenes.generation.words import (
     AT_BENCH,
@@ -36,7 +36,7 @@ FAMILY = Family(
                 Need("laboratory_sink", (1, 1), AT_WALL, MAIN, near="wall_bench"),
                 Need("safety_cabinet", (1, 1), AT_WALL, MAIN),
                 Need("safety_shower", (1, 1), AT_WALL, MAIN),
-                Need("wall_cupboard", (0, 3), HUNG_HIGH),
+                Need("wall_cupboard", (0, 3), HUNG_HIGH, near="wall_bench", within=1.0),
                 Need("eyewash", (1, 1), HUNG_LOW, near="laboratory_sink"),
                 Need("drying_rack", (1, 1), ON_WALL_BENCH, near="laboratory_sink", within=4.0),
                 Need("rotary_evaporator", (1, 2), ON_BENCH),

@@ -44,7 +44,7 @@ FAMILY = Family(
                 Need("burette_stand", (0, 2), ON_BENCH),
                 Need("orbital_shaker", (0, 1), ON_BENCH),
                 Need("tube_roller", (0, 1), ON_BENCH),
-                Need("wall_cupboard", (1, 3), HUNG_HIGH),
+                Need("wall_cupboard", (1, 3), HUNG_HIGH, near="wall_bench", within=1.0),
                 Need("eyewash", (1, 1), HUNG_LOW, near="laboratory_sink"),
                 Need("stool", (0, 2), AT_BENCH, DETAIL),
                 *SAFETY,

@@ -33,7 +33,9 @@ def generate(
     """
     rng = np.random.default_rng([seed, *family.name.encode()])
     footprint = draw_footprint(family, rng, size)
-    floor, wall = (str(looks[int(rng.integers(len(looks)))]) for looks in (family.floors, family.walls))
+    floor, wall = (
+        str(looks[int(rng.integers(len(looks)))]) for looks in (family.floors, family.walls)
+    )
     sketch = furnish(family, footprint, wanted(footprint, rng), rng)
     return Plan(
         name=name or f"{family.name}_{seed}",

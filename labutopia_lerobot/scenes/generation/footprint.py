@@ -84,7 +84,9 @@ def _one_room(
     sides: tuple[Heading, ...] = (90, 0, 180)  # of the entrance: the south, west or east wall
     side = sides[int(rng.integers(len(sides)))]
     corner: list[Heading] = [one for one in sides[1:] if one != side]
-    outer = frozenset[Heading]({270, corner[int(rng.integers(len(corner)))]})  # at a corner of the house
+    outer = frozenset[Heading](
+        {270, corner[int(rng.integers(len(corner)))]}
+    )  # at a corner of the house
     region = Region("", (0.0, width), (0.0, depth), outer, room.needs)
     entrance = _door(region, side, room.door, rng)
     windows = _windows(region, room.windows, rng)
@@ -100,7 +102,8 @@ def _on_a_corridor(family: Family, corridor: Corridor, rng: np.random.Generator)
     middle = round(aisle + WALL_THICKNESS / 2, 3)
     walls = [Wall((0.0, middle), (total, middle))]
     hall = Region("corridor", (0.0, total), (0.0, aisle), frozenset({90}), corridor.needs)
-    regions, doors, windows, start = [hall], [], [], 0.0
+    regions, doors, start = [hall], [], 0.0
+    windows: list[Opening] = []
     entrance = Opening(
         "door", 0.0, round(aisle / 2, 3), 0, min(corridor.door, aisle - 0.2), _DOOR_HEIGHT
     )
@@ -145,9 +148,7 @@ def _door(
     return Opening("door", x, y, side, width, _DOOR_HEIGHT)
 
 
-def _windows(
-    region: Region, count: tuple[int, int], rng: np.random.Generator
-) -> Sequence[Opening]:
+def _windows(region: Region, count: tuple[int, int], rng: np.random.Generator) -> Sequence[Opening]:
     """Draw the windows in the north wall of a region: as wide as each other, evenly spread."""
     number = int(rng.integers(count[0], count[1] + 1))
     width = _drawn(_WINDOW, rng)
@@ -156,9 +157,7 @@ def _windows(
     if number == 0 or room < width + 2 * _JAMB:
         return ()
     middles = [round(low + room * (n + 0.5), 3) for n in range(number)]
-    return [
-        Opening("window", x, region.y[1], 270, width, _WINDOW_HEIGHT, _SILL) for x in middles
-    ]
+    return [Opening("window", x, region.y[1], 270, width, _WINDOW_HEIGHT, _SILL) for x in middles]
 
 
 def _drawn(span: Range, rng: np.random.Generator) -> float:

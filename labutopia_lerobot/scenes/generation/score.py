@@ -8,6 +8,7 @@ import numpy as np
 
 from labutopia_lerobot.scenes.generation.sketch import Entry, Sketch
 from labutopia_lerobot.scenes.space.boxes import Boxes, joined
+from labutopia_lerobot.world import FloatArray
 
 _FLUSH = 0.02
 """What is less than this out of line is in line [m]."""
@@ -34,7 +35,9 @@ def score(entry: Entry, sketch: Sketch) -> float:
 
 def _edge(entry: Entry, sketch: Sketch) -> float:
     """Return 1 in a corner, less the farther from the two nearest edges [1/m]."""
-    taken = joined(entry.room.solids, entry.room.frees).hull if entry.place else entry.room.solids.hull
+    taken = (
+        joined(entry.room.solids, entry.room.frees).hull if entry.place else entry.room.solids.hull
+    )
     area = np.array([entry.region.x, entry.region.y])
     if entry.piece.on is not None:
         area = _carrier(entry, sketch)
@@ -43,7 +46,7 @@ def _edge(entry: Entry, sketch: Sketch) -> float:
     return float(0.5 / (1 + abs(sides[0])) + 0.5 / (1 + abs(sides[1])))
 
 
-def _carrier(entry: Entry, sketch: Sketch) -> "np.ndarray[tuple[int, int], np.dtype[np.float64]]":
+def _carrier(entry: Entry, sketch: Sketch) -> FloatArray:
     """Return least and greatest x and y of what a piece stands on, shape (2, 2) [m]."""
     carrier = next(other for other in sketch.entries if other.piece.name == entry.piece.on)
     hull = carrier.room.solids.hull

@@ -150,9 +150,7 @@ def _branches(sketch: Sketch, one: Wanted) -> Iterator[Entry]:
             return
 
 
-def _too_small(
-    family: Family, footprint: Footprint, pieces: Sequence[Wanted], placed: int
-) -> str:
+def _too_small(family: Family, footprint: Footprint, pieces: Sequence[Wanted], placed: int) -> str:
     """Say what does not fit, and how much room it needs."""
     one = pieces[placed]
     width, depth = (round(side[1] - side[0], 3) for side in (one.region.x, one.region.y))
@@ -161,8 +159,9 @@ def _too_small(
     which = f"{one.need.kind} ({number} of {len(same)})" if len(same) > 1 else one.need.kind
     room = f" {one.region.name}" if one.region.name else ""
     near = f", at most {one.need.within:g} m from a {one.need.near}" if one.need.near else ""
+    room_needed = one.need.where.spelt(extent(one.need.kind))
     return (
         f"{family.name}: in a room{room} of {width:g} x {depth:g} m there is no place for {which} "
-        f"beside the {placed} pieces before it. It needs {one.need.where.spelt(extent(one.need.kind))}"
-        f"{near}, and a robot of 0.6 m has to get there. Make the room larger or the list shorter."
+        f"beside the {placed} pieces before it. It needs {room_needed}{near}, and a robot "
+        f"of 0.6 m has to get there. Make the room larger or the list shorter."
     )

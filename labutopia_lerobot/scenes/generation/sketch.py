@@ -18,6 +18,7 @@ from labutopia_lerobot.scenes.space.extent import extent
 from labutopia_lerobot.scenes.space.reach import Reach
 from labutopia_lerobot.world import FloatArray
 
+
 @dataclass(frozen=True, eq=False)
 class Entry:
     """A piece in a sketch.
@@ -120,8 +121,8 @@ class Sketch:
         taken = joined(room.solids, room.frees).hull
         low = np.array([region.x[0], region.y[0], 0.0]) - TOUCHING
         high = np.array([region.x[1], region.y[1], self.footprint.size[2]]) + TOUCHING
-        inside = (spots + taken.low >= low) & (spots + taken.high <= high)
-        return np.logical_and.reduce(inside, axis=1)
+        inside: NDArray[np.bool_] = (spots + taken.low >= low) & (spots + taken.high <= high)
+        return np.asarray(inside.all(axis=1))
 
     def _close(self, room: Berth, spots: FloatArray) -> NDArray[np.bool_]:
         """Tell at which spots the hulls of pieces meet, shape (n, number of entries)."""
@@ -130,10 +131,9 @@ class Sketch:
         own = room.hull
         others = joined(*(entry.room.hull for entry in self.entries))
         low, high = spots + own.low, spots + own.high
-        return np.logical_and.reduce(
-            (low[:, None] + TOUCHING < others.high) & (others.low + TOUCHING < high[:, None]),
-            axis=2,
-        )
+        meeting = low[:, None] + TOUCHING < others.high
+        meeting &= others.low + TOUCHING < high[:, None]
+        return np.asarray(meeting.all(axis=2))
 
     def _near(self, need: Need, region: Region, spots: FloatArray) -> NDArray[np.bool_]:
         """Tell which spots are near one of what is needed beside it, shape (n,)."""
@@ -141,7 +141,7 @@ class Sketch:
             return np.ones(len(spots), bool)
         wanted = [(piece.x, piece.y) for piece in self.of_kind(need.near, region)]
         away = np.abs(spots[:, None, :2] - np.reshape(wanted, (-1, 2))).sum(axis=2)
-        return np.logical_or.reduce(away <= need.within, axis=1)
+        return np.asarray((away <= need.within).any(axis=1))
 
     def of_kind(self, kind: str, region: Region) -> list[Placed]:
         """Return the pieces of a kind in a region."""

@@ -10,6 +10,7 @@ from labutopia_lerobot.scenes.generation.spots import Patch, points
 from labutopia_lerobot.scenes.plan import Heading, Placed
 from labutopia_lerobot.scenes.space.boxes import Boxes
 from labutopia_lerobot.scenes.space.extent import Extent, extent
+from labutopia_lerobot.world import FloatArray
 
 if TYPE_CHECKING:
     from labutopia_lerobot.scenes.generation.footprint import Region
@@ -81,12 +82,14 @@ class AtWall:
         return self.height == 0.0
 
     def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+        """Yield where it could be; see `Where`."""
         for heading in HEADINGS:
             if not self.outer or heading in region.outer:
                 x, y = _inside(_with_back_free(kind).placed(heading), region)
                 yield _against(heading, x, y, self.height)
 
     def spelt(self, kind: Extent) -> str:
+        """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         wall = "an outer wall" if self.outer else "wall"
         return f"{width:.2f} m of {wall}, {depth:.2f} m deep, with {self.before:g} m before it"
@@ -110,6 +113,7 @@ class Peninsula:
         return self.aisle, self.aisle, 0.0
 
     def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+        """Yield where it could be; see `Where`."""
         for wall in HEADINGS:
             for heading in HEADINGS:
                 if (wall - heading) % 180 == 90:
@@ -117,6 +121,7 @@ class Peninsula:
                     yield _against(wall, x, y, 0.0, heading)
 
     def spelt(self, kind: Extent) -> str:
+        """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         return f"{depth:.2f} m of wall, {width:.2f} m into the room, {self.aisle:g} m on both sides"
 
@@ -139,6 +144,7 @@ class InMiddle:
         return self.aisle, self.aisle, self.aisle
 
     def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+        """Yield where it could be; see `Where`."""
         around = np.array([self.aisle, self.aisle, 0.0])
         for heading in HEADINGS:
             hull = kind.hull.placed(heading)
@@ -146,6 +152,7 @@ class InMiddle:
             yield Patch(points(*x, _COARSE), points(*y, _COARSE), heading)
 
     def spelt(self, kind: Extent) -> str:
+        """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         return f"{width:.2f} x {depth:.2f} m with {self.aisle:g} m around it"
 
@@ -160,11 +167,13 @@ class ToWorkAt:
     apart = 0.0
 
     def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+        """Yield where it could be; see `Where`."""
         for heading in HEADINGS:
             x, y = _inside(kind.hull.placed(heading), region)
             yield Patch(points(*x, _COARSE), points(*y, _COARSE), heading)
 
     def spelt(self, kind: Extent) -> str:
+        """Write how much room it needs."""
         return "3.6 x 3.5 m in which nothing is higher than the bench, for the robot's cameras"
 
 
@@ -183,6 +192,7 @@ class On:
     apart = 0.4
 
     def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+        """Yield where it could be; see `Where`."""
         around = np.array([0.0, _APART, 0.0])
         for carrier, top in sketch.tops(self.kinds, region):
             facing: Heading = 0 if top.behind else 180
@@ -193,6 +203,7 @@ class On:
             yield _in_frame_of(carrier, x, y, facing, carrier.height + top.height, carrier.name)
 
     def spelt(self, kind: Extent) -> str:
+        """Write how much room it needs."""
         depth, width = (kind.sole.high - kind.sole.low)[0, :2]
         return f"{width:.2f} x {depth:.2f} m on one of: {', '.join(self.kinds)}"
 
@@ -212,6 +223,7 @@ class Before:
     apart = 0.6
 
     def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+        """Yield where it could be; see `Where`."""
         front, back = -kind.hull.low[0, 0], kind.hull.high[0, 0]
         for carrier, top in sketch.tops(self.kinds, region):
             facing: Heading = 180 if top.behind else 0
@@ -223,6 +235,7 @@ class Before:
             yield _in_frame_of(carrier, x, y, facing, 0.0, None)
 
     def spelt(self, kind: Extent) -> str:
+        """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         return f"{width:.2f} x {depth:.2f} m before one of: {', '.join(self.kinds)}"
 
@@ -244,6 +257,7 @@ class Facing:
     apart = 0.0
 
     def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+        """Yield where it could be; see `Where`."""
         for faced in sketch.of_kind(self.kind, region):
             hull = extent(self.kind).hull
             front = float(hull.low[0, 0] + kind.hull.low[0, 0])
@@ -251,6 +265,7 @@ class Facing:
             yield _in_frame_of(faced, x, points(-1.0, 1.0), 0, 0.0, None)
 
     def spelt(self, kind: Extent) -> str:
+        """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         return f"{width:.2f} x {depth:.2f} m at least {self.away[0]:g} m before a {self.kind}"
 
@@ -291,8 +306,8 @@ def _against(
 
 def _in_frame_of(
     carrier: Placed,
-    x: "np.ndarray[tuple[int], np.dtype[np.float64]]",
-    y: "np.ndarray[tuple[int], np.dtype[np.float64]]",
+    x: FloatArray,
+    y: FloatArray,
     facing: Heading,
     height: float,
     on: str | None,

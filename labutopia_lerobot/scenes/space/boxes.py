@@ -29,9 +29,7 @@ class Boxes(NamedTuple):
         """The box around all of them, shape (1, 3) each; nothing around nothing."""
         if not len(self.low):
             return self
-        return Boxes(
-            self.low.min(axis=0, keepdims=True), self.high.max(axis=0, keepdims=True)
-        )
+        return Boxes(self.low.min(axis=0, keepdims=True), self.high.max(axis=0, keepdims=True))
 
     def placed(self, heading: Heading) -> "Boxes":
         """Return boxes of a piece, whose front faces -x, when its front faces a heading."""
@@ -48,17 +46,11 @@ class Boxes(NamedTuple):
         """
         return Boxes(self.low + by, self.high + by)
 
-    def overlapping(self, other: "Boxes") -> np.ndarray[tuple[int, int], np.dtype[np.bool_]]:
-        """Tell which of them are in which of others by more than they may touch, shape (n, m)."""
-        return np.logical_and.reduce(
-            (self.low[:, None] + TOUCHING < other.high[None])
-            & (other.low[None] + TOUCHING < self.high[:, None]),
-            axis=2,
-        )
-
     def meet(self, other: "Boxes") -> bool:
-        """Tell whether any of them is in any of others."""
-        return bool(self.overlapping(other).any())
+        """Tell whether any of them is in any of others by more than they may touch."""
+        inside = self.low[:, None] + TOUCHING < other.high[None]
+        inside &= other.low[None] + TOUCHING < self.high[:, None]
+        return bool(inside.all(axis=2).any())
 
     def without_inner(self) -> "Boxes":
         """Return them without those that lie in another one."""

@@ -14,7 +14,7 @@ from labutopia_lerobot.world import FloatArray
 ROBOT_RADIUS = 0.3
 """Half the width of a robot that drives [m]; the paper keeps 0.6 m ("Navigation Details")."""
 REACH = 0.855
-"""How far an arm reaches [m] (Franka Emika Panda, data sheet)."""
+"""How far the arm of levels 1 to 4 reaches [m] (its maker's data sheet)."""
 BENCH_SIDE = 0.5
 """How near to a bench its robot gets [m]: somebody who stands at it."""
 _STAND = 0.3
