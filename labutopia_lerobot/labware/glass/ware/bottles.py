@@ -1,19 +1,19 @@
-"""Bottles, jars and vials, all without their caps."""
+"""Bottles, jars and vials."""
 
 from labutopia_lerobot.labware.glass.material import AMBER_GLASS, BOROSILICATE, POLYETHYLENE
 from labutopia_lerobot.labware.glass.outlines import bottle, straight
 from labutopia_lerobot.labware.glass.series import Series
+from labutopia_lerobot.labware.glass.thread import GL32, GL45
 
 SERIES = (
     Series(
         "reagent_bottle",
-        "A laboratory bottle with a GL 45 neck (50 ml: GL 32).",
+        "A laboratory bottle with a GL 45 neck.",
         bottle,
         BOROSILICATE,
         "ISO 4796-1, sizes as DURAN's without cap; walls ours; from memory",
         {
             # nominal volume: diameter, height, neck, wall, bottom [mm]
-            "50 ml": (46, 87, 30, 1.8, 2.5),
             "100 ml": (56, 100, 41, 2.0, 2.8),
             "250 ml": (70, 138, 41, 2.2, 3.0),
             "500 ml": (86, 176, 41, 2.4, 3.2),
@@ -23,6 +23,8 @@ SERIES = (
         },
         grip=0.9,
         graduated=True,
+        thread=GL45,
+        closure="screw_cap_gl45",
     ),
     Series(
         "reagent_bottle_amber",
@@ -38,6 +40,23 @@ SERIES = (
         },
         grip=0.9,
         graduated=True,
+        thread=GL45,
+        closure="screw_cap_gl45",
+    ),
+    Series(
+        "reagent_bottle_small",
+        "A laboratory bottle with a GL 32 neck.",
+        bottle,
+        BOROSILICATE,
+        "ISO 4796-1, sizes as DURAN's without cap; walls ours; from memory",
+        {
+            "25 ml": (36, 74, 28.4, 1.6, 2.2),
+            "50 ml": (46, 87, 28.4, 1.8, 2.5),
+        },
+        grip=0.3,
+        graduated=True,
+        thread=GL32,
+        closure="screw_cap_gl32",
     ),
     Series(
         "sample_jar",
@@ -70,7 +89,7 @@ SERIES = (
     ),
     Series(
         "weighing_bottle",
-        "A weighing bottle, without its ground lid.",
+        "A weighing bottle.",
         straight,
         BOROSILICATE,
         "DIN 12605, diameter and height; from memory",
@@ -82,5 +101,6 @@ SERIES = (
             "50 x 30 mm": (50, 30, 1.4, 1.8),
             "80 x 30 mm": (80, 30, 1.6, 2.0),
         },
+        closure="weighing_bottle_lid",
     ),
 )

@@ -25,6 +25,7 @@ SERIES = (
         },
         grip=0.85,
         graduated=True,
+        closure="rubber_bung",
     ),
     Series(
         "erlenmeyer_wide",
@@ -56,6 +57,7 @@ SERIES = (
         },
         grip=0.85,
         graduated=True,
+        closure="rubber_bung",
     ),
     Series(
         "round_bottom_flask",
@@ -73,6 +75,7 @@ SERIES = (
         },
         grip=0.9,
         stands=False,
+        closure="rubber_bung",
     ),
     Series(
         "flat_bottom_flask",
@@ -90,6 +93,7 @@ SERIES = (
             "2000 ml": (166, 260, 50, 90, 2.2, 3.0),
         },
         grip=0.9,
+        closure="rubber_bung",
     ),
     Series(
         "volumetric_flask",
@@ -100,14 +104,15 @@ SERIES = (
         {
             # diameter, height, neck, shoulder, wall, bottom
             "10 ml": (27, 90, 9, 34, 1.2, 1.6),
-            "25 ml": (40, 110, 11, 38, 1.3, 1.8),
-            "50 ml": (50, 140, 13, 47, 1.3, 1.8),
-            "100 ml": (60, 170, 15, 65, 1.4, 2.0),
-            "250 ml": (80, 220, 18, 90, 1.5, 2.2),
+            "25 ml": (40, 110, 12, 38, 1.3, 1.8),
+            "50 ml": (50, 140, 14, 47, 1.3, 1.8),
+            "100 ml": (60, 170, 16, 65, 1.4, 2.0),
+            "250 ml": (80, 220, 17, 90, 1.5, 2.2),
             "500 ml": (100, 260, 21, 113, 1.7, 2.4),
-            "1000 ml": (125, 300, 25, 143, 1.9, 2.8),
+            "1000 ml": (125, 300, 26, 143, 1.9, 2.8),
         },
         grip=0.8,
         one_mark=True,
+        closure="ground_stopper",
     ),
 )

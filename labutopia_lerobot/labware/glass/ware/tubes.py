@@ -26,6 +26,7 @@ SERIES = (
         },
         grip=0.8,
         stands=False,
+        closure="rubber_bung",
     ),
     Series(
         "culture_tube",
