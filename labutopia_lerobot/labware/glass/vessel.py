@@ -96,7 +96,8 @@ class Vessel(Loose):
     @property
     def footprint_radius(self) -> float:
         """Radius of the circle around its axis that it needs on the bench [m]: its largest."""
-        return max(radius for radius, _ in self.profile.outer)
+        arms = (np.hypot(*form.shell()[0][:, :2].T).max() for form in self.joined)
+        return max(*(radius for radius, _ in self.profile.outer), *map(float, arms))
 
     @property
     def taper(self) -> float:
@@ -130,12 +131,13 @@ class Vessel(Loose):
         """
         body = parent.add_body(name=self.name)
         mass, com_height, transverse, axial = self.mass_properties
-        body.explicitinertial = True
-        body.mass, body.ipos = mass, (0, 0, com_height)
-        body.inertia = (transverse, transverse, axial)
         if self.joined:
             weight = moments(self.joined, self.material.density)
             (Moments.of_revolution(*self.mass_properties) + weight).give_to(body)
+        else:
+            body.explicitinertial = True
+            body.mass, body.ipos = mass, (0, 0, com_height)
+            body.inertia = (transverse, transverse, axial)
         for site, height in ((f"{self.name}_grasp", self.grip_height), (self.rim, self.height)):
             body.add_site(name=site, pos=(0, 0, height), group=COLLISION_GROUP)
         self._add_look(spec, body)

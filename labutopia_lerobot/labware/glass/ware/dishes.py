@@ -145,4 +145,21 @@ SERIES = (
         grip=0.9,
         closure="desiccator_lid",
     ),
+    Series(
+        "weighing_scoop",
+        "A round weighing scoop of polystyrene.",
+        bowl,
+        POLYSTYRENE,
+        "as usual; from memory",
+        {"60 x 14 mm": (60, 14, 40, 2.5, 0.9)},
+        grip=0.8,
+    ),
+    Series(
+        "staining_jar",
+        "A round staining jar (Coplin), without its slots.",
+        straight,
+        SODA_LIME,
+        "as usual; from memory",
+        {"58 x 100 mm": (58, 100, 3.0, 4.0)},
+    ),
 )
