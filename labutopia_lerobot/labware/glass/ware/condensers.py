@@ -22,7 +22,6 @@ SERIES = (
         _ROWS,
         stands=False,
         joined=jacket(0.18, 0.88, 30),
-        holder="retort_stand",
     ),
     Series(
         "condenser_allihn",
@@ -33,7 +32,6 @@ SERIES = (
         _ROWS,
         stands=False,
         joined=together(jacket(0.18, 0.88, 38), bulbs(0.22, 0.84, 5, 30)),
-        holder="retort_stand",
     ),
     Series(
         "condenser_graham",
@@ -43,8 +41,7 @@ SERIES = (
         _MADE,
         _ROWS,
         stands=False,
-        joined=together(jacket(0.18, 0.88, 40), bulbs(0.22, 0.84, 9, 32)),
-        holder="retort_stand",
+        joined=together(jacket(0.18, 0.88, 40), bulbs(0.22, 0.84, 7, 32)),
     ),
     Series(
         "vigreux_column",
@@ -57,7 +54,6 @@ SERIES = (
             "24 x 300 mm": (24, 300, 16, 4, 1.5, 0),
         },
         stands=False,
-        holder="retort_stand",
     ),
     Series(
         "soxhlet_extractor",

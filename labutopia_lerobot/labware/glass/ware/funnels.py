@@ -21,7 +21,6 @@ SERIES = (
         },
         grip=0.3,
         stands=False,
-        holder="retort_stand",
     ),
     Series(
         "funnel_plastic",
@@ -35,7 +34,6 @@ SERIES = (
         },
         grip=0.3,
         stands=False,
-        holder="retort_stand",
     ),
     Series(
         "funnel_powder",
@@ -49,7 +47,6 @@ SERIES = (
         },
         grip=0.2,
         stands=False,
-        holder="retort_stand",
     ),
     Series(
         "funnel_buchner",
@@ -64,7 +61,6 @@ SERIES = (
         grip=0.25,
         stands=False,
         joined=plate(0.72, 3.0, "ceramic"),
-        holder="retort_stand",
     ),
     Series(
         "funnel_thistle",
@@ -103,7 +99,6 @@ SERIES = (
         joined=barrel(62),
         fitted=stopcock(62),
         closure="ground_stopper",
-        holder="retort_stand",
     ),
     Series(
         "dropping_funnel",
@@ -117,6 +112,5 @@ SERIES = (
         joined=together(barrel(62), arm(0.86, 22, 8), arm(0.30, 28, 8)),
         fitted=stopcock(62),
         closure="ground_stopper",
-        holder="retort_stand",
     ),
 )

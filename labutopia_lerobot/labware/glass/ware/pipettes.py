@@ -23,7 +23,6 @@ SERIES = (
         graduated=True,
         joined=barrel(50),
         fitted=stopcock(50),
-        holder="retort_stand",
     ),
     Series(
         "volumetric_pipette",

@@ -28,6 +28,7 @@ SERIES = (
         grip=0.8,
         stands=False,
         closure="rubber_bung",
+        holder="tube_rack",
     ),
     Series(
         "culture_tube",
@@ -42,6 +43,7 @@ SERIES = (
         },
         grip=0.8,
         stands=False,
+        holder="tube_rack",
     ),
     Series(
         "centrifuge_tube",
@@ -57,6 +59,7 @@ SERIES = (
         grip=0.8,
         stands=False,
         graduated=True,
+        holder="tube_rack",
     ),
     Series(
         "centrifuge_tube_glass",
