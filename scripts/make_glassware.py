@@ -12,6 +12,7 @@ import piece_pictures
 from labutopia_lerobot.labware.glass.catalogue import Kind, catalogue, vessels
 from labutopia_lerobot.labware.glass.series import ClosureSeries, Series, called
 from labutopia_lerobot.labware.glass.utensil import Utensil
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
 from labutopia_lerobot.sim.renderer import Renderer
 from word_tables import cell, code
@@ -28,6 +29,8 @@ _GAP = 0.015
 """Between two sizes in a row [m]."""
 _SCALE_IN_FRONT = (np.cos(np.pi / 2 + 0.2), 0.0, 0.0, np.sin(np.pi / 2 + 0.2))
 """Turns what looks along x to the camera."""
+_ASIDE = (np.cos(np.pi / 4 - 0.35), 0.0, 0.0, -np.sin(np.pi / 4 - 0.35))
+"""Turns arms and what lies, which are along x, across what the camera sees."""
 _HEAD = (
     "size",
     "diameter x height [mm]",
@@ -66,8 +69,8 @@ def _lines() -> Iterator[str]:
     yield 'hand. "From memory" means that no text of the standard was at hand.'
     yield ""
     yield "To liquid a vessel is its wall of revolution: side arms, necks, jackets, spouts and"
-    yield "filter plates are drawn and touched, but sealed where they join; stopcocks turn, but stay"
-    yield "shut to it. Funnels, pipettes and condensers are open below, and liquid runs out there."
+    yield "filter plates are drawn and touched, but sealed where they join; stopcocks turn, but"
+    yield "stay shut to it. Funnels, pipettes and condensers are open below: liquid runs out there."
     yield "Closures are pieces of their own: plugs hold by friction, screw caps by the contact of"
     yield "their lugs with a ridge, lids lie on the lip."
     yield ""
@@ -145,7 +148,9 @@ def picture(series: Kind) -> Image.Image:
     for piece in pieces:
         radius = piece.footprint_radius
         middle = (at + radius) * right
-        piece.add_to(spec, spec.worldbody.add_body(pos=middle, quat=_SCALE_IN_FRONT))
+        plain = isinstance(piece, Vessel) and not piece.joined
+        turn = _SCALE_IN_FRONT if plain else _ASIDE
+        piece.add_to(spec, spec.worldbody.add_body(pos=middle, quat=turn))
         ring = [(radius * x, radius * y, 0.0) for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1))]
         corners += [middle + foot + (0, 0, z) for foot in ring for z in (0.0, piece.height)]
         at += 2 * radius + gap

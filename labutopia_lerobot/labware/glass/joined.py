@@ -109,11 +109,11 @@ def bulbs(low: float, high: float, count: int, diameter: float) -> Joined:
 
 
 def spout(profile: Profile) -> tuple[Form, ...]:
-    """Return the spout of a beaker: a wedge outside the lip, over a sixth of the height."""
+    """Return the spout of a beaker, a quarter around from its scale: a wedge outside the lip."""
     radius, top = profile.outer_radius(profile.height), profile.height
     out, low, half = 0.16 * radius, 0.10 * profile.height, 0.22 * radius
-    left, right = (0.97 * radius, half, top), (0.97 * radius, -half, top)
-    tip, foot = (radius + out, 0.0, top), (profile.outer_radius(top - low), 0.0, top - low)
+    left, right = (half, 0.97 * radius, top), (-half, 0.97 * radius, top)
+    tip, foot = (0.0, radius + out, top), (0.0, profile.outer_radius(top - low), top - low)
     return tuple(
         Rod(a, b, 2.2 * profile.wall, "glass_edge", segments=8)
         for a, b in ((left, tip), (right, tip), (tip, foot))

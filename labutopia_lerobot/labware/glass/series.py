@@ -84,6 +84,7 @@ class Series:
             material=self.material,
             stands=self.stands,
             graduated=self.graduated or self.one_mark,
+            numbered=self.graduated,
             joined=self.joined(profile) if self.joined else (),
             thread=self.thread,
             fittings=self.fitted(name, profile) if self.fitted else (),

@@ -46,6 +46,7 @@ class Vessel(Loose):
         material: What it is made of.
         stands: Whether it stands by itself; what does not has no feet, and its bottom is round.
         graduated: Whether anything is printed on it.
+        numbered: Whether its graduations have numbers.
         joined: Side arms, necks, jackets, handles: drawn and touched, but sealed where they join
             the wall, and to the liquid they are not there.
         thread: On the outside of its neck, for a screw cap.
@@ -59,6 +60,7 @@ class Vessel(Loose):
     material: Material = BOROSILICATE
     stands: bool = True
     graduated: bool = True
+    numbered: bool = False
     joined: tuple[Form, ...] = ()
     thread: Thread | None = None
     fittings: tuple[Fitting, ...] = ()

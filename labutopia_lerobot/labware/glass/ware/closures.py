@@ -61,7 +61,7 @@ def _inset_lid(
     name: str, outer: float, height: float, wall: float, within: float, knob: float, *, look: str
 ) -> Shape:
     """Return a plate whose rim reaches into the mouth, with a knob."""
-    forms = (
+    forms: tuple[Form, ...] = (
         Ring(within - 2 * wall, within, (0.0, height - wall), look, facets=16),
         Rod((0, 0, height - wall), (0, 0, height), outer, look),
         *_knob(height, knob, look),
