@@ -9,7 +9,7 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.fittings import tub
-from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned, about
+from labutopia_lerobot.labware.parts.form import Block, Form, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
