@@ -108,16 +108,20 @@ def bulbs(low: float, high: float, count: int, diameter: float) -> Joined:
     return forms
 
 
-def spout(profile: Profile) -> tuple[Form, ...]:
+def spout(look: str = "rim") -> Joined:
     """Return the spout of a beaker, a quarter around from its scale: a wedge outside the lip."""
-    radius, top = profile.outer_radius(profile.height), profile.height
-    out, low, half = 0.16 * radius, 0.10 * profile.height, 0.22 * radius
-    left, right = (half, 0.97 * radius, top), (-half, 0.97 * radius, top)
-    tip, foot = (0.0, radius + out, top), (0.0, profile.outer_radius(top - low), top - low)
-    return tuple(
-        Rod(a, b, 2.2 * profile.wall, "glass_edge", segments=8)
-        for a, b in ((left, tip), (right, tip), (tip, foot))
-    )
+
+    def forms(profile: Profile) -> tuple[Form, ...]:
+        radius, top = profile.outer_radius(profile.height), profile.height
+        out, low, half = 0.16 * radius, 0.10 * profile.height, 0.22 * radius
+        left, right = (half, 0.97 * radius, top), (-half, 0.97 * radius, top)
+        tip, foot = (0.0, radius + out, top), (0.0, profile.outer_radius(top - low), top - low)
+        return tuple(
+            Rod(a, b, 2.2 * profile.wall, look, segments=8)
+            for a, b in ((left, tip), (right, tip), (tip, foot))
+        )
+
+    return forms
 
 
 def handle(low: float, high: float, out: float, thick: float, look: str) -> Joined:

@@ -15,6 +15,9 @@ from labutopia_lerobot.labware.parts.solid import BOX, MESH, UNTURNED, Quaternio
 _FACETS = 12
 """Flat pieces around a bore that can be touched inside."""
 
+_ROUND = 96
+"""Corners of a cone that is touched: round to 0.01 mm, so that a plug sits alike at any angle."""
+
 _WIDE = 0.008
 """Bore into which something can be put [m]; a narrower one is touched as a solid rod."""
 
@@ -99,7 +102,7 @@ class Cone:
 
     def primitives(self) -> Iterator[Primitive]:
         """Yield what can be touched of it."""
-        angles = 2 * np.pi * np.arange(self.segments) / self.segments
+        angles = 2 * np.pi * np.arange(_ROUND) / _ROUND
         points = [
             (d / 2 * np.cos(a), d / 2 * np.sin(a), z)
             for a in angles

@@ -35,7 +35,7 @@ SERIES = (
             "5000 ml": (170, 270, 2.8, 4.0),
         },
         graduated=True,
-        joined=spout,
+        joined=spout(),
     ),
     Series(
         "beaker_tall",
@@ -55,7 +55,7 @@ SERIES = (
             "2000 ml": (120, 240, 2.3, 3.4),
         },
         graduated=True,
-        joined=spout,
+        joined=spout(),
     ),
     Series(
         "beaker_conical",
@@ -83,7 +83,7 @@ SERIES = (
             "100 ml": (50, 70, 1.5, 2.0),
             "250 ml": (70, 95, 1.8, 2.4),
         },
-        joined=spout,
+        joined=spout(),
     ),
     Series(
         "beaker_plastic",
@@ -101,7 +101,7 @@ SERIES = (
             "2000 ml": (148, 187, 128, 2.3, 2.8),
         },
         graduated=True,
-        joined=spout,
+        joined=spout("natural"),
     ),
     Series(
         "medicine_cup",
@@ -146,6 +146,6 @@ SERIES = (
             "1000 ml": (118, 165, 100, 2.0, 2.4),
         },
         graduated=True,
-        joined=together(spout, handle(0.30, 0.85, 30, 10, "natural")),
+        joined=together(spout("natural"), handle(0.30, 0.85, 30, 10, "natural")),
     ),
 )

@@ -28,9 +28,9 @@ def _stopper(name: str, high: float, low: float, length: float, head: float, *, 
     tall = 0.6 * head
     top = length + 0.002
     forms: tuple[Form, ...] = (
-        Cone(low, high, (0.0, length), f"{look}_edge" if look == "glass" else look),
+        Cone(low, high, (0.0, length), "rim" if look == "glass" else look),
         Rod((0, 0, length), (0, 0, top), 0.8 * head, look),
-        Rod((0, 0, top), (0, 0, top + tall), head, f"{look}_edge" if look == "glass" else look),
+        Rod((0, 0, top), (0, 0, top + tall), head, "rim" if look == "glass" else look),
     )
     return Shape(forms, top + 0.5 * tall, head)
 
@@ -152,7 +152,7 @@ SERIES = (
         },
         hold=_plug,
         friction=0.8,
-        pull=(1.0, 80.0),
+        pull=(0.5, 80.0),
     ),
     ClosureSeries(
         "screw_cap_gl45",

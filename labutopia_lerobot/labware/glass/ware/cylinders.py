@@ -25,7 +25,7 @@ SERIES = (
             "2000 ml": (150, 500, 84, 15, 2.5, 15),
         },
         graduated=True,
-        joined=spout,
+        joined=spout(),
     ),
     Series(
         "graduated_cylinder_plastic",
@@ -43,7 +43,7 @@ SERIES = (
             "1000 ml": (140, 440, 67, 14, 2.2, 14),
         },
         graduated=True,
-        joined=spout,
+        joined=spout("natural"),
     ),
     Series(
         "mixing_cylinder",
