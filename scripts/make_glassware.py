@@ -9,8 +9,10 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import piece_pictures
-from labutopia_lerobot.labware.glass.catalogue import catalogue
-from labutopia_lerobot.labware.glass.series import Series
+from labutopia_lerobot.labware.glass.catalogue import Kind, catalogue, vessels
+from labutopia_lerobot.labware.glass.series import ClosureSeries, Series, called
+from labutopia_lerobot.labware.glass.utensil import Utensil
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
 from labutopia_lerobot.sim.renderer import Renderer
 from word_tables import cell, code
@@ -27,6 +29,8 @@ _GAP = 0.015
 """Between two sizes in a row [m]."""
 _SCALE_IN_FRONT = (np.cos(np.pi / 2 + 0.2), 0.0, 0.0, np.sin(np.pi / 2 + 0.2))
 """Turns what looks along x to the camera."""
+_ASIDE = (np.cos(np.pi / 4 - 0.35), 0.0, 0.0, -np.sin(np.pi / 4 - 0.35))
+"""Turns arms and what lies, which are along x, across what the camera sees."""
 _HEAD = (
     "size",
     "diameter x height [mm]",
@@ -35,6 +39,7 @@ _HEAD = (
     "mass [g]",
     "grip [mm]",
 )
+_SHORT_HEAD = ("size", "height [mm]", "mass [g]", "grip [mm]")
 
 
 def main() -> None:
@@ -54,39 +59,72 @@ def page() -> str:
 
 def _lines() -> Iterator[str]:
     count = sum(len(series.sizes) for series in catalogue().values())
+    closures = [kind for kind, one in catalogue().items() if isinstance(one, ClosureSeries)]
     yield "# Glass, porcelain and plastic ware"
     yield ""
     yield "Made by `python scripts/make_glassware.py` from `labware/glass/ware`; do not edit."
-    yield f"{len(catalogue())} kinds, {count} kinds and sizes, beside the vessels of the tasks"
-    yield "(docs/vocabulary.md). The bar is 100 mm long, black and white by 50 mm. All are open"
-    yield "and round, without spout and lid, and hold liquid. What does not stand needs a rack, a"
-    yield 'ring or a hand. "From memory" means that no text of the standard was at hand.'
+    yield f"{len(catalogue())} kinds in {count} sizes, {len(vessels())} of them vessels and"
+    yield f"{len(closures)} closures, beside the vessels of the tasks (docs/vocabulary.md). The bar"
+    yield "is 100 mm long, black and white by 50 mm. What does not stand needs a rack, a ring or a"
+    yield 'hand. "From memory" means that no text of the standard was at hand.'
     yield ""
-    yield '`labware.glass.catalogue.glassware("beaker_low", "250 ml", name="beaker")` makes one.'
+    yield "To liquid a vessel is its wall of revolution: side arms, necks, jackets, spouts and"
+    yield "filter plates are drawn and touched, but sealed where they join; stopcocks turn, but"
+    yield "stay shut to it. Funnels, pipettes and condensers are open below: liquid runs out there."
+    yield "Closures are pieces of their own: plugs hold by friction, screw caps by the contact of"
+    yield "their lugs with a ridge, lids lie on the lip."
+    yield ""
+    yield '`labware.glass.catalogue.glassware("beaker_low", "250 ml", name="beaker")` makes a'
+    yield 'vessel, `closed("reagent_bottle", "250 ml")` one with its closure,'
+    yield '`ware("stirring_bar", "25 x 8 mm")` anything.'
     for kind, series in catalogue().items():
         yield from ("", f"## {code(kind)}", "", f"![{kind}](glassware/{kind}.jpg)", "")
-        stands = "" if series.stands else " It does not stand by itself."
         of = series.material
-        yield f"{series.what} Of {of.called}, {of.density:g} kg/m3.{stands}"
+        told = [f"{series.what} Of {of.called}, {of.density:g} kg/m3.", *_more(series)]
+        yield " ".join(told)
         yield f"Source: {series.source}."
         yield ""
-        yield f"| {' | '.join(_HEAD)} |"
-        yield f"|{' --- |' * len(_HEAD)}"
+        head = _HEAD if isinstance(series, Series) else _SHORT_HEAD
+        yield f"| {' | '.join(head)} |"
+        yield f"|{' --- |' * len(head)}"
         for size in series.sizes:
             yield f"| {' | '.join(cell(column) for column in _columns(series, size))} |"
 
 
-def _columns(series: Series, size: str) -> tuple[str, ...]:
-    vessel, (diameter, height, *_, wall, bottom) = series.vessel(size, "it"), series.sizes[size]
-    wide = vessel.grip_width
-    grip = f"{1e3 * wide:.0f} at {1e3 * vessel.grip_height:.0f}"
+def _more(series: Kind) -> Iterator[str]:
+    """Yield sentences about what a kind stands in, comes with, holds by and moves."""
+    if not series.stands:
+        yield "It does not stand by itself."
+    if series.holder:
+        yield f"{code(series.holder)} holds it."
+    if isinstance(series, Series) and series.closure:
+        yield f"Comes with {code(series.closure)}."
+    if isinstance(series, ClosureSeries) and series.pull[1]:
+        unit = "N m turn" if series.kind.startswith("screw") else "N pull"
+        yield f"{series.pull[0]:g} to {series.pull[1]:g} {unit} it off."
+    elif isinstance(series, ClosureSeries):
+        yield "It lies on the lip, and falls off what is tipped."
+    for part in series.make(next(iter(series.sizes)), "it").mechanisms:
+        yield f"Its {part.name.removeprefix('it_')} moves by {part.spell(part.widest)}."
+
+
+def _columns(series: Kind, size: str) -> tuple[str, ...]:
+    piece = series.make(size, "it")
+    wide = piece.grip_width
+    grip = f"{1e3 * wide:.0f} at {1e3 * piece.grip_height:.0f}"
+    if wide >= FRANKA_HAND.element.upper:
+        grip = f"too wide: {grip}"
+    mass = _three(1e3 * piece.mass)
+    if isinstance(piece, Utensil):
+        return size, f"{1e3 * piece.height:.4g}", mass, grip
+    diameter, height, *_, wall, bottom = series.sizes[size]
     return (
         size,
         f"{diameter:g} x {height:g}",
-        f"{wall:g}, {bottom:g}",
-        _three(vessel.capacity),
-        _three(1e3 * vessel.mass),
-        grip if wide < FRANKA_HAND.element.upper else f"too wide: {grip}",
+        f"{wall:g}, {bottom:g}" if bottom else f"{wall:g}, open",
+        _three(piece.capacity),
+        mass,
+        grip,
     )
 
 
@@ -95,7 +133,7 @@ def _three(number: float) -> str:
     return f"{float(f'{number:.3g}'):g}"
 
 
-def picture(series: Series) -> Image.Image:
+def picture(series: Kind) -> Image.Image:
     """Return all sizes of a kind in a row, the smallest first, beside a bar of 100 mm."""
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
@@ -104,14 +142,17 @@ def picture(series: Series) -> Image.Image:
     back = piece_pictures._FROM / np.linalg.norm(piece_pictures._FROM)
     right = np.cross([0.0, 0.0, 1.0], back)
     right /= np.linalg.norm(right)
-    gap = _GAP + 0.05 * max(vessel.footprint_radius for vessel in series.vessels)
+    pieces = [series.make(size, called(size)) for size in series.sizes]
+    gap = _GAP + 0.05 * max(piece.footprint_radius for piece in pieces)
     corners, at = [], 0.0
-    for vessel in series.vessels:
-        radius = vessel.footprint_radius
+    for piece in pieces:
+        radius = piece.footprint_radius
         middle = (at + radius) * right
-        vessel.add_to(spec, spec.worldbody.add_body(pos=middle, quat=_SCALE_IN_FRONT))
+        plain = isinstance(piece, Vessel) and not piece.joined
+        turn = _SCALE_IN_FRONT if plain else _ASIDE
+        piece.add_to(spec, spec.worldbody.add_body(pos=middle, quat=turn))
         ring = [(radius * x, radius * y, 0.0) for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1))]
-        corners += [middle + foot + (0, 0, z) for foot in ring for z in (0.0, vessel.height)]
+        corners += [middle + foot + (0, 0, z) for foot in ring for z in (0.0, piece.height)]
         at += 2 * radius + gap
     corners += _add_bar(spec, right, at)
     model = spec.compile()

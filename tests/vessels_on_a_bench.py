@@ -9,6 +9,7 @@ from labutopia_lerobot.labware.glass.glassware import (
     graduated_cylinder,
     volumetric_flask,
 )
+from labutopia_lerobot.labware.glass.utensil import Utensil
 from labutopia_lerobot.labware.glass.vessel import Vessel
 
 FLASK_SIZES = ("300 ml", "500 ml", "1000 ml")
@@ -31,7 +32,7 @@ every_vessel = pytest.mark.parametrize(
 )
 
 
-def bench(*vessels: Vessel, free: bool = True) -> mujoco.MjSpec:
+def bench(*vessels: Vessel | Utensil, free: bool = True) -> mujoco.MjSpec:
     """A box whose top is at height 0, and the vessels on it, all at the origin."""
     spec = mujoco.MjSpec()
     spec.option.timestep = 1 / 300

@@ -68,7 +68,7 @@ def find_subject(what: str, size: str | None = None, seed: int = 0) -> Subject:
         if size is None and len(sizes) > 1:
             raise UnknownSubjectError(f"Choose a size of {what}: {', '.join(sizes)}")
         size = size or next(iter(sizes))
-        return _piece(f"{what}_{size.replace(' ', '_')}", ware()[what].vessel(size, what))
+        return _piece(f"{what}_{size.replace(' ', '_')}", ware()[what].make(size, what))
     if what in ROOMS:
         return _compiled(what, _with_options(load_room(what).build(VESSEL_VIEW)))
     if what in plan_names():

@@ -8,7 +8,7 @@ from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Button, Thing, World
 
 
-class Switch(Protocol):
+class Switchable(Protocol):
     """Something that is on or off."""
 
     @property
@@ -77,6 +77,6 @@ def fingers_clear_of(button: Button, *, by: float) -> Predicate:
     )
 
 
-def switched_on(switch: Switch) -> Predicate:
+def switched_on(switch: Switchable) -> Predicate:
     """Switch is on."""
     return Predicate(f"{switch.name} on", lambda world: world.switched_on(switch.name))

@@ -7,6 +7,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.labware.parts.tare import Balance
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.robots.robot import Robot
@@ -141,13 +142,17 @@ def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
 
 
 def _memory(pieces: tuple[Piece, ...], robot: Robot) -> Memory:
-    """Keep commands, which buttons are in, which switches on, of bottles see `Displacement`."""
+    """Keep commands, buttons that are in, switches, tared masses; of bottles see `Displacement`."""
     buttons = [button.name for piece in pieces for button in piece.buttons]
     switches = [switch.name for piece in pieces for switch in piece.switches]
     bottles = [piece.name for piece in pieces if isinstance(piece, SqueezeBottle)]
+    tares = [tare.name for piece in pieces if isinstance(piece, Balance) for tare in piece.tares]
     commands = {COMMANDS: SPAN * len(robot.elements)}
     return Memory(
-        commands | {CONTACTS: len(buttons)} | dict.fromkeys(switches, 1) | dict.fromkeys(bottles, 2)
+        commands
+        | {CONTACTS: len(buttons)}
+        | dict.fromkeys([*switches, *tares], 1)
+        | dict.fromkeys(bottles, 2)
     )
 
 

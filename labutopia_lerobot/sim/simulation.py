@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.labware.parts.tare import Balance
 from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
@@ -55,6 +56,9 @@ class Simulation:
         self._button_contacts = ButtonContacts(scene.model, self._buttons)
         self._switches = [switch for piece in scene.pieces for switch in piece.switches]
         self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
+        self._tares = [
+            tare for piece in scene.pieces if isinstance(piece, Balance) for tare in piece.tares
+        ]
         self._displacements = [
             Displacement(scene.model, piece)
             for piece in scene.pieces
@@ -166,7 +170,7 @@ class Simulation:
                 self.liquid.dispense(displacement.bottle, state[1], spout, 1.0 / CONTROL_HZ)
 
     def _work_buttons(self) -> None:
-        """Let the contacts behind the buttons click, and toggle the switches that do so.
+        """Let the contacts behind the buttons click, and toggle switches and tare balances.
 
         Once per control period: a cap that springs back along a finger bounces for 20 ms, which any
         instrument's input ignores.
@@ -177,12 +181,18 @@ class Simulation:
             for switch in self._switches:
                 if switch.button in names:
                     self._remembered(switch.name)[0] = not self.switched_on(switch.name)
+            for tare in self._tares:
+                if tare.button in names:
+                    mass = tare.reading.mass(self.scene.model, self.data)
+                    self._remembered(tare.name)[0] = mass
 
     def _light_lamps(self) -> None:
-        """Light the lamps of the switches that are on."""
+        """Light the lamps of the switches that are on, and let balances show what is tared."""
         for switch, dark in zip(self._switches, self._dark, strict=True):
             lit = self.switched_on(switch.name)
             self.scene.model.geom(switch.lamp).rgba = switch.lit if lit else dark
+        for tare in self._tares:
+            self.scene.model.numeric(tare.name).data[0] = self._remembered(tare.name)[0]
 
     def pressed(self, name: str) -> bool:
         """Tell whether a button has clicked in, and not out again."""

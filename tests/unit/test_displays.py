@@ -5,9 +5,16 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.glass.catalogue import ware
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.reading import Clock, Constant
+from labutopia_lerobot.layout import Placement
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.scene import compile_scene
+from labutopia_lerobot.sim.simulation import Simulation
 
 
 def beside_a_weight(kind: str, grams: float) -> tuple[mujoco.MjModel, mujoco.MjData, Display]:
@@ -90,3 +97,33 @@ def test_pictures_show_the_reading_of_now():
     back = renderer.color(data, "front")
     renderer.close()
     assert np.abs(back.astype(int) - cold).max() <= 1
+
+
+def test_a_tare_button_sets_the_display_to_zero_with_what_is_on_the_pan():
+    balance, boat = instrument("precision_balance"), ware("weighing_boat", "85 x 85 x 24 mm")
+    simulation = Simulation(compile_scene([balance, boat], PANDA, LABORATORY, DOOR_VIEW))
+    data, (display,) = simulation.data, balance.displays
+    model = simulation.scene.model
+    seat = Placement(0.06, 0.0, 0.0, height=0.0955)
+    simulation.reset({balance: Placement(0.0, 0.0, 0.0), boat: seat})
+
+    def shown() -> float:
+        return float(display.reading.text(model, data).split()[0])
+
+    def press(force: float) -> None:
+        for _ in range(15):
+            data.joint(balance.tare.joint).qfrc_applied[:] = force
+            simulation.step(simulation.command)
+
+    press(0.0)
+    assert shown() == pytest.approx(1e3 * boat.mass, abs=0.05)
+    press(5.0)
+    press(0.0)
+    assert abs(shown()) < 0.05
+    kept = simulation.state()
+    data.joint("weighing_boat_free").qpos[2] += 0.5
+    simulation.step(simulation.command)
+    assert shown() == pytest.approx(-1e3 * boat.mass, abs=0.05)
+    simulation.restore(kept)
+    simulation.step(simulation.command)
+    assert abs(shown()) < 0.05

@@ -1,22 +1,51 @@
-"""Finding ware: `glassware("beaker_low", "250 ml")` is a row of the tables in `glass.ware`."""
+"""Finding ware: `glassware("beaker_low", "250 ml")` is a row of the tables in `glass.ware`.
+
+There is nothing to register: every module of `glass.ware` has a `SERIES`.
+"""
 
 import difflib
+import importlib
+import pkgutil
 from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
 
-from labutopia_lerobot.labware.glass.series import Series, UnknownGlasswareError
+from labutopia_lerobot.labware.glass import ware as tables
+from labutopia_lerobot.labware.glass.closure import Closure
+from labutopia_lerobot.labware.glass.series import (
+    ClosureSeries,
+    Series,
+    UnknownGlasswareError,
+    UtensilSeries,
+)
+from labutopia_lerobot.labware.glass.utensil import Utensil
 from labutopia_lerobot.labware.glass.vessel import Vessel
-from labutopia_lerobot.labware.glass.ware import beakers, bottles, dishes, flasks, tubes
 
-_TABLES = (beakers.SERIES, bottles.SERIES, dishes.SERIES, flasks.SERIES, tubes.SERIES)
+type Kind = Series | UtensilSeries
+"""A kind of ware: of vessels, of utensils, of closures."""
 
 
 @cache
-def catalogue() -> Mapping[str, Series]:
-    """Return every series by its kind, in alphabetical order."""
-    series = sorted((one for table in _TABLES for one in table), key=lambda one: one.kind)
-    return MappingProxyType({one.kind: one for one in series})
+def catalogue() -> Mapping[str, Kind]:
+    """Return every kind of ware by its name, in alphabetical order.
+
+    Raises:
+        TypeError: Two tables have a kind of the same name.
+    """
+    found: dict[str, Kind] = {}
+    for module in pkgutil.iter_modules(tables.__path__, f"{tables.__name__}."):
+        for series in importlib.import_module(module.name).SERIES:
+            if series.kind in found:
+                raise TypeError(f"Two kinds of ware are called {series.kind}: rename one")
+            found[series.kind] = series
+    return MappingProxyType(dict(sorted(found.items())))
+
+
+@cache
+def vessels() -> Mapping[str, Series]:
+    """Return every kind of vessel by its name, in alphabetical order."""
+    found = {kind: one for kind, one in catalogue().items() if isinstance(one, Series)}
+    return MappingProxyType(found)
 
 
 def glassware(kind: str, size: str, name: str | None = None) -> Vessel:
@@ -30,9 +59,37 @@ def glassware(kind: str, size: str, name: str | None = None) -> Vessel:
     Raises:
         UnknownGlasswareError: There is no such kind, or it has no such size.
     """
-    known = catalogue()
+    return _known(kind, vessels()).vessel(size, name or kind)
+
+
+def ware(kind: str, size: str, name: str | None = None) -> Vessel | Utensil:
+    """Return a piece of any kind of ware; see `glassware`, which makes the vessels."""
+    return _known(kind, catalogue()).make(size, name or kind)
+
+
+def closed(kind: str, size: str, name: str | None = None) -> tuple[Vessel, Closure]:
+    """Return a vessel and the closure that it comes with, called `<name>_closure`.
+
+    The closure goes onto it in `Inside(vessel, at=(0, 0, closure.seat(vessel)))`.
+
+    Raises:
+        UnknownGlasswareError: There is no such vessel, or it comes without a closure.
+    """
+    vessel = glassware(kind, size, name)
+    closure = vessels()[kind].closure
+    if not closure:
+        with_one = ", ".join(one.kind for one in vessels().values() if one.closure)
+        raise UnknownGlasswareError(
+            f"{kind} comes without a closure; kinds that come with one: {with_one}"
+        )
+    series = catalogue()[closure]
+    assert isinstance(series, ClosureSeries)
+    return vessel, series.fitting(vessel, f"{vessel.name}_closure")
+
+
+def _known[K: Kind](kind: str, known: Mapping[str, K]) -> K:
     if kind not in known:
         near = difflib.get_close_matches(kind, known, n=1, cutoff=0.5)
         hint = f" Did you mean '{near[0]}'?" if near else ""
         raise UnknownGlasswareError(f"Unknown ware '{kind}'.{hint} Kinds: {', '.join(known)}")
-    return known[kind].vessel(size, name or kind)
+    return known[kind]

@@ -116,3 +116,44 @@ POLYSTYRENE = Material(
     shine=0.7,
     source="1.05 g/cm3, ISO 24936 crystal polystyrene; from memory",
 )
+
+SOFT_RUBBER = Material(
+    called="natural rubber",
+    density=1100.0,
+    wall=(0.62, 0.25, 0.18, 1.0),
+    edge=(0.62, 0.25, 0.18, 1.0),
+    bottom=(0.62, 0.25, 0.18, 1.0),
+    ink=_WHITE_INK,
+    shine=0.05,
+    source="bungs of red rubber with filler, 1.1 to 1.3 g/cm3; from memory",
+)
+PTFE = Material(
+    called="PTFE",
+    density=2170.0,
+    wall=(0.96, 0.96, 0.95, 1.0),
+    edge=(0.96, 0.96, 0.95, 1.0),
+    bottom=(0.96, 0.96, 0.95, 1.0),
+    ink=_BLUE_INK,
+    shine=0.3,
+    source="2.13 to 2.20 g/cm3, ISO 20568; from memory",
+)
+STAINLESS_STEEL = Material(
+    called="stainless steel",
+    density=7900.0,
+    wall=(0.66, 0.68, 0.70, 1.0),
+    edge=(0.66, 0.68, 0.70, 1.0),
+    bottom=(0.66, 0.68, 0.70, 1.0),
+    ink=_WHITE_INK,
+    shine=0.6,
+    source="7.9 g/cm3, EN 10088-1, 1.4301",
+)
+CORK = Material(
+    called="pressed cork",
+    density=240.0,
+    wall=(0.68, 0.50, 0.31, 1.0),
+    edge=(0.68, 0.50, 0.31, 1.0),
+    bottom=(0.68, 0.50, 0.31, 1.0),
+    ink=_BLUE_INK,
+    shine=0.05,
+    source="0.2 to 0.3 g/cm3; from memory",
+)

@@ -127,3 +127,63 @@ def cap(diameter: float, height: float) -> Outline:
 
 def _between(low: float, high: float, share: float) -> float:
     return low + share * (high - low)
+
+
+def funnel(diameter: float, height: float, stem: float, length: float) -> Outline:
+    """Return a funnel: a stem that widens to 110 %, and a cone."""
+    return (0.45 * stem, 0.0), (0.55 * stem, length), (diameter / 2, height)
+
+
+def thistle(diameter: float, height: float, stem: float) -> Outline:
+    """Return a stem under a bulb whose mouth is 80 % as wide."""
+    low, wide = height - 1.1 * diameter, height - 0.55 * diameter
+    bulb = (stem / 2, low), (0.42 * diameter, wide - 0.25 * diameter), (diameter / 2, wide)
+    return (0.45 * stem, 0.0), *bulb, (0.40 * diameter, height)
+
+
+def separating(diameter: float, height: float, neck: float, stem: float, length: float) -> Outline:
+    """Return a separating funnel: a stem, a pear that is widest at its upper end, a neck."""
+    top = 0.87 * height
+    tall = top - length
+    cone = (0.35 * stem, 0.0), (stem / 2, 0.2 * length), (stem / 2, length)
+    pear = [(0.30, 0.40), (0.50, 0.65), (0.40, 0.90)]
+    body = [(share * diameter, length + up * tall) for share, up in pear]
+    return *cone, *body, (neck / 2, top), (neck / 2, height)
+
+
+def burette(diameter: float, height: float, stem: float, tap: float) -> Outline:
+    """Return a burette: a tip, a stem up to its stopcock, a tube."""
+    stem_ends = (stem / 2, 0.3 * tap), (stem / 2, tap)
+    return (0.25 * stem, 0.0), *stem_ends, (diameter / 2, tap + 10), (diameter / 2, height)
+
+
+def pipette(diameter: float, height: float, stem: float, bulb: float) -> Outline:
+    """Return a one-mark pipette: a drawn tip, a bulb around 45 % of the height, a stem."""
+    middle, half = 0.45 * height, stem / 2
+    low, high = middle - bulb / 2, middle + bulb / 2
+    slope = min(0.2 * bulb, diameter)
+    body = (half, low), (diameter / 2, low + slope), (diameter / 2, high - slope), (half, high)
+    return (0.5 * half, 0.0), (half, 0.06 * height), *body, (half, height)
+
+
+def pulled(diameter: float, height: float, tip: float, length: float) -> Outline:
+    """Return a tube whose lower end is drawn to a tip over a length."""
+    return (tip / 2, 0.0), (diameter / 2, length), (diameter / 2, height)
+
+
+def socket_tube(diameter: float, height: float, socket: float, length: float) -> Outline:
+    """Return a tube with a wider socket above and a slightly narrower lower end."""
+    foot = (0.45 * diameter, 0.0), (diameter / 2, 0.06 * height)
+    low = height - length
+    return *foot, (diameter / 2, low - 6), (socket / 2, low), (socket / 2, height)
+
+
+def dented(diameter: float, height: float, dents: float, count: float) -> Outline:
+    """Return a tube that is narrower at so many rings."""
+    corners = [(0.40 * diameter, 0.0), (diameter / 2, 0.08 * height)]
+    pitch = 0.80 * height / count
+    for number in range(round(count)):
+        middle = 0.14 * height + (number + 0.3) * pitch
+        corners += [(diameter / 2, middle - 0.18 * pitch), (dents / 2, middle)]
+        corners += [(diameter / 2, middle + 0.18 * pitch)]
+    return *corners, (diameter / 2, height)

@@ -39,7 +39,7 @@ class Profile:
         outer: (radius, height) corners [m] of the outer surface, from the rim the vessel stands on
             (height 0) up to the lip; heights increase strictly.
         wall: Wall thickness, measured horizontally [m].
-        bottom: Thickness of the bottom [m].
+        bottom: Thickness of the bottom [m]; 0 of what is open below, as funnels are.
 
     Raises:
         ValueError: The polyline does not rise from height 0, or the walls leave no cavity.
@@ -53,7 +53,7 @@ class Profile:
         heights = [height for _, height in self.outer]
         if len(heights) < 2 or heights[0] != 0 or any(b <= a for a, b in pairwise(heights)):
             raise ValueError(f"heights must rise strictly from 0 to the lip, not {heights}")
-        if not 0 < self.bottom < heights[-1]:
+        if not 0 <= self.bottom < heights[-1]:
             raise ValueError(f"bottom must lie between 0 and {heights[-1]} m, not {self.bottom}")
         narrowest = min(radius for radius, _ in self.outer)
         if not 0 < self.wall < narrowest:
@@ -63,6 +63,11 @@ class Profile:
     def height(self) -> float:
         """Height of the lip above the base [m]."""
         return self.outer[-1][1]
+
+    @property
+    def open_below(self) -> bool:
+        """Whether it has no bottom: what is poured in runs out."""
+        return self.bottom == 0
 
     @cached_property
     def inner(self) -> tuple[Point, ...]:

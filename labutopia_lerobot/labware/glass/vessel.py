@@ -8,13 +8,18 @@ from itertools import pairwise
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.glass.gleam import CLEAR, coordinates, gleam
+from labutopia_lerobot.labware.glass.fittings import Fitting
 from labutopia_lerobot.labware.glass.material import BOROSILICATE, Material
 from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
+from labutopia_lerobot.labware.glass.thread import Thread
+from labutopia_lerobot.labware.glass.vessel_look import add_look
+from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.contact import FRICTION
-from labutopia_lerobot.labware.parts.mesh import SEGMENTS, Mesh, bead, join, revolve
+from labutopia_lerobot.labware.parts.form import Form
+from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.moments import Moments, moments
 from labutopia_lerobot.labware.parts.mounting import Loose
-from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, SOLIMP, SOLREF, VISUAL_GROUP
+from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, SOLIMP, SOLREF
 
 FACETS = 16
 """Flat pieces around a wall: a neck of 22 mm radius is round to within 0.4 mm."""
@@ -24,13 +29,6 @@ FEET = 8
 
 _FOOT_RADIUS = 0.004
 _FOOT_DEPTH = 0.0002  # how far the feet stand out below the bottom [m]
-
-_OUTLINE_OPACITY = {"inside": 1.4, "outside": 2.4}
-"""How much more opaque clear walls are at their outline than on average."""
-
-_WIDEST_BEAD = 0.002  # a thicker lip is drawn flat, not as a bead [m]
-_STEPS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 25, 50, 100, 200, 500, 1000, 2000)
-"""Of scales [ml]: the smallest with fewer than ten graduations is taken."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +43,11 @@ class Vessel(Loose):
         material: What it is made of.
         stands: Whether it stands by itself; what does not has no feet, and its bottom is round.
         graduated: Whether anything is printed on it.
+        numbered: Whether its graduations have numbers.
+        joined: Side arms, necks, jackets, handles: drawn and touched, but sealed where they join
+            the wall, and to the liquid they are not there.
+        thread: On the outside of its neck, for a screw cap.
+        fittings: What moves on it.
     """
 
     name: str
@@ -54,6 +57,20 @@ class Vessel(Loose):
     material: Material = BOROSILICATE
     stands: bool = True
     graduated: bool = True
+    numbered: bool = False
+    joined: tuple[Form, ...] = ()
+    thread: Thread | None = None
+    fittings: tuple[Fitting, ...] = ()
+
+    @property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        """What moves on it."""
+        return tuple(fitting.mechanism for fitting in self.fittings)
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of the hinges and slides of what moves on it."""
+        return tuple(part.joint for part in self.mechanisms)
 
     @property
     def grip_width(self) -> float:
@@ -78,7 +95,8 @@ class Vessel(Loose):
     @property
     def footprint_radius(self) -> float:
         """Radius of the circle around its axis that it needs on the bench [m]: its largest."""
-        return max(radius for radius, _ in self.profile.outer)
+        arms = (np.hypot(*form.shell()[0][:, :2].T).max() for form in self.joined)
+        return max(*(radius for radius, _ in self.profile.outer), *map(float, arms))
 
     @property
     def taper(self) -> float:
@@ -93,12 +111,12 @@ class Vessel(Loose):
 
     @property
     def mass(self) -> float:
-        """Its mass when empty [kg]."""
-        return self.mass_properties.mass
+        """Its mass when empty [kg], without what moves on it."""
+        return self.mass_properties.mass + moments(self.joined, self.material.density).mass
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        """Mass, centre of mass and principal inertia of the empty vessel."""
+        """Mass, centre of mass and principal inertia of the wall."""
         return self.profile.mass_properties(self.material.density)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
@@ -112,93 +130,34 @@ class Vessel(Loose):
         """
         body = parent.add_body(name=self.name)
         mass, com_height, transverse, axial = self.mass_properties
-        body.explicitinertial = True
-        body.mass, body.ipos = mass, (0, 0, com_height)
-        body.inertia = (transverse, transverse, axial)
+        if self.joined:
+            weight = moments(self.joined, self.material.density)
+            (Moments.of_revolution(*self.mass_properties) + weight).give_to(body)
+        else:
+            body.explicitinertial = True
+            body.mass, body.ipos = mass, (0, 0, com_height)
+            body.inertia = (transverse, transverse, axial)
         for site, height in ((f"{self.name}_grasp", self.grip_height), (self.rim, self.height)):
             body.add_site(name=site, pos=(0, 0, height), group=COLLISION_GROUP)
-        self._add_look(spec, body)
+        add_look(spec, body, self)
         self._add_base(body)
         for band, (lower, upper) in enumerate(pairwise(self.profile.inner)):
             self._add_wall(spec, body, band, lower, upper)
         self._add_hull(body)
+        assemble(spec, body, self.name, self.joined)
+        for geom in body.geoms:
+            if geom.group == COLLISION_GROUP:
+                geom.friction, geom.solref, geom.solimp = FRICTION, SOLREF, SOLIMP
+        if self.thread is not None:
+            self.thread.add_ridge_to(body, self.height)
+        for fitting in self.fittings:
+            fitting.add_to(spec, self.name, body)
         return body
-
-    def _add_look(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
-        """Add the visual geoms: the two surfaces, the thick edges and the printed scale."""
-        outer, inner, of = self.profile.outer, self.profile.inner, self.material
-        parts = [
-            ("inside", revolve(inner[::-1]), of.wall, 0.6),
-            ("bottom", revolve(self._bottom()), of.bottom, 0.1),
-            ("outside", revolve(outer), of.wall, of.shine),
-            ("edges", join(*self._edges()), of.edge, of.shine),
-        ]
-        if self.graduated:
-            parts.append(("scale", self._scale(), of.ink, 0.0))
-        clear = of.wall[3] < CLEAR
-        for part, (vertices, faces), rgba, specular in parts:
-            name = f"{self.name}_{part}"
-            material = spec.add_material(name=name, rgba=rgba, specular=specular, shininess=0.9)
-            mesh = spec.add_mesh(
-                name=name,
-                uservert=vertices.ravel(),
-                userface=faces.ravel(),
-                inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL,
-            )
-            if clear and rgba == of.wall:
-                outline = _OUTLINE_OPACITY[part] * rgba[3]
-                mesh.usertexcoord = coordinates(SEGMENTS, len(vertices) // (SEGMENTS + 1)).ravel()
-                material.rgba = (*rgba[:3], outline)
-                material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = gleam(spec)
-            body.add_geom(
-                name=name,
-                type=mujoco.mjtGeom.mjGEOM_MESH,
-                meshname=name,
-                material=name,
-                group=VISUAL_GROUP,
-                contype=0,
-                conaffinity=0,
-                mass=0,
-            )
-
-    def _bottom(self) -> list[Point]:
-        """Return the section of the bottom, from the axis below to the axis above."""
-        (foot, heel, *_), thick = self.profile.outer, self.profile.bottom
-        if heel[1] > 2 * thick:  # the outside goes on straight beyond the bottom
-            heel = (self.profile.outer_radius(thick), thick)
-        return [(0.0, 0.0), foot, heel, self.profile.inner[0], (0.0, thick)]
-
-    def _edges(self) -> list[Mesh]:
-        """Return the lip and, of what stands, the heel: where light goes along the wall."""
-        outer, wall = self.profile.outer, self.profile.wall
-        lip: list[Point] = [outer[-1], self.profile.inner[-1]]
-        if wall <= _WIDEST_BEAD:
-            lip = bead(outer[-1][0] - wall / 2, self.height, wall)
-        if not self.stands:
-            return [revolve(lip)]
-        thick = min(wall, 0.7 * self.profile.bottom)
-        return [revolve(lip), revolve(bead(outer[0][0], thick, thick))]
-
-    def _scale(self) -> Mesh:
-        """Return the printing as one mesh: the graduation, and a label at the back."""
-        profile = self.profile
-        if self.one_mark is not None:
-            strips = [(profile.fill_height(self.one_mark), 0.0012, 0.0, 2 * np.pi)]
-        else:
-            step = next(ml for ml in _STEPS if self.capacity < 10 * ml)
-            levels = np.arange(step, 0.85 * self.capacity, step) * 1e-6
-            strips = [(profile.fill_height(level), 0.0012, 0.0, 0.5) for level in levels]
-        strips.append((0.3 * self.height, 0.16 * self.height, np.pi, 0.9))
-        patches = []
-        for middle, tall, azimuth, wide in strips:
-            heights = (middle - tall / 2, middle + tall / 2)
-            edge = [(profile.outer_radius(height) + 2e-4, height) for height in heights]
-            segments = max(5, round(SEGMENTS * wide / (2 * np.pi)))
-            patches.append(revolve(edge, segments, azimuth - wide / 2, wide))
-        return join(*patches)
 
     def _add_base(self, body: mujoco.MjsBody) -> None:
         """Close the bottom with a disc, and stand it on a ring of small spheres as on its rim."""
+        if self.profile.open_below:
+            return
         foot, wide, top = self.profile.outer[0][0], self.profile.inner[0][0], self.profile.bottom
         under = _FOOT_DEPTH if foot >= wide else self.profile.outer_height(wide)
         half = (top - under) / 2

@@ -96,7 +96,7 @@ class Block:
 
     def shell(self) -> Shell:
         """Return what is seen of it."""
-        return _moved(shell.rounded_box(self._size, self.edge), self._middle, self.turn)
+        return moved(shell.rounded_box(self._size, self.edge), self._middle, self.turn)
 
     def primitives(self) -> Iterator[Primitive]:
         """Yield what can be touched of it."""
@@ -125,7 +125,7 @@ class Prism:
     def shell(self) -> Shell:
         """Return what is seen of it."""
         width, middle = self.y[1] - self.y[0], (0.0, sum(self.y) / 2, 0.0)
-        return _moved(shell.extruded(self.outline, width, self.edge), middle, UNTURNED)
+        return moved(shell.extruded(self.outline, width, self.edge), middle, UNTURNED)
 
     def primitives(self) -> Iterator[Primitive]:
         """Yield what can be touched of it."""
@@ -163,7 +163,7 @@ class Rod:
         edge = min(0.0015, 0.2 * radius, 0.2 * length)
         profile = [(0, 0), (radius - edge, 0), (radius, edge)]
         profile += [(radius, length - edge), (radius - edge, length), (0, length)]
-        return _moved(shell.turned(profile, self.segments), self.start, self._turn)
+        return moved(shell.turned(profile, self.segments), self.start, self._turn)
 
     def primitives(self) -> Iterator[Primitive]:
         """Yield what can be touched of it."""
@@ -204,7 +204,7 @@ class Turned:
     def shell(self) -> Shell:
         """Return what is seen of it."""
         profile = shell.rounded(self.profile, self.edge, closed=False)
-        return _moved(shell.turned(profile, self.segments), self.at, towards(self.axis))
+        return moved(shell.turned(profile, self.segments), self.at, towards(self.axis))
 
     def primitives(self) -> Iterator[Primitive]:
         """Yield what can be touched of it.
@@ -253,7 +253,7 @@ class Ring:
         edge = min(0.0015, 0.3 * (outer - inner), 0.3 * (high - low))
         wall = [(inner, low), (outer - edge, low), (outer, low + edge), (outer, high - edge)]
         wall += [(outer - edge, high), (inner, high), (inner, low)]
-        return _moved(shell.turned(wall, self.segments), (*self.at, 0.0), UNTURNED)
+        return moved(shell.turned(wall, self.segments), (*self.at, 0.0), UNTURNED)
 
     def primitives(self) -> Iterator[Primitive]:
         """Yield what can be touched of it."""
@@ -285,7 +285,8 @@ def about(axis: Vector, degrees: float) -> Quaternion:
     return (math.cos(half), x, y, z)
 
 
-def _moved(mesh: Shell, pos: Vector, quat: Quaternion) -> Shell:
+def moved(mesh: Shell, pos: Vector, quat: Quaternion) -> Shell:
+    """Return a mesh turned, then moved [m]."""
     vertices, normals, faces = mesh
     turn = Rotation.from_quat(quat, scalar_first=True).as_matrix()
     return vertices @ turn.T + pos, normals @ turn.T, faces

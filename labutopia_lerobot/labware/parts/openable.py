@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 import mujoco
 from scipy.spatial.transform import Rotation
@@ -77,6 +78,7 @@ class Door[Grip]:
         widest: Angle at which it stops [rad].
         closed_within: Angle below which there is no gap [rad].
         catch: What keeps it shut, if anything; whoever builds the door adds it to it.
+        hinge: On which side it hangs, for who stands before it.
     """
 
     name: str
@@ -84,6 +86,7 @@ class Door[Grip]:
     widest: float
     closed_within: float
     catch: Catch | None = None
+    hinge: Literal["left", "right"] = "left"
 
     @property
     def joint(self) -> str:
@@ -105,7 +108,7 @@ class Door[Grip]:
         friction: float,
         damping: float,
     ) -> mujoco.MjsBody:
-        """Hang its body, still empty, on the left edge of a box whose front faces -x.
+        """Hang its body, still empty, on an edge of a box whose front faces -x.
 
         Args:
             spec: What the box is in (angles in radians).
@@ -116,21 +119,24 @@ class Door[Grip]:
             damping: Of the hinge [N m s/rad].
 
         Returns:
-            The body; its origin is at `pos`, the closed door lies along its -y.
+            The body; its origin is at `pos`, the closed door lies along its -y, or along its y
+            where the hinge is on the right.
         """
-        half = -ajar / 2
+        left = self.hinge == "left"
+        half = -ajar / 2 if left else ajar / 2
         body = box.add_body(name=self.name, pos=pos, quat=(math.cos(half), 0, 0, math.sin(half)))
         # MuJoCo reads `ref` as the joint's position in the pose that is built, and starts there.
         body.add_joint(
             name=self.joint,
             type=mujoco.mjtJoint.mjJNT_HINGE,
-            axis=(0, 0, -1),
+            axis=(0, 0, -1 if left else 1),
             range=(0.0, self.widest),
             ref=ajar,
             frictionloss=friction,
             damping=damping,
         )
-        box.add_site(name=self.joint, pos=pos, quat=(0, 1, 0, 0))  # z axis down: it opens
+        opens = (0, 1, 0, 0) if left else (1, 0, 0, 0)  # z axis down or up: it opens
+        box.add_site(name=self.joint, pos=pos, quat=opens)
         spec.add_exclude(bodyname1=box.name, bodyname2=self.name)
         return body
 

@@ -66,6 +66,7 @@ class Pan:
         assemble(spec, body, piece, forms, _MASS)
         body.add_site(name=self.force_sensor, quat=_X_UP, group=COLLISION_GROUP)
         self.place.add_to(body)
+        spec.add_numeric(name=self.reading(0, 0.0).tare, data=[0.0], size=1)
         spec.add_sensor(
             name=self.force_sensor,
             type=mujoco.mjtSensor.mjSENS_FORCE,

@@ -24,7 +24,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class Mass:
-    """What is on a pan, in grams; the weight of the pan is tared.
+    """What is on a pan, in grams, less what was tared; the weight of the pan always is.
 
     Attributes:
         sensor: Name of the sensor of the force on what carries the pan [N].
@@ -38,15 +38,20 @@ class Mass:
     digits: int
     most: float
 
+    @property
+    def tare(self) -> str:
+        """Name of the model's number for what was tared [kg]."""
+        return f"{self.pan}_tare"
+
     def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
         """Return the mass with a unit."""
-        grams = 1e3 * self.mass(model, data)
+        grams = 1e3 * (self.mass(model, data) - float(model.numeric(self.tare).data[0]))
         step = 10.0**-self.digits
         rounded = round(grams / step) * step + 0.0  # no minus zero
         return "Err" if rounded > self.most else f"{rounded:.{self.digits}f} g"
 
     def mass(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
-        """Return the mass on the pan [kg]."""
+        """Return the mass on the pan, tared or not [kg]."""
         gravity = float(np.linalg.norm(model.opt.gravity))
         force = float(data.sensor(self.sensor).data[0])
         return abs(force) / gravity - float(model.body(self.pan).mass[0])

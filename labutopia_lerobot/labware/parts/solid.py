@@ -9,6 +9,7 @@ type Quaternion = tuple[float, float, float, float]
 
 BOX = mujoco.mjtGeom.mjGEOM_BOX
 CYLINDER = mujoco.mjtGeom.mjGEOM_CYLINDER
+MESH = mujoco.mjtGeom.mjGEOM_MESH
 
 UNTURNED: Quaternion = (1.0, 0.0, 0.0, 0.0)
 

@@ -2,8 +2,9 @@
 
 The half-section of the glass is a closed polygon of (radius, height) corners, walked from the
 middle of the cavity's bottom outwards, up the inside, over the lip, down the outside and back under
-the base: liquid is always on the left. Turned about the axis, every edge is a piece of a cone, of
-which both distances and the crossing of a straight path are exact.
+the base: liquid is always on the left. What is open below has a rim there for the bottom. Turned
+about the axis, every edge is a piece of a cone, of which both distances and the crossing of a
+straight path are exact.
 """
 
 import numpy as np
@@ -48,6 +49,8 @@ def edges_of(profile: Profile) -> Edges:
     """Return the edges of a profile's glass."""
     inner, outer = profile.inner, profile.outer
     corners = [(0.0, profile.bottom), *inner, *outer[::-1], (0.0, 0.0)]
+    if profile.open_below:  # its lower rim is the first edge, and closes the polygon
+        corners = [outer[0], *inner, *outer[::-1]]
     starts, ends = np.array(corners[:-1]), np.array(corners[1:])
     along = ends - starts
     length = np.linalg.norm(along, axis=1)
@@ -59,7 +62,8 @@ def edges_of(profile: Profile) -> Edges:
     # it goes straight on or turns right, the wall goes on around the corner.
     turn = along[:-1, 0] * along[1:, 1] - along[:-1, 1] * along[1:, 0]
     goes_on = (turn < _SMOOTH).astype(float)
-    first, last = np.append(0.0, goes_on), np.append(goes_on, 0.0)
+    ends_open = float(profile.open_below)
+    first, last = np.append(ends_open, goes_on), np.append(goes_on, ends_open)
     ahead = np.sum(along[:-1] * along[1:], axis=1) > 0.0
     smooth = np.append(0.0, (ahead & (abs(turn) < _SMOOTH)).astype(float))
     return np.column_stack([starts, along, length, normal, first, last, smooth])

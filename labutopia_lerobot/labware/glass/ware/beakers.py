@@ -1,12 +1,13 @@
-"""Beakers, cylinders and buckets: what one pours from and measures in."""
+"""Beakers, jugs and buckets: what one pours from."""
 
+from labutopia_lerobot.labware.glass.joined import handle, jacket, spout, together
 from labutopia_lerobot.labware.glass.material import (
     BOROSILICATE,
     POLYETHYLENE,
     POLYPROPYLENE,
     QUARTZ,
 )
-from labutopia_lerobot.labware.glass.outlines import beaker, conical_beaker, footed, tapered
+from labutopia_lerobot.labware.glass.outlines import beaker, conical_beaker, straight, tapered
 from labutopia_lerobot.labware.glass.series import Series
 
 SERIES = (
@@ -34,6 +35,7 @@ SERIES = (
             "5000 ml": (170, 270, 2.8, 4.0),
         },
         graduated=True,
+        joined=spout(),
     ),
     Series(
         "beaker_tall",
@@ -53,6 +55,7 @@ SERIES = (
             "2000 ml": (120, 240, 2.3, 3.4),
         },
         graduated=True,
+        joined=spout(),
     ),
     Series(
         "beaker_conical",
@@ -80,6 +83,7 @@ SERIES = (
             "100 ml": (50, 70, 1.5, 2.0),
             "250 ml": (70, 95, 1.8, 2.4),
         },
+        joined=spout(),
     ),
     Series(
         "beaker_plastic",
@@ -97,6 +101,7 @@ SERIES = (
             "2000 ml": (148, 187, 128, 2.3, 2.8),
         },
         graduated=True,
+        joined=spout("natural"),
     ),
     Series(
         "medicine_cup",
@@ -120,40 +125,27 @@ SERIES = (
         grip=0.9,
     ),
     Series(
-        "graduated_cylinder",
-        "A tall-form graduated cylinder on a round foot.",
-        footed,
+        "beaker_jacketed",
+        "A jacketed beaker with two hose's olives.",
+        straight,
         BOROSILICATE,
-        "ISO 4788 tall form, its foot round for hexagonal; from memory",
-        {
-            # foot, height, tube, height of the foot, wall, bottom
-            "5 ml": (34, 115, 12, 6, 1.1, 6),
-            "10 ml": (38, 140, 14, 7, 1.2, 7),
-            "25 ml": (48, 170, 20, 8, 1.4, 8),
-            "50 ml": (58, 200, 25, 9, 1.5, 9),
-            "100 ml": (66, 260, 30, 10, 1.5, 10),
-            "250 ml": (85, 335, 41, 12, 1.8, 12),
-            "500 ml": (105, 360, 53, 13, 2.0, 13),
-            "1000 ml": (125, 465, 65, 14, 2.0, 14),
-            "2000 ml": (150, 500, 84, 15, 2.5, 15),
-        },
-        graduated=True,
+        "250 ml of 100 x 110 mm as usual; from memory",
+        {"100 ml": (54, 85, 1.6, 12), "250 ml": (74, 110, 1.8, 14)},
+        grip=0.5,
+        joined=lambda profile: jacket(0.02, 0.92, 2e3 * profile.outer[-1][0] + 18)(profile),
     ),
     Series(
-        "graduated_cylinder_plastic",
-        "A tall-form graduated cylinder of polypropylene.",
-        footed,
+        "jug_plastic",
+        "A jug of polypropylene with a spout and a handle.",
+        tapered,
         POLYPROPYLENE,
-        "ISO 6706 cylinders are alike; from memory",
+        "1 l of 115 x 180 mm as usual; from memory",
         {
-            "10 ml": (38, 140, 14, 7, 1.2, 7),
-            "25 ml": (50, 195, 19, 8, 1.4, 8),
-            "50 ml": (60, 200, 26, 9, 1.5, 9),
-            "100 ml": (75, 250, 31, 10, 1.6, 10),
-            "250 ml": (95, 315, 42, 12, 1.8, 12),
-            "500 ml": (115, 360, 55, 13, 2.0, 13),
-            "1000 ml": (140, 440, 67, 14, 2.2, 14),
+            # diameter at the mouth, height, diameter of the base, wall, bottom
+            "500 ml": (96, 135, 82, 1.8, 2.2),
+            "1000 ml": (118, 165, 100, 2.0, 2.4),
         },
         graduated=True,
+        joined=together(spout("natural"), handle(0.30, 0.85, 30, 10, "natural")),
     ),
 )

@@ -1,19 +1,20 @@
-"""Bottles, jars and vials, all without their caps."""
+"""Bottles, jars and vials."""
 
+from labutopia_lerobot.labware.glass.joined import arm, stopcock, together
 from labutopia_lerobot.labware.glass.material import AMBER_GLASS, BOROSILICATE, POLYETHYLENE
 from labutopia_lerobot.labware.glass.outlines import bottle, straight
 from labutopia_lerobot.labware.glass.series import Series
+from labutopia_lerobot.labware.glass.thread import GL32, GL45
 
 SERIES = (
     Series(
         "reagent_bottle",
-        "A laboratory bottle with a GL 45 neck (50 ml: GL 32).",
+        "A laboratory bottle with a GL 45 neck.",
         bottle,
         BOROSILICATE,
         "ISO 4796-1, sizes as DURAN's without cap; walls ours; from memory",
         {
             # nominal volume: diameter, height, neck, wall, bottom [mm]
-            "50 ml": (46, 87, 30, 1.8, 2.5),
             "100 ml": (56, 100, 41, 2.0, 2.8),
             "250 ml": (70, 138, 41, 2.2, 3.0),
             "500 ml": (86, 176, 41, 2.4, 3.2),
@@ -23,6 +24,8 @@ SERIES = (
         },
         grip=0.9,
         graduated=True,
+        thread=GL45,
+        closure="screw_cap_gl45",
     ),
     Series(
         "reagent_bottle_amber",
@@ -38,6 +41,23 @@ SERIES = (
         },
         grip=0.9,
         graduated=True,
+        thread=GL45,
+        closure="screw_cap_gl45",
+    ),
+    Series(
+        "reagent_bottle_small",
+        "A laboratory bottle with a GL 32 neck.",
+        bottle,
+        BOROSILICATE,
+        "ISO 4796-1, sizes as DURAN's without cap; walls ours; from memory",
+        {
+            "25 ml": (33, 66, 28.4, 1.6, 2.2),
+            "50 ml": (46, 87, 28.4, 1.8, 2.5),
+        },
+        grip=0.3,
+        graduated=True,
+        thread=GL32,
+        closure="screw_cap_gl32",
     ),
     Series(
         "sample_jar",
@@ -70,7 +90,7 @@ SERIES = (
     ),
     Series(
         "weighing_bottle",
-        "A weighing bottle, without its ground lid.",
+        "A weighing bottle.",
         straight,
         BOROSILICATE,
         "DIN 12605, diameter and height; from memory",
@@ -82,5 +102,74 @@ SERIES = (
             "50 x 30 mm": (50, 30, 1.4, 1.8),
             "80 x 30 mm": (80, 30, 1.6, 2.0),
         },
+        closure="weighing_bottle_lid",
+    ),
+    Series(
+        "stoppered_bottle",
+        "A narrow-mouth bottle of amber glass with a ground stopper.",
+        bottle,
+        AMBER_GLASS,
+        "ISO 4796-3 bottles are alike; from memory",
+        {
+            "100 ml": (52, 95, 22, 2.0, 2.8),
+            "250 ml": (70, 130, 27, 2.4, 3.2),
+            "500 ml": (86, 160, 33, 2.6, 3.6),
+        },
+        grip=0.9,
+        closure="ground_stopper",
+    ),
+    Series(
+        "wide_mouth_bottle",
+        "A wide-mouth bottle of polyethylene with a bung.",
+        bottle,
+        POLYETHYLENE,
+        "as usual for wide-mouth bottles; from memory",
+        {
+            "250 ml": (66, 120, 42, 1.6, 2.0),
+            "500 ml": (80, 150, 50, 1.8, 2.2),
+        },
+        grip=0.9,
+        closure="rubber_bung",
+    ),
+    Series(
+        "carboy",
+        "A carboy of polyethylene, without its screw cap.",
+        bottle,
+        POLYETHYLENE,
+        "10 l of 250 x 400 mm as usual; from memory",
+        {"5 l": (190, 330, 65, 2.6, 3.2), "10 l": (245, 405, 80, 3.0, 3.6)},
+        grip=0.9,
+    ),
+    Series(
+        "aspirator_bottle",
+        "An aspirator bottle with a tap near its bottom.",
+        bottle,
+        BOROSILICATE,
+        "5 l of 180 x 330 mm as usual; from memory",
+        {"5 l": (182, 350, 44, 3.5, 5.0)},
+        grip=0.9,
+        joined=together(arm(0.12, 45, 22, azimuth=-90), arm(0.07, 12, 14, azimuth=-90)),
+        fitted=stopcock(42),
+        closure="rubber_bung",
+    ),
+    Series(
+        "gas_washing_bottle",
+        "A gas-washing (Drechsel) bottle with its two arms, whose head does not come off.",
+        bottle,
+        BOROSILICATE,
+        "DIN 12596, 250 ml of 65 x 200 mm, ours slimmer; from memory",
+        {"250 ml": (54, 200, 30, 1.8, 2.6)},
+        grip=0.9,
+        joined=together(arm(0.94, 45, 9), arm(0.94, 45, 9, azimuth=180)),
+    ),
+    Series(
+        "pycnometer",
+        "A pycnometer (Gay-Lussac) with a ground stopper.",
+        bottle,
+        BOROSILICATE,
+        "ISO 3507, 25 ml of 35 x 60 mm; from memory",
+        {"25 ml": (38, 62, 12.6, 1.8, 2.0), "50 ml": (48, 76, 12.6, 1.8, 2.0)},
+        grip=0.3,
+        closure="ground_stopper",
     ),
 )

@@ -46,7 +46,7 @@ SERIES = (
     ),
     Series(
         "crucible",
-        "A crucible of porcelain, without its lid.",
+        "A crucible of porcelain.",
         bowl,
         PORCELAIN,
         "DIN 12904 medium form, diameter and height; from memory",
@@ -57,10 +57,11 @@ SERIES = (
             "50 x 40 mm": (50, 40, 25, 2.0, 2.5),
         },
         grip=0.8,
+        closure="crucible_lid",
     ),
     Series(
         "crucible_quartz",
-        "A crucible of quartz, without its lid.",
+        "A crucible of quartz.",
         bowl,
         QUARTZ,
         "as DIN 12904 medium form; from memory",
@@ -69,6 +70,7 @@ SERIES = (
             "50 x 40 mm": (50, 40, 25, 1.8, 2.2),
         },
         grip=0.8,
+        closure="crucible_lid",
     ),
     Series(
         "watch_glass",
@@ -88,7 +90,7 @@ SERIES = (
     ),
     Series(
         "petri_dish",
-        "A Petri dish of soda-lime glass, without its lid.",
+        "A Petri dish of soda-lime glass.",
         straight,
         SODA_LIME,
         "ISO 24998 dishes are alike; diameter and height; from memory",
@@ -100,10 +102,11 @@ SERIES = (
             "120 x 20 mm": (120, 20, 1.8, 2.2),
             "150 x 25 mm": (150, 25, 2.0, 2.4),
         },
+        closure="petri_lid",
     ),
     Series(
         "petri_dish_plastic",
-        "A disposable Petri dish of polystyrene, without its lid.",
+        "A disposable Petri dish of polystyrene.",
         straight,
         POLYSTYRENE,
         "ISO 24998, diameter and height; from memory",
@@ -113,6 +116,7 @@ SERIES = (
             "90 x 15 mm": (90, 15, 0.9, 1.0),
             "150 x 20 mm": (150, 20, 1.2, 1.3),
         },
+        closure="petri_lid_plastic",
     ),
     Series(
         "mortar",
@@ -130,7 +134,7 @@ SERIES = (
     ),
     Series(
         "desiccator_bowl",
-        "The lower half of a desiccator, without plate and lid.",
+        "The lower half of a desiccator, without its plate.",
         bowl,
         BOROSILICATE,
         "DN 150 to DN 250 (DIN 12491 desiccators are alike); from memory",
@@ -139,5 +143,23 @@ SERIES = (
             "250 x 150 mm": (250, 150, 115, 6.0, 7.0),
         },
         grip=0.9,
+        closure="desiccator_lid",
+    ),
+    Series(
+        "weighing_scoop",
+        "A round weighing scoop of polystyrene.",
+        bowl,
+        POLYSTYRENE,
+        "as usual; from memory",
+        {"60 x 14 mm": (60, 14, 40, 2.5, 0.9)},
+        grip=0.8,
+    ),
+    Series(
+        "staining_jar",
+        "A round staining jar (Coplin), without its slots.",
+        straight,
+        SODA_LIME,
+        "as usual; from memory",
+        {"58 x 100 mm": (58, 100, 3.0, 4.0)},
     ),
 )

@@ -1,7 +1,8 @@
 """Tubes: none stands by itself, and all go into racks and rotors."""
 
+from labutopia_lerobot.labware.glass.joined import arm, snap_lid
 from labutopia_lerobot.labware.glass.material import BOROSILICATE, POLYPROPYLENE, SODA_LIME
-from labutopia_lerobot.labware.glass.outlines import pointed, tube
+from labutopia_lerobot.labware.glass.outlines import pointed, straight, tube
 from labutopia_lerobot.labware.glass.series import Series
 
 SERIES = (
@@ -26,6 +27,8 @@ SERIES = (
         },
         grip=0.8,
         stands=False,
+        closure="rubber_bung",
+        holder="tube_rack",
     ),
     Series(
         "culture_tube",
@@ -40,6 +43,7 @@ SERIES = (
         },
         grip=0.8,
         stands=False,
+        holder="tube_rack",
     ),
     Series(
         "centrifuge_tube",
@@ -55,6 +59,7 @@ SERIES = (
         grip=0.8,
         stands=False,
         graduated=True,
+        holder="tube_rack",
     ),
     Series(
         "centrifuge_tube_glass",
@@ -69,7 +74,7 @@ SERIES = (
     ),
     Series(
         "microtube",
-        "A microtube of polypropylene, without its lid.",
+        "A microtube of polypropylene with a hinged lid that snaps shut.",
         pointed,
         POLYPROPYLENE,
         "Eppendorf form: 8 x 30, 11 x 39 and 11 x 41 mm; from memory",
@@ -81,5 +86,61 @@ SERIES = (
         },
         grip=0.7,
         stands=False,
+        fitted=snap_lid,
+    ),
+    Series(
+        "boiling_tube",
+        "A boiling tube.",
+        tube,
+        BOROSILICATE,
+        "as ISO 4142, 25 and 30 mm wide; from memory",
+        {
+            "25 x 180 mm": (25, 180, 1.4, 1.6),
+            "30 x 180 mm": (30, 180, 1.6, 1.8),
+        },
+        grip=0.8,
+        stands=False,
+        closure="rubber_bung",
+    ),
+    Series(
+        "ignition_tube",
+        "An ignition tube of soda-lime glass.",
+        tube,
+        SODA_LIME,
+        "as usual; from memory",
+        {"10 x 50 mm": (10, 50, 0.8, 1.0), "12 x 50 mm": (12, 50, 0.8, 1.0)},
+        grip=0.8,
+        stands=False,
+    ),
+    Series(
+        "nmr_tube",
+        "An NMR tube, 5 mm wide.",
+        tube,
+        BOROSILICATE,
+        "4.97 x 178 mm with walls of 0.38 mm (Wilmad 507); from memory",
+        {"5 x 178 mm": (5, 178, 0.4, 0.5)},
+        grip=0.8,
+        stands=False,
+    ),
+    Series(
+        "side_arm_tube",
+        "A test tube with a side arm.",
+        tube,
+        BOROSILICATE,
+        "as ISO 4142; arm as usual; from memory",
+        {"18 x 180 mm": (18, 180, 1.2, 1.2), "25 x 200 mm": (25, 200, 1.4, 1.4)},
+        grip=0.6,
+        stands=False,
+        joined=arm(0.82, 35, 7, lean=20),
+        closure="rubber_bung",
+    ),
+    Series(
+        "cryovial",
+        "A cryovial of polypropylene, without its cap.",
+        straight,
+        POLYPROPYLENE,
+        "12 x 48 mm as usual, on its skirt; from memory",
+        {"12.5 x 49 mm": (12.5, 49, 1.0, 5.0)},
+        grip=0.7,
     ),
 )

@@ -19,6 +19,7 @@ from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.reading import Scale
+from labutopia_lerobot.labware.parts.tare import Tare
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,10 @@ class MoistureAnalyser(Instrument):
     @property
     def buttons(self) -> tuple[PushButton, ...]:
         return (self.tare,)
+
+    @property
+    def tares(self) -> tuple[Tare, ...]:
+        return (Tare(self.tare.name, self.pan.reading(3, 60.0)),)
 
     @property
     def places(self) -> tuple[Place, ...]:

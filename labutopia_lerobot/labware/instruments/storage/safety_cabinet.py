@@ -2,17 +2,18 @@
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.fittings import tub
-from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned, about
+from labutopia_lerobot.labware.parts.form import Block, Form, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.shelf import Shelf
 
 _DEPTH, _WIDTH, _HEIGHT = 0.550, 0.900, 1.950
@@ -34,13 +35,18 @@ class SafetyCabinet(Instrument):
     source = "900 x 550 x 1950 mm without its handles (EN 14470-1 cabinets are alike); from memory"
 
     @property
-    def wings(self) -> tuple[Rotor, Rotor]:
+    def wings(self) -> tuple[Door[Handle], Door[Handle]]:
         """The left and the right one."""
+        sides: tuple[Literal["left"], Literal["right"]] = ("left", "right")
+        widest, shut = math.radians(100.0), math.radians(0.3)
         left, right = (
-            Rotor(f"{self.name}_{side}_wing", 0.6, effort=6.0, widest=math.radians(100.0))
-            for side in ("left", "right")
+            Door(f"{self.name}_{side}_wing", self._handle(side), widest, shut, hinge=side)
+            for side in sides
         )
         return left, right
+
+    def _handle(self, side: str) -> Handle:
+        return Handle(f"{self.name}_{side}_handle", 0.200, diameter=0.018, standoff=0.037)
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
@@ -87,8 +93,8 @@ class SafetyCabinet(Instrument):
             place.add_to(spec.body(shelf.name))
         tall, wide = _HEIGHT - _FOOT - 0.004, y - 0.002
         for wing, side in zip(self.wings, (1, -1), strict=True):
-            hinge, axis = (front - 0.001, side * y, _FOOT + 0.002), (0.0, 0.0, -float(side))
-            leaf = wing.add_to(spec, body, hinge, axis)
+            hinge = (front - 0.001, side * y, _FOOT + 0.002)
+            leaf = wing.add_to(spec, body, hinge, ajar=0.0, friction=0.6, damping=0.6)
 
             def across(near: float, far: float, side: int = side) -> tuple[float, float]:
                 return min(-side * near, -side * far), max(-side * near, -side * far)
@@ -97,13 +103,12 @@ class SafetyCabinet(Instrument):
             skin: list[Form] = [
                 Block((-_LEAF, -0.003), across(0.0, wide), (0.0, tall), "yellow", edge=0.008),
                 Block((-0.004, 0.0), across(0.06, wide - 0.03), (0.06, tall - 0.06), "grey", 0.001),
-                Rod((-0.082, bar, 0.86), (-0.082, bar, 1.06), 0.018, "black"),
-                Rod((-0.082, bar, 0.88), (-_LEAF + 0.005, bar, 0.88), 0.014, "black"),
-                Rod((-0.082, bar, 1.04), (-_LEAF + 0.005, bar, 1.04), 0.014, "black"),
             ]
             if side > 0:  # the sign of flammable substances
                 skin += _warning(-wide / 2, tall - 0.35)
             assemble(spec, leaf, self.name, skin, mass=18.0)
+            black = finish(spec, self.name, "black")
+            wing.handle.add_to(leaf, (-_LEAF, bar, 0.96), black, lying=False)
 
 
 def _warning(y: float, z: float) -> list[Form]:

@@ -14,6 +14,7 @@ from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.labware.parts.tare import Tare
 
 _FRONT, _TOWER, _FLOOR, _TOP = -0.078, 0.098, 0.078, 0.330
 """Of the weighing chamber: front pane, tower behind it, floor and roof [m]."""
@@ -57,6 +58,10 @@ class AnalyticalBalance(Instrument):
     @property
     def buttons(self) -> tuple[PushButton, ...]:
         return (self.tare,)
+
+    @property
+    def tares(self) -> tuple[Tare, ...]:
+        return (Tare(self.tare.name, self.pan.reading(4, 220.0)),)
 
     @property
     def places(self) -> tuple[Place, ...]:

@@ -12,6 +12,7 @@ from labutopia_lerobot.labware.parts.pan import Pan
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.labware.parts.tare import Tare
 
 _SLOPE = 68.0
 """How far the console leans back [deg]."""
@@ -43,6 +44,10 @@ class PrecisionBalance(Instrument):
     @property
     def buttons(self) -> tuple[PushButton, ...]:
         return (self.tare,)
+
+    @property
+    def tares(self) -> tuple[Tare, ...]:
+        return (Tare(self.tare.name, self.pan.reading(2, 4200.0)),)
 
     @property
     def places(self) -> tuple[Place, ...]:

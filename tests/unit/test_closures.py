@@ -1,0 +1,216 @@
+"""What must hold for every closure on every kind of vessel that comes with one."""
+
+import math
+
+import mujoco
+import numpy as np
+import pytest
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.labware.glass.catalogue import catalogue, closed, vessels, ware
+from labutopia_lerobot.labware.glass.closure import Closure, Screw
+from labutopia_lerobot.labware.glass.vessel import Vessel
+from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.substances.filling import Filling
+from vessels_on_a_bench import bench
+
+CLOSED = [(kind, size) for kind, one in vessels().items() if one.closure for size in one.sizes]
+KINDS = [
+    (kind, list(one.sizes)[len(one.sizes) // 2]) for kind, one in vessels().items() if one.closure
+]
+every = pytest.mark.parametrize(("kind", "size"), CLOSED)
+every_kind = pytest.mark.parametrize(("kind", "size"), KINDS, ids=[kind for kind, _ in KINDS])
+
+
+class Held:
+    """A vessel that a hand holds, and its closure on it, free."""
+
+    def __init__(self, vessel: Vessel, closure: Closure, *, above: float = 0.0, yaw: float = 0.3):
+        spec = bench(vessel, free=False)
+        spec.compiler.degree = False
+        spec.delete(spec.geom("bench"))
+        at = (0.0, 0.0, closure.seat(vessel) + above)
+        turn = 0.0 if isinstance(closure.hold, Screw) else yaw
+        body = closure.add_to(spec, spec.worldbody)
+        body.pos, body.quat = at, (math.cos(turn / 2), 0, 0, math.sin(turn / 2))
+        body.add_freejoint(name=closure.name)
+        self.model = spec.compile()
+        self.data = mujoco.MjData(self.model)
+        self._seat, self._closure = closure.seat(vessel), closure.name
+        mujoco.mj_forward(self.model, self.data)
+
+    @property
+    def rise(self) -> float:
+        """How far the closure is above its seat [m]."""
+        return float(self.data.body(self._closure).xpos[2]) - self._seat
+
+    @property
+    def away(self) -> float:
+        """How far it is from its seat [m]."""
+        at = self.data.body(self._closure).xpos
+        return float(np.linalg.norm(at - (0.0, 0.0, self._seat)))
+
+    def tip(self, degrees: float, seconds: float) -> None:
+        """Lean everything, as seen from the vessel, and wait."""
+        for step in range(round(300 * seconds)):
+            angle = math.radians(min(1.0, step / 150) * degrees)
+            self.model.opt.gravity[:] = 9.81 * math.sin(angle), 0.0, -9.81 * math.cos(angle)
+            mujoco.mj_step(self.model, self.data)
+
+    def pull(self, force: float, seconds: float) -> None:
+        """Pull upwards, harder and harder up to a force [N]."""
+        body, steps = self.model.body(self._closure).id, round(300 * seconds)
+        for step in range(steps):
+            self.data.xfrc_applied[body, 2] = force * min(1.0, 1.5 * step / steps)
+            if self.away < 0.05:
+                mujoco.mj_step(self.model, self.data)
+        self.data.xfrc_applied[body] = 0.0
+
+    def turn(self, torque: float, force: float, seconds: float) -> list[tuple[float, float]]:
+        """Turn counterclockwise with a torque [N m] up to 2 rad/s, and pull upwards [N].
+
+        Returns:
+            Angle [rad] and rise [m] after every step.
+        """
+        body, angle, passed = self.model.body(self._closure).id, 0.0, []
+        joint = self.data.joint(self._closure)
+        spin = int(self.model.joint(self._closure).dofadr[0]) + 5
+        self.model.dof_armature[spin] = 1e-3  # of the hand: a cap alone would whirl
+        for _ in range(round(300 * seconds)):
+            missing = 2.0 - math.copysign(1.0, torque) * float(joint.qvel[5])
+            push = min(max(0.05 * missing, 0.0), abs(torque))
+            self.data.xfrc_applied[body, 5] = math.copysign(push, torque)
+            self.data.xfrc_applied[body, 2] = force
+            if self.away < 0.05:
+                mujoco.mj_step(self.model, self.data)
+            angle += float(joint.qvel[5]) / 300
+            passed.append((angle, self.rise))
+        self.data.xfrc_applied[body] = 0.0
+        return passed
+
+
+@every
+def test_it_comes_with_a_size_that_fits(kind, size):
+    vessel, closure = closed(kind, size, "thing")
+    seat = closure.seat(vessel)
+    assert seat < vessel.height < seat + closure.height
+    assert closure.name == "thing_closure"
+
+
+@every_kind
+def test_it_stays_on_while_the_vessel_stands_for_ten_seconds(kind, size):
+    vessel, closure = closed(kind, size)
+    held = Held(vessel, closure)
+    held.tip(0.0, 10.0)
+    assert held.away < 1e-3
+
+
+@every_kind
+def test_on_a_vessel_that_is_tipped_only_what_is_tight_holds(kind, size):
+    vessel, closure = closed(kind, size)
+    held = Held(vessel, closure)
+    held.tip(90.0, 4.0)
+    if closure.hold.tight:
+        assert held.away < 1e-3
+    else:  # a rim may still hang on a wall that lies
+        held.tip(120.0, 2.0)
+        assert held.away > 0.02
+
+
+@every_kind
+def test_it_comes_off_under_the_pull_or_turn_that_its_table_says(kind, size):
+    vessel, closure = closed(kind, size)
+    least, most = catalogue()[vessels()[kind].closure].pull
+    weight = 9.81 * closure.mass
+    if isinstance(closure.hold, Screw):
+        assert turned_off(vessel, closure, least) is False
+        assert turned_off(vessel, closure, most) is True
+    elif closure.hold.tight:
+        assert pulled_off(vessel, closure, weight + least) is False
+        assert pulled_off(vessel, closure, weight + most) is True
+    else:
+        assert pulled_off(vessel, closure, 1.2 * weight) is True
+
+
+def pulled_off(vessel: Vessel, closure: Closure, force: float) -> bool:
+    held = Held(vessel, closure)
+    held.pull(force, 1.5)
+    return held.away > 0.02
+
+
+def turned_off(vessel: Vessel, closure: Closure, torque: float) -> bool:
+    """Turn a cap with a torque, and lift it with a little more than its weight."""
+    held = Held(vessel, closure)
+    held.turn(torque, 1.2 * 9.81 * closure.mass, 5.0)
+    return held.away > 0.02
+
+
+def test_a_screw_cap_rises_by_its_pitch_in_a_turn_and_cannot_be_pulled_off():
+    vessel, cap = closed("reagent_bottle", "250 ml")
+    held = Held(vessel, cap)
+    held.pull(20.0, 1.0)
+    assert held.away < 1e-3
+    held = Held(vessel, cap)
+    passed = held.turn(0.1, 1.2 * 9.81 * cap.mass, 2.5)
+    (start, low), (stop, high) = passed[240], passed[-1]
+    assert vessel.thread is not None
+    rise = (high - low) / (stop - start) * 2 * math.pi
+    assert rise == pytest.approx(vessel.thread.pitch, rel=0.15)
+
+
+@every_kind
+def test_it_can_be_put_back(kind, size):
+    vessel, closure = closed(kind, size)
+    if isinstance(closure.hold, Screw):
+        held = Held(vessel, closure)
+        held.turn(0.1, 0.0, 2.0)
+        assert held.rise > 0.3 * closure.hold.thread.pitch
+        held.turn(-0.1, 0.0, 3.0)
+    else:
+        held = Held(vessel, closure, above=0.01)
+        held.pull(-5.0 if closure.hold.tight else 0.0, 1.5)
+    assert abs(held.rise) < 0.003
+    if closure.hold.tight:
+        rise = held.rise
+        held.tip(90.0, 3.0)
+        assert abs(held.rise - rise) < 0.001
+
+
+@pytest.mark.parametrize(
+    ("kind", "size"), [("erlenmeyer_narrow", "250 ml"), ("reagent_bottle", "250 ml")]
+)
+def test_what_is_tightly_closed_is_turned_over_and_loses_nothing(kind, size):
+    """In necks of less than two particles' width liquid still squeezes past a plug."""
+    vessel, closure = closed(kind, size)
+    spec = bench(vessel)
+    spec.compiler.degree = False
+    spec.delete(spec.geom("bench"))
+    closure.add_to(spec, spec.worldbody).add_freejoint()
+    model = spec.compile()
+    data = mujoco.MjData(model)
+
+    def lean(angle: float) -> None:
+        turn = (math.cos(angle / 2), 0.0, math.sin(angle / 2), 0.0)
+        seat = closure.seat(vessel) * np.array([math.sin(angle), 0.0, math.cos(angle)])
+        data.qpos[:] = 0.0, 0.0, 0.0, *turn, *seat, *turn
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+
+    lean(0.0)
+    filling = Filling(0.4 * vessel.capacity)
+    liquid = Liquid(model, data, [vessel], [filling], 300)
+    liquid.fill({vessel: filling}, np.random.default_rng(0))
+    for step in range(3 * liquid.hertz):
+        lean(math.radians(min(170.0, 85.0 * step / liquid.hertz)))
+        liquid.step()
+    assert not liquid.diverged
+    assert liquid.take_account().counts[0, 0] == 300
+
+
+def test_what_does_not_fit_is_told():
+    bung = ware("rubber_bung", "49 mm")
+    assert isinstance(bung, Closure)
+    with pytest.raises(UserError, match="rubber_bung does not close tube: it needs a mouth of"):
+        bung.seat(ware("test_tube", "16 x 160 mm", "tube"))
+    with pytest.raises(UserError, match="beaker_low comes without a closure; kinds that"):
+        closed("beaker_low", "250 ml")
