@@ -1,7 +1,8 @@
 """The axes that every task has.
 
 How bench and walls look, the light, where cameras and robot start, what else stands around, how the
-instruction is said: `material`, `wall`, `light`, `camera`, `robot_start`, `layout`, `instruction`.
+instruction is said, in which room: `material`, `wall`, `light`, `camera`, `robot_start`, `layout`,
+`instruction`, `room`.
 Nothing of this varies unless the user (`axes=`) or the task (`Draw.vary`) says so. The ranges are
 ours; the bench tops, and which of them are for tests, are the original's (level 3).
 """
@@ -12,12 +13,13 @@ from typing import Any
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.scenario.bystanders import bystander_sets
 from labutopia_lerobot.scenario.draw import Draw
+from labutopia_lerobot.scenes import rooms_to_draw
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
 from labutopia_lerobot.scenes.views import MOST_DISPLACED
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import FloatArray
 
-AXES = ("material", "wall", "light", "camera", "robot_start", "layout", "instruction")
+AXES = ("material", "wall", "light", "camera", "robot_start", "layout", "instruction", "room")
 """Their names."""
 
 BENCHES = tuple(BENCH_FINISHES)
@@ -35,6 +37,7 @@ class Variation:
         cameras: Displacement of both fixed cameras, shape (3,), metres, world frame.
         robot_start: Displacement of the arm at the start, shape (joints,), radians.
         bystanders: Things that stand around.
+        room: Where it is, instead of the room of the setting.
     """
 
     bench: str | None = None
@@ -43,6 +46,7 @@ class Variation:
     cameras: FloatArray | None = None
     robot_start: FloatArray | None = None
     bystanders: tuple[Piece, ...] = ()
+    room: str | None = None
 
 
 def draw_variation(draw: Draw, joints: int) -> Variation:
@@ -71,6 +75,9 @@ def draw_variation(draw: Draw, joints: int) -> Variation:
         sets = bystander_sets()
         names = list(sets)
         drawn["bystanders"] = sets[draw.choice("layout", train=names[:4], test=names[4:])]
+    if draw.varies("room"):
+        train, test = rooms_to_draw()
+        drawn["room"] = draw.choice("room", train=train, test=test)
     return Variation(**drawn)
 
 

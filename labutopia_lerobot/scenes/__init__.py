@@ -41,11 +41,26 @@ def load_room(name: str) -> Room:
     return _planned_room(name)
 
 
+def rooms_to_draw() -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the furnished rooms that the axis `room` draws from: for training, and for tests.
+
+    Of each family the last room in which one can work is for tests: nobody has trained in it, but
+    in others that are furnished alike.
+    """
+    families: dict[str, list[str]] = {}
+    for name in plan_names():
+        if (plan := load_plan(name)).work_places:
+            families.setdefault(plan.family, []).append(name)
+    train = tuple(name for names in families.values() for name in names[:-1])
+    return train, tuple(names[-1] for names in families.values())
+
+
 @cache
 def _planned_room(name: str) -> Room:
     plan = load_plan(name)
     if not plan.work_places:
-        fit = [other for other in plan_names() if load_plan(other).work_places]
+        train, test = rooms_to_draw()
+        fit = sorted((*train, *test))
         raise NoWorkPlaceError(
             f"room={name!r} has no work place, a bench with a stand for the robot before it. Rooms "
             f"that have one: {_some([*ROOMS, *fit])}"
@@ -68,4 +83,5 @@ __all__ = [
     "Surface",
     "UnknownRoomError",
     "load_room",
+    "rooms_to_draw",
 ]

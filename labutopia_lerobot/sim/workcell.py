@@ -52,7 +52,8 @@ class Workcell:
         self.task = task = scenario.task
         self.steps = task.steps
         pieces = (*task.start, *scenario.variation.bystanders)
-        robot, room = load_robot(setting.robot), load_room(setting.room)
+        robot = load_robot(setting.robot)
+        room = load_room(scenario.variation.room or setting.room)
         self._workspace = Workspace.of(room, robot)
         scene = compile_scene(
             pieces, robot, room, task.view, task.contents, setting.particles, setting.renderer

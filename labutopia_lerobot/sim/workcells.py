@@ -79,6 +79,7 @@ class Workcells:
         variant = (
             tuple(task.start),
             scenario.variation.bystanders,
+            scenario.variation.room,
             task.view,
             tuple(task.contents.items()),
         )

@@ -86,6 +86,7 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
         ("compare", ["first", "second", "--tables", "--json"]),
         ("recipe", ["policy", "DATASET", "--epochs", "--batch-size", "--out"]),
         ("report", ["DIR", "--tables", "--out"]),
+        ("scene", ["  list", "  generate", "  check", "  export"]),
         ("view", ["task", "--seed", "--out", "--headless", "--split", "--robot", "--tasks-dir"]),
     ],
 )

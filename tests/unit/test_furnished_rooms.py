@@ -11,7 +11,13 @@ from furnished_plans import BRIGHT, PARTED
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.labware.catalogue import instrument
 from labutopia_lerobot.robots import PANDA
-from labutopia_lerobot.scenes import ROOMS, NoWorkPlaceError, UnknownRoomError, load_room
+from labutopia_lerobot.scenes import (
+    ROOMS,
+    NoWorkPlaceError,
+    UnknownRoomError,
+    load_room,
+    rooms_to_draw,
+)
 from labutopia_lerobot.scenes import __name__ as scenes_module
 from labutopia_lerobot.scenes.building.masonry import masonry
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
@@ -228,6 +234,23 @@ def test_the_axes_of_material_and_wall_paint_a_furnished_room(rooms):
         np.testing.assert_allclose(model.material("wall").rgba, wall.rgba, atol=1e-6)
         np.testing.assert_allclose(model.material("bench_top").rgba, bench.rgba, atol=1e-6)
     env.close()
+
+
+def test_the_axis_of_rooms_draws_where_an_episode_is_played_and_nothing_else():
+    bare = LabEnv(Setting("level1/pick", obs="state"))
+    env = LabEnv(Setting("level1/pick", obs="state", axes=("room",)))
+    for seed in range(3):
+        observation, info = env.reset(seed=seed)
+        assert env.workcell.simulation.scene.room.name == info["drawn"]["room"]
+        usual, _ = bare.reset(seed=seed)
+        assert np.array_equal(observation["environment_state"], usual["environment_state"])
+
+
+def test_rooms_to_train_in_and_rooms_for_tests_are_others_of_the_same_families():
+    train, test = rooms_to_draw()
+    assert not set(train) & set(test)
+    assert {load_plan(name).family for name in train} == {load_plan(name).family for name in test}
+    assert all(load_plan(name).work_places for name in (*train, *test))
 
 
 def test_a_room_without_a_work_place_is_refused_with_rooms_that_have_one(monkeypatch):

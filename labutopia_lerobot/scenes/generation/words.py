@@ -1,5 +1,6 @@
 """The words that families are written in."""
 
+from labutopia_lerobot.scenes.generation.at_things import Before, Facing, On
 from labutopia_lerobot.scenes.generation.family import (
     Chamber,
     Corridor,
@@ -7,15 +8,7 @@ from labutopia_lerobot.scenes.generation.family import (
     Importance,
     Need,
 )
-from labutopia_lerobot.scenes.generation.where import (
-    AtWall,
-    Before,
-    Facing,
-    InMiddle,
-    On,
-    Peninsula,
-    ToWorkAt,
-)
+from labutopia_lerobot.scenes.generation.in_rooms import AtWall, InMiddle, Peninsula, ToWorkAt
 
 FIRST, VITAL, MAIN, USUAL, DETAIL = (
     Importance.FIRST,

@@ -54,21 +54,22 @@ class Reach:
     def front_of(self, piece: Placed) -> bool:
         """Tell whether it can reach for the front of a piece, standing before it."""
         hull = extent(piece.kind).hull
-        (x, _, _), (left, right) = hull.low[0], (hull.low[0, 1], hull.high[0, 1])
-        return self._reaches(piece, float(x), (float(left), float(right)), REACH, behind=False)
+        along = (float(hull.low[0, 1]), float(hull.high[0, 1]))
+        before, beside = self._from(piece, float(hull.low[0, 0]), along, behind=False)
+        return bool(((before > 0) & (np.hypot(before, beside) <= REACH)).any())
 
     def side_of(self, piece: Placed, top: Top) -> bool:
         """Tell whether it gets to the side of a piece of furniture at which one works."""
         edge = top.x[1] if top.behind else top.x[0]
-        return self._reaches(piece, edge, top.y, BENCH_SIDE, behind=top.behind)
+        before, beside = self._from(piece, edge, top.y, behind=top.behind)
+        return bool(((before > 0) & (before <= BENCH_SIDE) & (beside == 0)).any())
 
-    def _reaches(
-        self, piece: Placed, edge: float, along: tuple[float, float], far: float, *, behind: bool
-    ) -> bool:
-        """Tell whether it gets within a distance of an edge across the depth of a piece."""
+    def _from(
+        self, piece: Placed, edge: float, along: tuple[float, float], *, behind: bool
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return how far before an edge across a piece it gets, and how far beside its ends [m]."""
         c, s = -_COSINES[piece.heading], -_COSINES[(piece.heading + 270) % 360]
         away = self.middles - (piece.x, piece.y)
         x, y = c * away[:, 0] + s * away[:, 1], c * away[:, 1] - s * away[:, 0]
-        before = (x - edge) if behind else (edge - x)
         beside = np.maximum(np.maximum(along[0] - y, y - along[1]), 0.0)
-        return bool(((before > 0) & (np.hypot(before, beside) <= far)).any())
+        return (x - edge) if behind else (edge - x), beside
