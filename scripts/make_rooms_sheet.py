@@ -20,6 +20,8 @@ _COLUMNS, _CELL, _LABEL = 10, 190, 18
 """Of the sheet: cells in a row, side of a cell and height of its label [pixels]."""
 _VIEW = (900, 560)
 """Width and height of a perspective view [pixels]."""
+_ANGLE = 31.0
+"""Its field of view [deg]."""
 _DETAIL = 2
 """Pictures are drawn this many times larger and shrunk, which smooths their edges."""
 _PAPER = (255, 255, 255)
@@ -105,11 +107,17 @@ def from_above(plan: Plan, side: int) -> Image.Image:
 
 def over_the_corner(plan: Plan) -> Image.Image:
     """Return a room as one sees it from outside, over its south-west corner."""
-    width, depth, _ = plan.size
-    middle = np.array([width / 2, depth / 2, 0.7])
-    away = np.array([-0.55, -0.80, 0.78])
-    eye = middle + 1.55 * np.hypot(width, depth) * away / np.linalg.norm(away)
-    return _picture(plan, eye, middle, 31.0, (0.0, 0.0, 1.0), _VIEW)
+    middle = np.array([plan.size[0] / 2, plan.size[1] / 2, 0.5 * plan.size[2]])
+    back = np.array([-0.55, -0.80, 0.78])
+    back /= np.linalg.norm(back)
+    right = np.cross([0.0, 0.0, 1.0], back)
+    right /= np.linalg.norm(right)
+    corners = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * plan.size
+    x, y, near = ((corners - middle) @ np.column_stack([right, np.cross(back, right), back])).T
+    slope = np.tan(np.radians(_ANGLE / 2))
+    away = np.maximum(np.abs(x) * _VIEW[1] / _VIEW[0], np.abs(y)) / slope + near
+    eye = middle + 1.08 * away.max() * back
+    return _picture(plan, eye, middle, _ANGLE, (0.0, 0.0, 1.0), _VIEW)
 
 
 def _picture(
