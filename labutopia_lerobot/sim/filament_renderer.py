@@ -19,7 +19,7 @@ from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.scenes.views import FIXED_CAMERAS, WIDEST_PICTURE
 from labutopia_lerobot.sim.filament_light import HEADLIGHT_LUX, developed
-from labutopia_lerobot.sim.filament_surfaces import FilamentDisplay, FilamentLiquid
+from labutopia_lerobot.sim.filament_surfaces import FilamentDisplay, FilamentLiquid, thin_out
 from labutopia_lerobot.sim.gleaming_walls import GleamingWalls
 from labutopia_lerobot.sim.vulkan import vulkan_device
 from labutopia_lerobot.world.model import BEYOND_GROUP
@@ -67,7 +67,7 @@ class FilamentRenderer:
         self._model, self._view = model, View
         self._renderer = Renderer(context)
         self._things = _Things(context, model, self._renderer.scene(_SCENE))
-        self._gleaming = GleamingWalls(model)
+        self._walls = GleamingWalls(model).geoms
         self._wide = width > WIDEST_PICTURE * height
         self._film = np.empty((height, width, 3), np.uint8)
         self._renderer.target(_FILM, self._film)
@@ -79,8 +79,8 @@ class FilamentRenderer:
         self._things.update(data, self._wide or camera not in FIXED_CAMERAS)
         for liquid in self._liquids:
             liquid.update()
-        for wall, axes in self._gleaming.turned(data, data.camera(camera).xpos):
-            self._things.of_geom(wall).set_pose(data.geom_xpos[wall], axes.ravel())
+        for wall in self._walls:
+            thin_out(self._model, wall, self._things.of_geom(wall))
         for display in self._displays:
             display.update(data, self._things.of_geom(display.geom))
         eye = mujoco.MjvCamera()

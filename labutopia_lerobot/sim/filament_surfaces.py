@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 _ROUGHNESS = 0.25
 """Of a liquid: still water mirrors lamps, small waves blur them; chosen."""
+_CLEAR = 0.3
+"""Opacity of clear glass as a part of that of its outline; chosen."""
 
 
 class FilamentLiquid:
@@ -116,6 +118,21 @@ class FilamentDisplay:
         material = pane.get_material()
         material.color_texture = self._texture
         pane.set_material(material)
+
+
+def thin_out(model: mujoco.MjModel, wall: int, shown: "mjrf.Renderable") -> None:
+    """Let a wall of clear glass be seen through.
+
+    Its texture says how much by the angle, but of textures Filament takes the colour only; that
+    glass mirrors more where it is seen from the side, it knows by itself.
+    """
+    from mujoco import mjrf
+
+    textured, color = shown.get_material(), model.mat_rgba[model.geom_matid[wall]].copy()
+    color[3] *= _CLEAR
+    shown.set_material(
+        mjrf.Material(color=color, specular=textured.specular, glossiness=textured.glossiness)
+    )
 
 
 def new_texture(context: "mjrf.Context", pixels: NDArray[np.uint8]) -> "mjrf.Texture":

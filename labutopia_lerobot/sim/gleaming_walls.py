@@ -21,6 +21,11 @@ class GleamingWalls:
                 mujoco.mju_quat2Mat(within, model.geom_quat[geom])
                 self._walls[geom] = int(model.geom_bodyid[geom]), within.reshape(3, 3)
 
+    @property
+    def geoms(self) -> tuple[int, ...]:
+        """Their numbers."""
+        return tuple(self._walls)
+
     def turned(self, data: mujoco.MjData, eye_w: FloatArray) -> Iterator[tuple[int, FloatArray]]:
         """Yield every wall with its axes, shape (3, 3), when what faces the eye is see-through.
 

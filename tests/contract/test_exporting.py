@@ -251,7 +251,7 @@ def test_what_does_not_exist_is_told_with_what_is_called_like_it():
     with pytest.raises(UnknownSubjectError, match="Did you mean 'centrifuge'") as told:
         find_subject("centrifuuge")
     assert "instruments alcohol_lamp" in str(told.value)
-    assert "rooms laboratory" in str(told.value)
+    assert "rooms laboratory, " in str(told.value)
     with pytest.raises(UnknownSubjectError, match="'level1/pick'"):
         find_subject("level1/pik")
 
@@ -285,3 +285,14 @@ def test_the_program_writes_and_tells(tmp_path, monkeypatch, capsys):
     with pytest.raises(SystemExit, match="2"):
         scene.main()
     assert "Nothing is called 'nothing'" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("suffix", ["xml", "usdc"])
+def test_a_furnished_room_is_the_same_elsewhere(tmp_path, suffix):
+    if suffix == "usdc":
+        pytest.importorskip("pxr", reason="an extra")
+    told = export(find_subject("organic_7"), tmp_path / f"organic_7.{suffix}")
+    assert told.moving > 50
+    assert len(told.limits) > 50
+    assert told.high[2] < 3.5
