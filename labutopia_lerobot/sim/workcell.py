@@ -78,7 +78,7 @@ class Workcell:
         liquids = [] if scene.liquid is None else [scene.liquid]
         equipment = [piece for piece in scene.pieces if isinstance(piece, Equipment)]
         displays = [display for piece in equipment for display in piece.displays]
-        bodies = [*(piece.name for piece in scene.pieces), scene.robot.gripper.body]
+        bodies = [piece.name for piece in scene.pieces]
         shadows = ContactShadows(scene.model, bodies, scene.room.bench)
         width, height = self._setting.width, self._setting.height
         return Renderer(scene.model, width, height, liquids, displays, shadows)
