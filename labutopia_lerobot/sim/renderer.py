@@ -177,7 +177,7 @@ def _is_geom(drawn: mujoco.MjvGeom, geom: int) -> bool:
 
 def _gleaming(model: mujoco.MjModel) -> dict[int, tuple[int, FloatArray]]:
     """Return the walls of clear glass: geom -> body, whose z is their axis, and axes within it."""
-    walls = {}
+    walls: dict[int, tuple[int, FloatArray]] = {}
     for geom in np.flatnonzero(model.geom_matid >= 0).tolist():
         texture = model.mat_texid[model.geom_matid[geom], mujoco.mjtTextureRole.mjTEXROLE_RGB]
         if texture >= 0 and model.texture(texture).name == GLEAM:

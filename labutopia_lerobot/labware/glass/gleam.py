@@ -59,4 +59,5 @@ def _around(width: int) -> NDArray[np.uint8]:
         streak = np.exp(-((off / half_width) ** 4))
         opacity = np.maximum(opacity, strength * streak)
         color = color + streak[:, None] * (1.0 - color)
-    return np.rint(255 * np.column_stack([color, opacity])).astype(np.uint8)
+    row: NDArray[np.uint8] = np.rint(255 * np.column_stack([color, opacity])).astype(np.uint8)
+    return row
