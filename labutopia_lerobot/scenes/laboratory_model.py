@@ -64,7 +64,7 @@ def _materials(spec: mujoco.MjSpec) -> None:
     floor.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = "floor"
     for name, rgba in (("wall", _WHITE), ("cabinet", _GREY), ("steel", _STEEL)):
         spec.add_material(name=name, rgba=rgba, specular=0.1, shininess=0.1)
-    top = spec.add_material(
+    spec.add_material(  # plain: a texture on so large a face costs a tenth of the picture
         name="bench_top",
         rgba=_TOP,
         specular=0.25,
@@ -72,7 +72,6 @@ def _materials(spec: mujoco.MjSpec) -> None:
         texuniform=True,
         texrepeat=[_TILES_PER_M] * 2,
     )
-    top.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = "speckled"
     for name in PATTERNS:  # what an episode may give the bench top (sim/appearance.py)
         kind = mujoco.mjtTexture.mjTEXTURE_2D
         drawn = spec.add_texture(name=name, type=kind, width=SIZE, height=SIZE, nchannel=3)

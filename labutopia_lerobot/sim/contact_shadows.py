@@ -22,7 +22,7 @@ MATERIAL = "contact_shadow"
 _SIZE = 64
 _DARKEST = 0.24
 """Opacity in the middle of the spot under what stands; MuJoCo blends what is transparent twice."""
-_MARGIN = 1.35
+_MARGIN = 1.25
 """Half sides of the spot of what stands, in its half widths; the spot has faded there."""
 _FADING = 0.10
 """Height at which a spot has faded by a factor e [m]."""

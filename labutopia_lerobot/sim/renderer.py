@@ -68,6 +68,7 @@ class Renderer:
         self._liquids = tuple(liquids)
         self._planes = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
         self._gleaming = GleamingWalls(model)
+        self._places: dict[int, int] = {}  # of the walls among the scene's geoms, as last seen
         self._shadows = shadows
         self._displays = tuple(displays)
         self._shown = [""] * len(self._displays)
@@ -141,11 +142,16 @@ class Renderer:
 
     def _turn_glass(self, data: mujoco.MjData, eye_w: FloatArray) -> None:
         """Turn round walls about their axes, so that what faces the eye is drawn see-through."""
-        turned = dict(self._gleaming.turned(data, eye_w))
-        scene = self._renderer.scene
-        for geom in scene.geoms[: scene.ngeom]:
-            if geom.objtype == mujoco.mjtObj.mjOBJ_GEOM and geom.objid in turned:
-                geom.mat = turned[geom.objid]
+        geoms = self._renderer.scene.geoms
+        for wall, axes in self._gleaming.turned(data, eye_w):
+            place = self._places.get(wall, 0)
+            if not _is_geom(geoms[place], wall):
+                seen = range(self._renderer.scene.ngeom)
+                place = next((index for index in seen if _is_geom(geoms[index], wall)), -1)
+                if place < 0:
+                    continue  # out of sight
+                self._places[wall] = place
+            geoms[place].mat = axes
 
     def _show_readings(self, data: mujoco.MjData) -> None:
         """Write onto the displays what has changed since the last picture."""
@@ -161,6 +167,11 @@ class Renderer:
     def close(self) -> None:
         """Give the OpenGL context back."""
         self._renderer.close()
+
+
+def _is_geom(drawn: mujoco.MjvGeom, geom: int) -> bool:
+    """Tell whether what is drawn is a geom of the model, by its number."""
+    return bool(drawn.objid == geom and drawn.objtype == int(mujoco.mjtObj.mjOBJ_GEOM))
 
 
 def require_opengl() -> None:

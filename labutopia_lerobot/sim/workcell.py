@@ -82,7 +82,7 @@ class Workcell:
         liquids = [] if scene.liquid is None else [scene.liquid]
         equipment = [piece for piece in scene.pieces if isinstance(piece, Equipment)]
         displays = [display for piece in equipment for display in piece.displays]
-        bodies = [*(piece.name for piece in scene.pieces), scene.robot.gripper.body]
+        bodies = [piece.name for piece in scene.pieces]
         shadows = ContactShadows(scene.model, bodies, scene.room.bench)
         size = self._setting.width, self._setting.height
         return open_renderer(self._setting.renderer, scene.model, *size, liquids, displays, shadows)

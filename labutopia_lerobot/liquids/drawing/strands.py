@@ -43,7 +43,7 @@ _MOST_BALLS = 3
 
 _COMPANY = 0.75
 """Weight of neighbours from which a particle begins to be of a stream, and at twice which it is: a
-row of particles one spacing apart has 7, drops five spacings apart less than 0.6."""
+row of particles one spacing apart has 5.7, one of drops five spacings apart 0.3."""
 
 
 @kernel
