@@ -78,7 +78,7 @@ def _leaf(side: int, wide: float, tall: float) -> list[Form]:
 def add_window(
     spec: mujoco.MjSpec, body: mujoco.MjsBody, opening: Opening, thickness: float
 ) -> None:
-    """Add frame, mullions, panes and the board before it; see `add_door`."""
+    """Add frame, mullions, panes and the board within the wall; see `add_door`."""
     half, high = opening.width / 2, opening.height
     x, rim = (0.55 * thickness, 0.55 * thickness + 0.06), 0.055
     forms: list[Form] = [
@@ -86,7 +86,7 @@ def add_window(
         Block(x, (-half, -half + rim), (0.0, high), "white", edge=0.0),
         Block(x, (-half, half), (0.0, rim), "white", edge=0.0),
         Block(x, (-half, half), (high - rim, high), "white", edge=0.0),
-        Block((-0.04, x[0]), (-half, half), (0.0, 0.020), "white", edge=0.0),
+        Block((0.0, x[0]), (-half, half), (0.0, 0.020), "white", edge=0.0),
     ]
     lights = max(1, round(opening.width / 0.9))
     step = opening.width / lights
