@@ -25,7 +25,7 @@ _TIGHT = 0.00008
 
 def _stopper(name: str, high: float, low: float, length: float, head: float, *, look: str) -> Shape:
     """Return a ground cone under a flat head."""
-    tall = 0.6 * head
+    tall = 0.35 * head
     top = length + 0.002
     forms: tuple[Form, ...] = (
         Cone(low, high, (0.0, length), "rim" if look == "glass" else look),

@@ -239,7 +239,7 @@ SERIES = (
         grip=0.95,
         stands=False,
         joined=nozzle(0.78),
-        closure="ground_stopper",
+        closure="rubber_bung",
         holder="cork_ring",
     ),
 )
