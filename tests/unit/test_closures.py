@@ -22,6 +22,10 @@ every = pytest.mark.parametrize(("kind", "size"), CLOSED)
 every_kind = pytest.mark.parametrize(("kind", "size"), KINDS, ids=[kind for kind, _ in KINDS])
 
 
+_LETS_GO = 0.005
+"""How far a closure is up when it has let go [m]: what leaves askew may still catch on the rim."""
+
+
 class Held:
     """A vessel that a hand holds, and its closure on it, free."""
 
@@ -62,7 +66,7 @@ class Held:
         body, steps = self.model.body(self._closure).id, round(300 * seconds)
         for step in range(steps):
             self.data.xfrc_applied[body, 2] = force * min(1.0, 1.5 * step / steps)
-            if self.away < 0.05:
+            if force <= 0.0 or self.rise < _LETS_GO:
                 mujoco.mj_step(self.model, self.data)
         self.data.xfrc_applied[body] = 0.0
 
@@ -135,7 +139,7 @@ def test_it_comes_off_under_the_pull_or_turn_that_its_table_says(kind, size):
 def pulled_off(vessel: Vessel, closure: Closure, force: float) -> bool:
     held = Held(vessel, closure)
     held.pull(force, 1.5)
-    return held.away > 0.02
+    return held.rise >= _LETS_GO
 
 
 def turned_off(vessel: Vessel, closure: Closure, torque: float) -> bool:

@@ -116,7 +116,7 @@ SERIES = (
         stands=False,
         hold=_plug,
         friction=0.4,
-        pull=(0.5, 200.0),
+        pull=(0.5, 100.0),
     ),
     ClosureSeries(
         "plastic_stopper",
@@ -128,7 +128,7 @@ SERIES = (
         stands=False,
         hold=_plug,
         friction=0.4,
-        pull=(0.5, 200.0),
+        pull=(0.5, 100.0),
     ),
     ClosureSeries(
         "rubber_bung",
@@ -152,7 +152,7 @@ SERIES = (
         },
         hold=_plug,
         friction=0.8,
-        pull=(0.5, 120.0),
+        pull=(0.5, 100.0),
     ),
     ClosureSeries(
         "screw_cap_gl45",
