@@ -152,7 +152,7 @@ SERIES = (
         },
         hold=_plug,
         friction=0.8,
-        pull=(0.5, 150.0),
+        pull=(0.5, 100.0),
     ),
     ClosureSeries(
         "screw_cap_gl45",
