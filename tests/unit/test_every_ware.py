@@ -248,7 +248,7 @@ def poured_out() -> list[tuple[str, str]]:
 
 @pytest.mark.parametrize(("kind", "size"), poured_out())
 def test_nothing_goes_through_its_wall_while_it_is_tilted_and_emptied(kind, size):
-    vessel = glassware(kind, size, "piece")
+    vessel = replace(glassware(kind, size, "piece"), fittings=())  # to the liquid they are shut
     left, crossings = emptied(vessel)
     assert crossings == 0
     assert left > 0.85 * PARTICLES
