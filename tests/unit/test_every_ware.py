@@ -241,14 +241,14 @@ def test_the_lid_of_a_microtube_snaps():
 def poured_out() -> list[tuple[str, str]]:
     """One vessel of seven outlines that no vessel of a task has."""
     new = ("round_globe", "tube", "pointed", "bottle", "bowl", "tapered", "separating")
-    by_outline = {series.outline: series for series in reversed(list(vessels().values()))}
+    by_outline = {series.outline: series for series in vessels().values()}
     chosen = [by_outline[getattr(outlines, name)] for name in new]
     return [(series.kind, list(series.sizes)[len(series.sizes) // 2]) for series in chosen]
 
 
 @pytest.mark.parametrize(("kind", "size"), poured_out())
 def test_nothing_goes_through_its_wall_while_it_is_tilted_and_emptied(kind, size):
-    vessel = glassware(kind, size, "piece")
+    vessel = replace(glassware(kind, size, "piece"), fittings=())  # to the liquid they are shut
     left, crossings = emptied(vessel)
     assert crossings == 0
     assert left > 0.85 * PARTICLES

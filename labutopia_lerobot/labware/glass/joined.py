@@ -207,5 +207,5 @@ def snap_lid(name: str, profile: Profile) -> tuple[Fitting, ...]:
 def _on_wall(profile: Profile, height: float, azimuth: float, lean: float, out: float) -> Vector:
     """Return the point that is so far out of the wall, along a line through it [m]."""
     turn = math.radians(azimuth)
-    radius = profile.outer_radius(height) - profile.wall + out * math.cos(lean)
+    radius = profile.outer_radius(height) - 0.5 * profile.wall + out * math.cos(lean)
     return radius * math.cos(turn), radius * math.sin(turn), height + out * math.sin(lean)

@@ -17,7 +17,7 @@ from labutopia_lerobot.labware.glass.utensil import Shape
 from labutopia_lerobot.labware.parts.form import Form, Ring, Rod
 from labutopia_lerobot.labware.parts.pipe import Cone
 
-_SQUEEZE = 0.00004
+_SQUEEZE = 0.00002
 """How much wider than the mouth a plug is pressed in, in radius [m]: makes `pull`."""
 _TIGHT = 0.00008
 """How far a screw cap is tightened beyond touching [m]: makes its torque."""
@@ -25,7 +25,7 @@ _TIGHT = 0.00008
 
 def _stopper(name: str, high: float, low: float, length: float, head: float, *, look: str) -> Shape:
     """Return a ground cone under a flat head."""
-    tall = 0.6 * head
+    tall = 0.35 * head
     top = length + 0.002
     forms: tuple[Form, ...] = (
         Cone(low, high, (0.0, length), "rim" if look == "glass" else look),
@@ -116,7 +116,7 @@ SERIES = (
         stands=False,
         hold=_plug,
         friction=0.4,
-        pull=(1.0, 60.0),
+        pull=(0.5, 100.0),
     ),
     ClosureSeries(
         "plastic_stopper",
@@ -128,7 +128,7 @@ SERIES = (
         stands=False,
         hold=_plug,
         friction=0.4,
-        pull=(0.5, 60.0),
+        pull=(0.5, 100.0),
     ),
     ClosureSeries(
         "rubber_bung",
@@ -152,7 +152,7 @@ SERIES = (
         },
         hold=_plug,
         friction=0.8,
-        pull=(0.5, 80.0),
+        pull=(0.5, 100.0),
     ),
     ClosureSeries(
         "screw_cap_gl45",
