@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.glass.series import ClosureSeries, Series, called
 from labutopia_lerobot.labware.glass.utensil import Utensil
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
-from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 from word_tables import cell, code
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -160,7 +160,7 @@ def picture(series: Kind) -> Image.Image:
     model.camera("front").pos = _eye(np.array(corners), back, right)
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    renderer = Renderer(model, _DETAIL * WIDTH, _DETAIL * HEIGHT)
+    renderer = ClassicRenderer(model, _DETAIL * WIDTH, _DETAIL * HEIGHT)
     drawn = Image.fromarray(renderer.color(data, "front"))
     renderer.close()
     return drawn.resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS)

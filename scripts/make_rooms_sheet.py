@@ -10,7 +10,7 @@ from PIL import Image, ImageDraw, ImageFont
 from labutopia_lerobot.scenes.furnished_model import build
 from labutopia_lerobot.scenes.plan import Plan
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
-from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 from word_tables import cell, code
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -144,7 +144,7 @@ def _picture(
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    renderer = Renderer(model, _DETAIL * size[0], _DETAIL * size[1])
+    renderer = ClassicRenderer(model, _DETAIL * size[0], _DETAIL * size[1])
     drawn = Image.fromarray(renderer.color(data, "sheet"))
     renderer.close()
     return drawn.resize(size, Image.Resampling.LANCZOS)

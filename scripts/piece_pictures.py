@@ -13,7 +13,7 @@ from PIL import Image
 
 import labutopia_lerobot.labware
 from labutopia_lerobot.layout import Piece
-from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 
 SIZE = 160
 """Width and height of a picture [pixels]."""
@@ -78,7 +78,7 @@ def picture(piece: Piece) -> Image.Image:
     distance = radius / np.sin(np.radians(_FIELD_OF_VIEW_DEG / 2))
     camera.pos = middle + distance * _FROM / np.linalg.norm(_FROM)
     mujoco.mj_forward(model, data)
-    renderer = Renderer(model, _DETAIL * SIZE, _DETAIL * SIZE)
+    renderer = ClassicRenderer(model, _DETAIL * SIZE, _DETAIL * SIZE)
     drawn = Image.fromarray(renderer.color(data, "front"))
     renderer.close()
     return drawn.resize((SIZE, SIZE), Image.Resampling.LANCZOS).quantize(_COLORS)

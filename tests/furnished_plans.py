@@ -36,8 +36,8 @@ PARTED = Plan(
     name="parted",
     family="teaching",
     seed=0,
-    size=(9.0, 7.0, 3.2),
-    walls=(Wall((6.0, 0.0), (6.0, 7.0)),),
+    size=(9.0, 7.5, 3.2),
+    walls=(Wall((6.0, 0.0), (6.0, 7.5)),),
     openings=(
         Opening("door", 1.0, 0.0, 90, 1.3, 2.1),
         Opening("door", 6.0, 1.2, 180, 0.9, 2.05),
@@ -46,9 +46,9 @@ PARTED = Plan(
     ),
     pieces=(
         Placed("work_bench", "bench", 3.0, 3.6, 270),
-        Placed("blackboard", "board", 3.0, 6.93, 270, None, 0.8),
+        Placed("blackboard", "board", 3.0, 7.43, 270, None, 0.8),
         Placed("shelf_rack", "rack", 5.0, 0.3, 90),
-        Placed("teacher_desk", "desk", 3.0, 6.1, 90),
+        Placed("teacher_desk", "desk", 3.0, 5.95, 90),
         Placed("island_bench", "island", 7.6, 4.0, 180),
         Placed("glove_box", "gloves", 7.5, 0.5, 90),
     ),

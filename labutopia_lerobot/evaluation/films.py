@@ -12,7 +12,7 @@ from labutopia_lerobot.evaluation.result import film_of, film_of_expert
 from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
 from labutopia_lerobot.runtime.video import write_video
 from labutopia_lerobot.setting import IMAGE_SIZE
-from labutopia_lerobot.sim.renderer import NoOpenGLError
+from labutopia_lerobot.sim.classic_renderer import NoOpenGLError
 from labutopia_lerobot.sim.renderers import require_renderer
 from labutopia_lerobot.task import POLICY_UNREACHABLE, RUNNING
 

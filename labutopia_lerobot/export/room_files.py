@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.scenes.furnished_model import build
 from labutopia_lerobot.scenes.plan import Plan
 from labutopia_lerobot.scenes.plans import text_of
-from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 
 OVERVIEW = "overview"
 """Name of the camera from which the picture is taken."""
@@ -52,7 +52,7 @@ def picture(plan: Plan, model: mujoco.MjModel) -> Image.Image:
     displays = [d for piece in pieces if isinstance(piece, Equipment) for d in piece.displays]
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    renderer = Renderer(model, WIDTH, HEIGHT, displays=displays)
+    renderer = ClassicRenderer(model, WIDTH, HEIGHT, displays=displays)
     try:
         return Image.fromarray(renderer.color(data, OVERVIEW))
     finally:

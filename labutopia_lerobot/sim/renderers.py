@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.setting import FILAMENT
-from labutopia_lerobot.sim import filament_renderer, renderer
+from labutopia_lerobot.sim import classic_renderer, filament_renderer
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
 
 
@@ -53,7 +53,7 @@ def open_renderer(
     """
     if kind == FILAMENT:
         return filament_renderer.FilamentRenderer(model, width, height, liquids, displays)
-    return renderer.Renderer(model, width, height, liquids, displays, shadows)
+    return classic_renderer.ClassicRenderer(model, width, height, liquids, displays, shadows)
 
 
 def require_renderer(kind: str) -> None:
@@ -66,7 +66,7 @@ def require_renderer(kind: str) -> None:
     if kind == FILAMENT:
         filament_renderer.require_filament()
     else:
-        renderer.require_opengl()
+        classic_renderer.require_opengl()
 
 
 def renderer_name(kind: str) -> str:
@@ -78,4 +78,4 @@ def renderer_name(kind: str) -> str:
     """
     if kind == FILAMENT:
         return filament_renderer.filament_renderer_name()
-    return renderer.opengl_renderer_name()
+    return classic_renderer.opengl_renderer_name()

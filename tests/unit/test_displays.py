@@ -12,7 +12,7 @@ from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.views import DOOR_VIEW
-from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 
@@ -87,7 +87,7 @@ def test_a_text_too_long_for_its_display_is_written_smaller():
 
 def test_pictures_show_the_reading_of_now():
     model, data, display = beside_a_weight("stirring_hot_plate", 0.0)
-    renderer = Renderer(model, 200, 200, displays=[display])
+    renderer = ClassicRenderer(model, 200, 200, displays=[display])
     cold = renderer.color(data, "front").copy()
     assert np.array_equal(cold, renderer.color(data, "front"))
     heat = data.joint("stirring_hot_plate_heat_hinge")

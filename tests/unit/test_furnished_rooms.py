@@ -29,7 +29,7 @@ from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.scenes.proof import faults
 from labutopia_lerobot.scenes.views import DOOR_VIEW, OVEN_VIEW, PRESS_VIEW, VESSEL_VIEW
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.world import BENCH, ROOM
 from labutopia_lerobot.world.model import BEYOND_GROUP
@@ -198,7 +198,7 @@ def test_fixed_cameras_see_all_there_is_to_see(plan, view):
     data = mujoco.MjData(model)
     model.cam_pos[: model.ncam] += (0.04, -0.05, 0.04)
     mujoco.mj_forward(model, data)
-    renderer = Renderer(model, 256, 256)
+    renderer = ClassicRenderer(model, 256, 256)
     for camera in ("front", "top"):
         drawn = renderer.color(data, camera)
         model.geom_group[model.geom_group == BEYOND_GROUP] = 2

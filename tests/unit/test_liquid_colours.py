@@ -11,7 +11,7 @@ from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
-from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 
 SPACING = 1e-7 ** (1 / 3)
 BLUE, RED = (0.1, 0.2, 0.9, 0.8), (0.9, 0.2, 0.1, 0.8)
@@ -34,7 +34,7 @@ class Scene:
         self.model = spec.compile()
         self.data = mujoco.MjData(self.model)
         mujoco.mj_forward(self.model, self.data)
-        self.renderer = Renderer(self.model, 256, 256, (self.liquid,))
+        self.renderer = ClassicRenderer(self.model, 256, 256, (self.liquid,))
 
     def picture(self, left: float, right: float) -> tuple[np.ndarray, np.ndarray]:
         """Return the mean colour of either beaker's liquid, of which so much is red."""

@@ -10,7 +10,7 @@ from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
-from labutopia_lerobot.sim.renderer import Renderer
+from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 
 SPACING = 1e-7 ** (1 / 3)
 BLUE, RED = (0.1, 0.3, 0.9, 0.6), (0.9, 0.2, 0.1, 0.6)
@@ -35,7 +35,7 @@ class Scene:
         self.model = spec.compile()
         self.data = mujoco.MjData(self.model)
         mujoco.mj_forward(self.model, self.data)
-        self.renderer = Renderer(self.model, 256, 256, (self.blue, self.red))
+        self.renderer = ClassicRenderer(self.model, 256, 256, (self.blue, self.red))
 
     def show(self, blue: np.ndarray, red: np.ndarray) -> None:
         """Let the next pictures show these particles, shape (n, 3)."""
@@ -140,7 +140,7 @@ def test_pictures_without_liquid_are_as_if_there_were_none(scene):
     scene.show(scene.contents("left"), puddle())
     scene.color("front")
     scene.show(NOTHING, NOTHING)
-    without = Renderer(scene.model, 256, 256)
+    without = ClassicRenderer(scene.model, 256, 256)
     try:
         assert np.array_equal(scene.color("front"), without.color(scene.data, "front"))
         assert np.array_equal(

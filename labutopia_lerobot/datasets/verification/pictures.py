@@ -15,7 +15,7 @@ from labutopia_lerobot.datasets.verification.subject import Subject
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.pictures import COLOR, camera_and_kind
 from labutopia_lerobot.runtime.video import ENCODINGS, read_frames
-from labutopia_lerobot.sim.renderer import opengl_renderer_name
+from labutopia_lerobot.sim.classic_renderer import opengl_renderer_name
 
 _GRID = 8
 """A picture is compared block by block, on a grid of as many rows and columns."""

@@ -35,7 +35,7 @@ class NoOpenGLError(UserError, RuntimeError):
     """No working OpenGL; the message says how to get one."""
 
 
-class Renderer:
+class ClassicRenderer:
     """Draws a model through its named cameras; owns an OpenGL context.
 
     Args:
