@@ -118,7 +118,6 @@ def _prepare(pairing: Pairing) -> tuple[LabEnv, Policy]:
 def _row(pairing: Pairing, seed: int, steps: int, info: Info, workcell: Workcell) -> Row:
     setting = pairing.setting
     latched = {name: _time(time) for name, time in info["substeps"].items()}
-    filled = canonical_task(replace(setting, liquid="on")).contents
     return Row(
         task=setting.task,
         split=setting.split,
@@ -143,7 +142,7 @@ def _row(pairing: Pairing, seed: int, steps: int, info: Info, workcell: Workcell
             name: {"first": _time(fact.first), "last": _time(fact.last), "times": fact.times}
             for name, fact in workcell.progress.history.items()
         },
-        liquid=setting.liquid if filled else None,
+        liquid=setting.liquid if _holds_liquid(setting) else None,
         ml_total=_millilitres(info.get("ml_total")),
         ml_poured=_millilitres(info.get("ml_poured")),
         ml_retained=_millilitres(info.get("ml_retained")),
@@ -154,6 +153,12 @@ def _row(pairing: Pairing, seed: int, steps: int, info: Info, workcell: Workcell
         nonfinite_actions=info["nonfinite_actions"],
         prelude_failures=info["prelude_failures"],
     )
+
+
+@lru_cache(maxsize=1)
+def _holds_liquid(setting: Setting) -> bool:
+    """Tell whether the vessels of the task hold something, also where it is left out."""
+    return bool(canonical_task(replace(setting, liquid="on")).contents)
 
 
 def _time(seconds: float | None) -> float | None:
