@@ -182,5 +182,6 @@ def _record(setting: Setting, episodes: int) -> int:
     with tempfile.TemporaryDirectory() as folder:
         root = str(Path(folder) / "dataset")
         options = asdict(setting) | {"split": "train", "cameras": list(setting.cameras)}
-        candidates = record(RecordingConfig(**options, episodes=episodes, root=root), _Silent())
+        config = RecordingConfig(**options, episodes=episodes, root=root)
+        candidates = [c for one in config.datasets() for c in record(one, _Silent())]
     return sum(candidate.frames for candidate in candidates if candidate.success)
