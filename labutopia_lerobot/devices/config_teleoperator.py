@@ -7,7 +7,7 @@ from lerobot.teleoperators import TeleoperatorConfig
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.robots import DEFAULT_ROBOT, ROBOTS
-from labutopia_lerobot.scenes import DEFAULT_ROOM
+from labutopia_lerobot.scenes import DEFAULT_ROOM, load_room
 from labutopia_lerobot.setting import require_choices
 
 KEYBOARD, GAMEPAD = "keyboard", "gamepad"
@@ -43,5 +43,6 @@ class LabUtopiaTeleoperatorConfig(TeleoperatorConfig):
         try:
             require_choices("device", [self.device], (KEYBOARD, GAMEPAD))
             require_choices("robot", [self.robot], ROBOTS)
+            load_room(self.room)
         except UserError as error:
             raise InvalidTeleoperatorError((), str(error)) from error

@@ -4,6 +4,7 @@ It needs Vulkan; Mesa's software implementation will do. Every picture of a mome
 bits, whatever was drawn before.
 """
 
+import ctypes
 import os
 import sys
 from collections.abc import Iterator, Sequence
@@ -33,6 +34,8 @@ _CURE = (
     "or choose renderer=classic, which needs OpenGL"
 )
 _SCENE, _FILM = "scene", "film"
+_C = ctypes.CDLL(None)
+"""The C library of this process."""
 
 
 class NoFilamentError(UserError, RuntimeError):
@@ -185,5 +188,6 @@ def _without_greetings() -> Iterator[None]:
     try:
         yield
     finally:
+        _C.fflush(None)  # it would come when the program ends, where the output is no terminal
         os.dup2(kept, 1)
         os.close(kept)

@@ -104,7 +104,7 @@ def test_a_stick_moves_as_a_key_does() -> None:
     assert wish.opening == key.opening
 
 
-@pytest.mark.parametrize("option", [{"device": "mouse"}, {"robot": "pandas"}])
+@pytest.mark.parametrize("option", [{"device": "mouse"}, {"robot": "pandas"}, {"room": "moon"}])
 def test_a_wrong_flag_lists_the_choices(option: dict[str, str]) -> None:
     with pytest.raises(InvalidTeleoperatorError, match="Choose from"):
         LabUtopiaTeleoperatorConfig(**option)

@@ -7,15 +7,12 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, about
-from labutopia_lerobot.labware.parts.instrument import Instrument
-from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.rotor import Rotor
-from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.labware.parts.swivel import Swivel
 
 
 @dataclass(frozen=True)
-class LaboratoryChair(Instrument):
+class LaboratoryChair(Swivel):
     """A chair on a gas spring: its seat, with the back, turns and goes up; it looks to -x.
 
     Attributes:
@@ -26,20 +23,7 @@ class LaboratoryChair(Instrument):
     size = (0.510, 0.520, 0.925)
     mass = 11.0
     source = "seat from 460 mm up, back to 930 mm (EN 1335-1 office chairs are alike); from memory"
-    movable = True
-
-    @property
-    def column(self) -> Slide:
-        """The gas spring, which carries the seat and goes up."""
-        return Slide(f"{self.name}_column", 0.120, friction=15.0, effort=50.0)
-
-    @property
-    def seat(self) -> Rotor:
-        return Rotor(f"{self.name}_seat", friction=0.2, effort=1.0)
-
-    @property
-    def mechanisms(self) -> tuple[Mechanism, ...]:
-        return self.column, self.seat
+    rise = 0.120
 
     @property
     def places(self) -> tuple[Place, ...]:

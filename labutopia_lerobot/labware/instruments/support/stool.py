@@ -7,15 +7,12 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.form import Form, Ring, Rod, Turned
-from labutopia_lerobot.labware.parts.instrument import Instrument
-from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.rotor import Rotor
-from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.labware.parts.swivel import Swivel
 
 
 @dataclass(frozen=True)
-class Stool(Instrument):
+class Stool(Swivel):
     """A stool on five feet: its seat turns, and goes up by 150 mm on a gas spring.
 
     Attributes:
@@ -26,20 +23,7 @@ class Stool(Instrument):
     size = (0.515, 0.540, 0.456)
     mass = 7.0
     source = "seat of 350 mm, 460 to 610 mm high, foot of 560 mm, as usual; from memory"
-    movable = True
-
-    @property
-    def column(self) -> Slide:
-        """The gas spring, which carries the seat and goes up."""
-        return Slide(f"{self.name}_column", 0.150, friction=15.0, effort=50.0)
-
-    @property
-    def seat(self) -> Rotor:
-        return Rotor(f"{self.name}_seat", friction=0.2, effort=1.0)
-
-    @property
-    def mechanisms(self) -> tuple[Mechanism, ...]:
-        return self.column, self.seat
+    rise = 0.150
 
     @property
     def places(self) -> tuple[Place, ...]:
