@@ -5,9 +5,10 @@
 takes the options of `labutopia-record` but `root`, and prints one JSON object: frames per second of
 a recording with all that belongs to it, of the same episodes played and drawn and thrown away by as
 many processes, and the first over the second; how many times longer the second half of the episodes
-took to be put together than the first; for how many seconds of robot a second of verifying without
-pictures is enough; the largest resident memory of any process [MB]; and how much longer a frame
-takes to be read at random than one of a set of the same pictures that LeRobot's own writer wrote.
+took to be put together than the first, in processor time; for how many seconds of robot a second of
+verifying without pictures is enough; the largest resident memory of any process [MB]; and how much
+longer a frame takes to be read at random than one of a set of the same pictures that LeRobot's own
+writer wrote.
 """
 
 import json
@@ -17,10 +18,9 @@ import tempfile
 import time
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from lerobot.datasets.lerobot_dataset import LeRobotDataset
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.record import parse
@@ -32,6 +32,9 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.runtime.workers import in_processes
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.world import CONTROL_HZ
+
+if TYPE_CHECKING:  # workers import this file too, and torch is none of a recording's memory
+    from lerobot.datasets.lerobot_dataset import LeRobotDataset
 
 _READ = 200
 """Frames that are read of each set."""
@@ -63,6 +66,8 @@ def main() -> None:
         begun = time.perf_counter()
         faults = verify(config.folder, 0).faults
         verified = watch.frames / CONTROL_HZ / (time.perf_counter() - begun)
+        from lerobot.datasets.lerobot_dataset import LeRobotDataset
+
         ours = LeRobotDataset("local/ours", root=config.folder)
         theirs = write_with_lerobot(ours, Path(folder) / "theirs")
         figures = {
@@ -80,7 +85,7 @@ def main() -> None:
 
 
 class _Watch:
-    """Notes when each episode was in the dataset."""
+    """Notes how much of this process's time each episode took to be put into the dataset."""
 
     def __init__(self) -> None:
         self.frames = 0
@@ -90,13 +95,12 @@ class _Watch:
         """Ignore it: nothing is resumed."""
 
     def played(self, candidate: Candidate) -> None:
-        """Note when the last one was played."""
-        self._moments = [time.perf_counter()]
+        """Ignore it: others play."""
 
     def assembled(self, candidate: Candidate) -> None:
         """Note when it was in the dataset."""
         self.frames += candidate.frames
-        self._moments.append(time.perf_counter())
+        self._moments.append(time.process_time())
 
     @property
     def second_half_over_first(self) -> float:
@@ -114,11 +118,13 @@ def play(setting: Setting, seeds: Sequence[int]) -> int:
     return frames
 
 
-def write_with_lerobot(ours: LeRobotDataset, root: Path) -> LeRobotDataset | None:
+def write_with_lerobot(ours: "LeRobotDataset", root: Path) -> "LeRobotDataset | None":
     """Return a copy that LeRobot's own writer made, by its own defaults; None without pictures."""
     if not ours.meta.video_keys:
         return None
     features = {key: f for key, f in ours.features.items() if key not in _FILLED}
+    from lerobot.datasets.lerobot_dataset import LeRobotDataset
+
     theirs = LeRobotDataset.create("local/theirs", CONTROL_HZ, features, root, use_videos=True)
     for index in range(min(len(ours), 4 * _READ)):
         item = ours[index]
@@ -142,7 +148,7 @@ def _as_written(value: Any, feature: dict[str, Any]) -> Any:
     return np.asarray(value, dtype=feature["dtype"]).reshape(feature["shape"])
 
 
-def read_ratio(ours: LeRobotDataset, theirs: LeRobotDataset) -> float:
+def read_ratio(ours: "LeRobotDataset", theirs: "LeRobotDataset") -> float:
     """Return how much longer a frame of ours takes to be read, median of alternating reads."""
     indices = np.random.default_rng(0).integers(len(theirs), size=_READ).tolist()
     took: list[list[float]] = [[], []]

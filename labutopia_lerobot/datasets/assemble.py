@@ -34,7 +34,8 @@ class DatasetAssembler:
 
     def __init__(self, config: RecordingConfig, work: Path, root: Path) -> None:
         self._config, self._work, self._root = config, work, root
-        setting = config.setting(config.tasks[0])
+        self._settings = {task: config.setting(task) for task in config.tasks}
+        setting = self._settings[config.tasks[0]]
         self._pictures = picture_names(setting)
         self._writer = EncodedDatasetWriter(
             config.repo_id, dataset_features(setting), setting.robot, root
@@ -49,7 +50,7 @@ class DatasetAssembler:
             f"{IMAGES}{name}": (folder / f"{name}.mp4", _take_statistics(columns, name))
             for name in self._pictures
         }
-        noted = annotations(candidate, self._config.setting(candidate.task))
+        noted = annotations(candidate, self._settings[candidate.task])
         self._writer.add(candidate.instruction, columns, videos, noted)
 
     def finish(self, candidates: Sequence[Candidate]) -> None:

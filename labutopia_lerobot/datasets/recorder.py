@@ -1,11 +1,11 @@
-"""Recording: candidates are played until enough have succeeded, then put together."""
+"""Recording: candidates are played until enough have succeeded, and put together meanwhile."""
 
-import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from pathlib import Path
 from typing import Protocol
 
+from labutopia_lerobot.datasets.assembly import Assembly
 from labutopia_lerobot.datasets.candidate import Candidate, finished_candidates
 from labutopia_lerobot.datasets.disk_space import require_space
 from labutopia_lerobot.datasets.launcher import Launcher, launcher
@@ -50,14 +50,17 @@ def record(config: RecordingConfig, watcher: Watcher) -> list[Candidate]:
     """
     config.check()
     with claim(config.folder, config.provenance) as work:
-        candidates = _play(config, work, watcher)
-        dataset = assemble(config, work, candidates, watcher)
+        assembly = Assembly(config, work, watcher.assembled)
+        candidates = _play(config, work, assembly, watcher)
+        dataset = assembly.finish(candidates)
         require_intact(dataset)
         publish(config.folder, dataset)
     return candidates
 
 
-def _play(config: RecordingConfig, work: Path, watcher: Watcher) -> list[Candidate]:
+def _play(
+    config: RecordingConfig, work: Path, assembly: Assembly, watcher: Watcher
+) -> list[Candidate]:
     before = finished_candidates(work)
     by_task = {task: [c for c in before if c.task == task] for task in config.tasks}
     trials = {task: Trials(task, config.episodes, by_task[task]) for task in by_task}
@@ -65,36 +68,28 @@ def _play(config: RecordingConfig, work: Path, watcher: Watcher) -> list[Candida
     watcher.resumed(before)
     if any(trial.missing > 0 for trial in trials.values()):
         with launcher(config, work) as started:
-            _play_missing(started, trials, watcher)
+            _play_missing(started, trials, assembly, watcher)
     return [candidate for trial in trials.values() for candidate in trial.played]
 
 
-def _play_missing(started: Launcher, trials: Mapping[str, Trials], watcher: Watcher) -> None:
+def _play_missing(
+    started: Launcher, trials: Mapping[str, Trials], assembly: Assembly, watcher: Watcher
+) -> None:
     running: set[Future[Candidate]] = set()
     while any(trial.missing > 0 for trial in trials.values()):
         for task, trial in trials.items():
             while len(running) < started.at_once and (index := trial.next()) is not None:
                 running.add(started.play(task, index))
+        assembly.take(_settled(trials))
         finished, running = wait(running, return_when=FIRST_COMPLETED)
         for candidate in (future.result() for future in finished):
             trials[candidate.task].note(candidate)
             watcher.played(candidate)
 
 
-def assemble(
-    config: RecordingConfig, work: Path, candidates: Sequence[Candidate], watcher: Watcher
-) -> Path:
-    """Put the stored candidates of a recording together, and return the folder of the dataset."""
-    # Imported late: LeRobot brings torch, which takes seconds and which no worker needs.
-    from labutopia_lerobot.datasets.assemble import DatasetAssembler
-
-    dataset = work / "dataset"
-    if dataset.exists():  # a previous run was killed while it assembled
-        shutil.rmtree(dataset)
-    assembler = DatasetAssembler(config, work, dataset)
-    for candidate in candidates:
-        if candidate.stored(config.keep):
-            assembler.add(candidate)
-            watcher.assembled(candidate)
-    assembler.finish(candidates)
-    return dataset
+def _settled(trials: Mapping[str, Trials]) -> Iterator[Candidate]:
+    """Yield the candidates whose place is certain, by task and in index order."""
+    for trial in trials.values():
+        yield from trial.settled
+        if trial.missing > 0:
+            return

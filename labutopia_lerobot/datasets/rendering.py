@@ -17,6 +17,7 @@ from typing import Any, Self
 import numpy as np
 
 from labutopia_lerobot.datasets.annotations import annotated_candidate
+from labutopia_lerobot.datasets.assembly import Assembly
 from labutopia_lerobot.datasets.candidate import (
     COLORS,
     COLUMNS,
@@ -35,7 +36,7 @@ from labutopia_lerobot.datasets.declaration import (
 from labutopia_lerobot.datasets.frames import Columns
 from labutopia_lerobot.datasets.looking import drawn_with
 from labutopia_lerobot.datasets.playback import Playback, Player
-from labutopia_lerobot.datasets.recorder import Watcher, assemble
+from labutopia_lerobot.datasets.recorder import Watcher
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import claim, publish
 from labutopia_lerobot.datasets.replay import ForeignDatasetError
@@ -94,7 +95,7 @@ def render(root: Path, out: Path, watcher: Watcher, **chosen: Any) -> list[Candi
         shutil.rmtree(source)
         order = {task: number for number, task in enumerate(config.tasks)}
         candidates = sorted(finished_candidates(work), key=lambda c: (order[c.task], c.index))
-        dataset = assemble(config, work, candidates, watcher)
+        dataset = Assembly(config, work, watcher.assembled).finish(candidates)
         require_intact(dataset)
         publish(out, dataset)
     return candidates

@@ -1,7 +1,7 @@
 """Which candidates of a task are still to be played."""
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from itertools import count
 
 from labutopia_lerobot.datasets.candidate import Candidate
@@ -39,6 +39,14 @@ class Trials:
     def played(self) -> list[Candidate]:
         """The candidates that were played, in index order."""
         return [self._played[index] for index in sorted(self._played)]
+
+    @property
+    def settled(self) -> Iterator[Candidate]:
+        """Those that were played before the first one that was not, in index order."""
+        for index in count():
+            if index not in self._played:
+                return
+            yield self._played[index]
 
     @property
     def missing(self) -> int:

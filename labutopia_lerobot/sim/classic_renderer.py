@@ -17,6 +17,7 @@ from labutopia_lerobot.scenes.views import FIXED_CAMERAS, WIDEST_PICTURE
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
 from labutopia_lerobot.sim.gleaming_walls import GleamingWalls
 from labutopia_lerobot.sim.opengl import BACKENDS, refused_backend
+from labutopia_lerobot.sim.texture_filter import sample_one_level
 from labutopia_lerobot.world import FloatArray
 from labutopia_lerobot.world.model import BEYOND_GROUP, SKIN_GROUP
 
@@ -60,6 +61,10 @@ class ClassicRenderer:
         shadows: ContactShadows | None = None,
     ) -> None:
         self._renderer = _open(model, width, height)
+        # MuJoCo's renderer has no public way to what it has uploaded.
+        self._context = self._renderer._mjr_context
+        with self._renderer._gl_context.as_current():
+            sample_one_level(self._context, range(model.ntex))
         self._options = mujoco.MjvOption()
         self._options.geomgroup[3:] = 0  # collision geometry and planner hulls stay unseen
         self._options.sitegroup[:] = 0
@@ -123,9 +128,8 @@ class ClassicRenderer:
         self._show_readings(data)
         for liquid in self._liquids:
             liquid.draw(self._renderer.scene, self._renderer.model)
-            # MuJoCo's renderer has no public way to what a texture is uploaded to.
             with self._renderer._gl_context.as_current():
-                liquid.upload(self._renderer.model, self._renderer._mjr_context)
+                liquid.upload(self._renderer.model, self._context)
 
     def _take_ceiling_off(self, data: mujoco.MjData, eye_w: FloatArray) -> None:
         """Take planes away that are seen from behind: MuJoCo draws them as fog, or as a wall."""
@@ -162,7 +166,8 @@ class ClassicRenderer:
                 self._shown[number] = text
                 texture = display.show(model, text)
                 with self._renderer._gl_context.as_current():
-                    mujoco.mjr_uploadTexture(model, self._renderer._mjr_context, texture)
+                    mujoco.mjr_uploadTexture(model, self._context, texture)
+                    sample_one_level(self._context, [texture])
 
     def close(self) -> None:
         """Give the OpenGL context back."""

@@ -191,7 +191,7 @@ def test_an_extension_that_is_stopped_leaves_the_dataset_and_goes_on(
     longer = [*PICK, "episodes=4"]
     root = Path(shutil.copytree(picked, tmp_path / "dataset"))
     with pytest.raises(StoppedError):
-        recording(root, *longer, watch=Watch(assembled=1))
+        recording(root, *longer, watch=Watch(assembled=4))
     assert find_problems(root) == []
     assert len(read_episodes(root)) == 3
     watch = Watch()

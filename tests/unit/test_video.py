@@ -6,6 +6,7 @@ import av
 import numpy as np
 import pytest
 
+from labutopia_lerobot.runtime.level_count import LevelCount
 from labutopia_lerobot.runtime.video import VideoWriter, video_size_and_frames
 
 RNG = np.random.default_rng(0)
@@ -49,3 +50,15 @@ def test_a_video_without_its_end_is_no_video(written: tuple[Path, VideoWriter]) 
     path.write_bytes(path.read_bytes()[:200])
     with pytest.raises((OSError, ValueError)):
         video_size_and_frames(path)
+
+
+@pytest.mark.parametrize("shape", [(7, 5, 3), (7, 5), (1, 1, 3), (1, 1), (16, 16, 3)])
+def test_every_level_of_a_picture_is_counted_once_whatever_its_size(shape: tuple[int, ...]) -> None:
+    channels = shape[2] if len(shape) == 3 else 1
+    pictures = RNG.integers(0, 4096, (3, *shape), dtype=np.uint16)
+    count = LevelCount(channels, 4096)
+    for picture in pictures:
+        count.add(picture)
+    values = pictures.reshape(-1, channels)
+    wanted = [np.bincount(values[:, channel], minlength=4096) for channel in range(channels)]
+    np.testing.assert_array_equal(count.histogram, wanted)
