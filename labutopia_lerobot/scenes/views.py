@@ -56,11 +56,11 @@ WIDE_VESSEL_VIEW = View(
 """The same from a focal length of 5, as in the original's tasks with two things side by side."""
 
 WIDEST_VESSEL_VIEW = View(
-    front=CameraPose((2.0, 0.0, 2.0), (-0.866, 0.0, -0.45), _UP, 30.0),
+    front=CameraPose((2.0, 0.0, 2.0), (-0.866, 0.0, -0.45), _UP, 29.0),
     top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 38.0),
 )
-"""The same from a focal length of 4, as in the original's stirring tasks; the camera in front looks
-2 degrees higher, for the hand of a lifted rod."""
+"""The same from a focal length of about 4, as in the original's stirring tasks; the camera in front
+looks 2 degrees higher, for the hand of a lifted rod."""
 
 DOOR_VIEW = View(
     front=CameraPose((-0.7, 1.4, 1.4), (0.548, -0.807, -0.222), _UP, 55.3),
@@ -69,12 +69,18 @@ DOOR_VIEW = View(
 """Over the robot's left shoulder, and from above and behind: a camera that faces the robot would
 see the back of an instrument. As in the original's door and drawer tasks."""
 
-OVEN_VIEW = View(
-    front=CameraPose((-0.7, -1.3, 1.7), (0.548, 0.72, -0.35), _UP, 50.0),
+DRAWER_VIEW = View(
+    front=CameraPose((-0.7, 1.4, 1.4), (0.61, -0.762, -0.17), _UP, 33.0),
     top=CameraPose((-1.0, -0.1, 3.6), (0.423, 0.0, -0.906), _FORWARD, 29.3),
 )
-"""Over the robot's right shoulder, where the open door does not hide the chamber, and from above
-and behind, as `DOOR_VIEW`."""
+"""As `DOOR_VIEW`, but nearer in front: the other has room for a door that swings open."""
+
+OVEN_VIEW = View(
+    front=CameraPose((-0.7, -1.3, 1.7), (0.548, 0.72, -0.38), _UP, 41.0),
+    top=CameraPose((-1.0, -0.1, 3.6), (0.423, 0.0, -0.906), _FORWARD, 29.3),
+)
+"""Over the robot's right shoulder, where the open door does not hide the chamber, near enough for
+the beakers before the oven; and from above and behind, as `DOOR_VIEW`."""
 
 PRESS_VIEW = View(
     front=CameraPose((-0.1, 1.8, 1.5), (0.2, -0.95, -0.2), _UP, 22.0),

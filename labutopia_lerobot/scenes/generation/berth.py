@@ -37,6 +37,11 @@ class Berth:
     is_furniture: bool
 
     @cached_property
+    def outline(self) -> Boxes:
+        """The box around its solids."""
+        return self.solids.hull
+
+    @cached_property
     def hull(self) -> Boxes:
         """The box around all of them."""
         return joined(self.solids, self.frees, self.walkway).hull
@@ -49,11 +54,11 @@ class Berth:
     def conflicts(self, other: "Berth") -> bool:
         """Tell whether two pieces cannot stand where they do."""
         return (
-            _meet(self.solids, other.solids)
-            or _meet(self.solids, other.frees)
-            or _meet(self.frees, other.solids)
-            or (other.is_furniture and _meet(self.walkway, other.solids))
-            or (self.is_furniture and _meet(self.solids, other.walkway))
+            self.solids.meet(other.solids)
+            or self.solids.meet(other.frees)
+            or self.frees.meet(other.solids)
+            or (other.is_furniture and self.walkway.meet(other.solids))
+            or (self.is_furniture and self.solids.meet(other.walkway))
         )
 
 
@@ -82,9 +87,3 @@ def work_place(bench: Placed, number: int) -> WorkPlace:
     x, y = round(bench.x + float(way[0]), 3), round(bench.y + float(way[1]), 3)
     facing: Heading = (bench.heading + 180) % 360  # type: ignore[assignment]
     return WorkPlace(f"work_place_{number}", bench.name, x, y, facing)
-
-
-def _meet(some: Boxes, others: Boxes) -> bool:
-    if not len(some.low) or not len(others.low):
-        return False
-    return some.hull.meet(others.hull) and some.meet(others)

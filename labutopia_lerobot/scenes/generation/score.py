@@ -24,7 +24,7 @@ def score(entry: Entry, sketch: Sketch) -> float:
     ]
     value = where.edge * _edge(entry, sketch)
     if others:
-        gaps = [_gap(entry.room.solids.hull, other.room.solids.hull) for other in others]
+        gaps = [_gap(entry.room.outline, other.room.outline) for other in others]
         nearest = min(gaps)
         value += min(nearest, where.apart) / where.apart if where.apart else 1 / (1 + nearest)
         value += _alignment(entry, others)
@@ -35,9 +35,7 @@ def score(entry: Entry, sketch: Sketch) -> float:
 
 def _edge(entry: Entry, sketch: Sketch) -> float:
     """Return 1 in a corner, less the farther from the two nearest edges [1/m]."""
-    taken = (
-        joined(entry.room.solids, entry.room.frees).hull if entry.place else entry.room.solids.hull
-    )
+    taken = joined(entry.room.outline, entry.room.frees).hull if entry.place else entry.room.outline
     area = np.array([entry.region.x, entry.region.y])
     if entry.piece.on is not None:
         area = _carrier(entry, sketch)
@@ -49,7 +47,7 @@ def _edge(entry: Entry, sketch: Sketch) -> float:
 def _carrier(entry: Entry, sketch: Sketch) -> FloatArray:
     """Return least and greatest x and y of what a piece stands on, shape (2, 2) [m]."""
     carrier = next(other for other in sketch.entries if other.piece.name == entry.piece.on)
-    hull = carrier.room.solids.hull
+    hull = carrier.room.outline
     return np.column_stack([hull.low[0, :2], hull.high[0, :2]])
 
 

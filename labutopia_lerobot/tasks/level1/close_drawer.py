@@ -9,7 +9,7 @@ import math
 from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, closed
-from labutopia_lerobot.scenes.views import DOOR_VIEW
+from labutopia_lerobot.scenes.views import DRAWER_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions
 
@@ -38,5 +38,5 @@ def close_drawer() -> Task:
         ),
         never={},
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
-        view=DOOR_VIEW,
+        view=DRAWER_VIEW,
     )

@@ -10,7 +10,7 @@ from dataclasses import replace
 from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, closed, faster, opened
-from labutopia_lerobot.scenes.views import DOOR_VIEW
+from labutopia_lerobot.scenes.views import DRAWER_VIEW
 from labutopia_lerobot.task import Milestone, Task
 from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.tasks.level1.open_drawer import BEGUN, OPEN_TO
@@ -41,5 +41,5 @@ def operate_drawer() -> Task:
         goal=(closed(drawer), clear),  # paper: "retreat a specified distance"
         never={},
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
-        view=DOOR_VIEW,
+        view=DRAWER_VIEW,
     )
