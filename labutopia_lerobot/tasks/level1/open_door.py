@@ -42,7 +42,7 @@ def open_oven(oven: Oven) -> Task:
         start={oven: OnBench(x=(0.70, 0.80), y=(0.05, 0.15), yaw=(-YAW, YAW))},
         steps=(
             actions.open_by_handle(
-                door, to=OPEN_TO, begun=BEGUN, pull=math.radians(55), hasty=HASTY
+                door, to=OPEN_TO, begun=BEGUN, pull=math.radians(53), hasty=HASTY
             ),
         ),
         goal=(

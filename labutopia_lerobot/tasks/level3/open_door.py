@@ -14,10 +14,11 @@ from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks.level1.open_door import YAW, Oven, open_oven
 
 # Original: three ovens, in training as in tests, at x 0.65 to 0.77, y -0.05 to 0.15. Ours: ranges
-# of level 1's width, such that every handle is where level 1's is.
+# of level 1's width, such that every handle is where level 1's is; that of the vacuum oven is 2 cm
+# nearer, or else the arm is stretched when the door is open.
 OVENS: dict[str, tuple[Oven, OnBench]] = {
     "drying oven": (DryingOven("oven"), OnBench((0.70, 0.80), (0.05, 0.15), (-YAW, YAW))),
-    "vacuum oven": (VacuumOven("oven"), OnBench((0.70, 0.80), (0.05, 0.15), (-YAW, YAW))),
+    "vacuum oven": (VacuumOven("oven"), OnBench((0.68, 0.78), (0.05, 0.15), (-YAW, YAW))),
     "muffle furnace": (MuffleFurnace("oven"), OnBench((0.70, 0.80), (0.19, 0.29), (-YAW, YAW))),
 }
 
