@@ -13,6 +13,7 @@ from types import TracebackType
 from typing import Any, Literal, Self
 
 import av
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -54,6 +55,9 @@ class Encoding:
     step: float = 1.0
 
 
+_HALVED = "yuv420p"
+"""Brightness of every pixel, colour of every fourth."""
+
 _HEVC = {"preset": "ultrafast", "x265-params": LOSSLESS}
 _QUIET = {"x265-params": LOSSLESS + _ALONE}
 
@@ -64,7 +68,7 @@ ENCODINGS = {
     # then, with key frames so near each other).
     COLOR: Encoding(
         "h264",
-        "yuv420p",
+        _HALVED,
         "rgb24",
         {"preset": "ultrafast", "tune": "fastdecode", "crf": "28"},
         {"threads": "1"},
@@ -123,7 +127,10 @@ class VideoWriter:
         if picture.shape[-1] == 1:
             picture = np.rint(picture[..., 0] / self._encoding.step).astype(np.uint16)
         self._levels.add(picture)
-        frame = av.VideoFrame.from_ndarray(picture, format=self._encoding.array)
+        form = self._encoding.array
+        if self._encoding.pixel_format == _HALVED:  # OpenCV does it in a seventh of FFmpeg's time
+            form, picture = _HALVED, cv2.cvtColor(picture, cv2.COLOR_RGB2YUV_I420)
+        frame = av.VideoFrame.from_ndarray(picture, format=form)
         frame.pts = self._frames
         frame.time_base = Fraction(1, CONTROL_HZ)
         self._container.mux(self._stream.encode(frame))
