@@ -58,7 +58,7 @@ def drying_beakers() -> Task:
     pick = replace(pick, skills=(Go((OUTSIDE, INSIDE), HEADING), *pick.skills))
     shut = Step(
         "close",
-        (Go((INSIDE, OUTSIDE), HEADING), Close(door, HEADING, beyond=2.0)),
+        (Go((INSIDE, OUTSIDE), HEADING), Close(door, HEADING, beyond=1.6)),
         (
             Milestone("moved", (less_open(door, than=WIDE - BEGUN),)),
             Milestone("latched", (latched(door),)),
