@@ -5,14 +5,14 @@ not by the names of things, so that it is played in tasks that do not exist yet.
 """
 
 from collections.abc import Callable
-from itertools import chain
+from itertools import chain, repeat
 from typing import Any
 
 import numpy as np
 
 from attacks.arm import Actions, Arm
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Pose
+from labutopia_lerobot.world import CONTROL_HZ, LEFT_PAD, RIGHT_PAD, Pose
 
 type Play = Callable[[LabEnv], Actions]
 
@@ -123,10 +123,11 @@ def shake_while_holding(env: LabEnv) -> Actions:
 
 
 def stretch_first(env: LabEnv) -> Actions:
-    """Raise the hand by 8 cm and come back, then do the task."""
+    """Raise the hand, draw it back where the arm has length left, return, then do the task."""
     arm = Arm(env)
-    home = arm.pose
-    yield from chain(arm.go(home.moved(z=0.08)), arm.go(home), expert(env))
+    home, still = arm.pose, arm.command.astype(np.float32)
+    away = [*arm.go(home.moved(z=0.02)), *arm.go(home.moved(x=-0.08, z=0.08))]
+    yield from chain(away, reversed(away), repeat(still, CONTROL_HZ // 2), expert(env))
 
 
 def tremble(env: LabEnv) -> Actions:
