@@ -11,7 +11,7 @@ from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 
 if TYPE_CHECKING:
-    from labutopia_lerobot.datasets.assemble import DatasetAssembler
+    from labutopia_lerobot.datasets.assembler import DatasetAssembler
 
 
 class Assembly:
@@ -55,6 +55,6 @@ class Assembly:
     @cached_property
     def _assembler(self) -> "DatasetAssembler":
         # Imported late: LeRobot brings torch, which no worker needs.
-        from labutopia_lerobot.datasets.assemble import DatasetAssembler
+        from labutopia_lerobot.datasets.assembler import DatasetAssembler
 
         return DatasetAssembler(self._config, self._work, self._dataset)

@@ -125,7 +125,8 @@ class VideoWriter:
     def add(self, picture: NDArray[Any]) -> None:
         """Encode the next picture, shape (height, width, 3), or (height, width, 1) of depths."""
         if picture.shape[-1] == 1:
-            picture = np.rint(picture[..., 0] / self._encoding.step).astype(np.uint16)
+            steps = np.rint(picture[..., 0] / self._encoding.step)
+            picture = steps.clip(0, self._encoding.levels - 1).astype(np.uint16)
         self._levels.add(picture)
         form = self._encoding.array
         if self._encoding.pixel_format == _HALVED:  # OpenCV does it in a seventh of FFmpeg's time
