@@ -3,18 +3,20 @@
 What a number comes from is said on its line.
 """
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import reduce
 from operator import or_
 
 from labutopia_lerobot.predicates import Predicate, falling, knocked_over, spilled, struck
+from labutopia_lerobot.skills.pour import Pourable
 from labutopia_lerobot.task import Step
-from labutopia_lerobot.world import Graspable, OpenVessel, Standing, Thing
+from labutopia_lerobot.world import Graspable, OpenVessel, Thing
 
 
 def handling(
-    vessel: Standing, *, spill: float | None, pouring: Predicate | None = None
+    vessel: Pourable, *, spill: float | None, pouring: Predicate | None = None
 ) -> dict[str, Predicate]:
     """Return what must not happen to a vessel that is handled.
 
@@ -24,12 +26,26 @@ def handling(
             ours); None for an empty one.
         pouring: What excuses a tilt where no liquid is simulated.
     """
-    spilling = {} if spill is None else {"spilled": spilled(vessel, share=spill, unless=pouring)}
+    spilling = {}
+    if spill is not None:
+        lean = _runs_over_deg(vessel)
+        spilling["spilled"] = spilled(vessel, share=spill, unless=pouring, beyond_deg=lean)
     return {
         "knocked_over": knocked_over(vessel, beyond_deg=30),
         **spilling,
         "dropped": falling(vessel, faster_than=0.4),  # paper: no drop; ours: 10 mm, less a step
     }
+
+
+def _runs_over_deg(vessel: OpenVessel) -> float:
+    """Return from which lean on a vessel spills where no liquid is simulated [deg].
+
+    A half-full cylinder runs over where the tangent of its lean is its height over the diameter of
+    its mouth, one that tapers later. 9 degrees before that: 45 for a beaker; where it is tall and
+    narrow 60, from where on a lip that pours must be over its target (`actions.pour`).
+    """
+    brim = math.degrees(math.atan2(vessel.height, 2 * vessel.mouth_radius))
+    return min(max(brim - 9.0, 45.0), 60.0)
 
 
 def of_any(*each: Mapping[str, Predicate]) -> dict[str, Predicate]:
