@@ -13,6 +13,9 @@ from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.shake import Shake
 
+CYLINDER = 100000
+"""A seed with which level 3 draws the graduated cylinder."""
+
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
@@ -27,6 +30,14 @@ def empty() -> LabEnv:
 @pytest.fixture(scope="module")
 def whole() -> LabEnv:
     return begun("level2/pour_liquid", liquid="off")
+
+
+@pytest.fixture
+def cylinder() -> LabEnv:
+    env = begun("level3/pour_liquid", liquid="off")
+    env.reset(seed=CYLINDER)
+    assert env.task.startswith("Pour the graduated cylinder")
+    return env
 
 
 def test_the_unspoilt_skill_pours_everything_and_spills_next_to_nothing(env):
@@ -75,6 +86,18 @@ def test_without_liquid_a_beaker_tilted_beside_the_other_spills(empty):
 
 def test_without_liquid_the_unspoilt_skill_succeeds_too(empty):
     assert play(empty, *empty.workcell.task.skills)["outcome"] == "success"
+
+
+def test_without_liquid_a_tall_cylinder_may_lean_before_its_lip_is_low_enough(cylinder):
+    info = play(cylinder, *cylinder.workcell.task.skills, seed=CYLINDER)
+    assert info["outcome"] == "success"
+
+
+def test_without_liquid_a_tall_cylinder_tilted_beside_the_other_spills(cylinder):
+    pick, *_ = cylinder.workcell.task.skills
+    away = OverBench("away", ahead=0.55, left=0.2, height=0.25)
+    tilt = Shake(pick.thing, at=away, angle=math.radians(70), cycles=1)
+    assert play(cylinder, pick, tilt, seed=CYLINDER)["outcome"] == "spilled"
 
 
 def test_a_beaker_left_tilted_is_not_upright_again(empty):
