@@ -11,14 +11,14 @@ SERIES = (
         "A tall-form graduated cylinder on a round foot.",
         footed,
         BOROSILICATE,
-        "ISO 4788 tall form, its foot round for hexagonal; from memory",
+        "ISO 4788 tall form, its foot round for hexagonal; from memory; walls by weighings",
         {
             # foot, height, tube, height of the foot, wall, bottom
             "5 ml": (34, 115, 12, 6, 1.1, 6),
             "10 ml": (38, 140, 14, 7, 1.2, 7),
-            "25 ml": (48, 170, 20, 8, 1.4, 8),
-            "50 ml": (58, 200, 25, 9, 1.5, 9),
-            "100 ml": (66, 260, 30, 10, 1.5, 10),
+            "25 ml": (48, 170, 20, 7, 1.3, 7),
+            "50 ml": (56, 200, 25, 7.5, 1.3, 7.5),
+            "100 ml": (66, 260, 30, 9, 1.4, 9),
             "250 ml": (85, 335, 41, 12, 1.8, 12),
             "500 ml": (105, 360, 53, 13, 2.0, 13),
             "1000 ml": (125, 465, 65, 14, 2.0, 14),
