@@ -12,8 +12,9 @@ from labutopia_lerobot.skills.posture import UP, hand_at, horizontal, upright_in
 from labutopia_lerobot.skills.skill import Phase, Target, arrived, carrier, waited
 from labutopia_lerobot.world import FloatArray, OpenVessel, Pose, Standing, World
 
-_BASE_GAP = 0.008
-"""Least height of the base of what is poured from above the other mouth [m]."""
+_BASE_GAP = 0.010
+"""Least height of the base of what is poured from above the other mouth [m]: with 2 mm less the
+hand has to dodge the other vessel in mid-swing."""
 
 
 _LOW = 0.10
