@@ -14,7 +14,7 @@ from labutopia_lerobot.checks.motions import motion_and_torque
 from labutopia_lerobot.checks.playing import expert, play
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.registry import require_task, task_files
 from labutopia_lerobot.setting import Setting
 
 KINDS = ("speed of", "acceleration of", "jerk of", "speed of the hand", "torque")
@@ -30,6 +30,8 @@ def main() -> None:
     parser.add_argument("tasks", nargs="*", help="default: all")
     parser.add_argument("--episodes", type=int, default=100, help="of every task (default: 100)")
     arguments = parser.parse_args()
+    for task in arguments.tasks:
+        require_task(task)
     sys.stdout.write("| task | succeeded | speed | acceleration | jerk | hand | torque |\n")
     sys.stdout.write("| --- | --- |" + " ---: |" * len(KINDS) + "\n")
     for task in arguments.tasks or task_files():
