@@ -10,14 +10,18 @@ from labutopia_lerobot.setting import Setting
 
 
 def _environments() -> list[Any]:
-    """Return task and liquid; what takes long, level 4 with liquid, is `make test-slow`."""
+    """Return task and liquid; what takes long, level 4 with liquid, is `make test-slow`.
+
+    The checks of a task stay in one process, where several look at one episode (`checks.playing`).
+    """
     found = []
     for task in task_files():
         long, name = task.startswith("level4/"), task.replace("/", "-")
-        marks = [pytest.mark.slow] if long else []
+        together = pytest.mark.xdist_group(name)
+        marks = [together, pytest.mark.slow] if long else [together]
         found.append(pytest.param((task, "on"), marks=marks, id=name))
         if long:
-            found.append(pytest.param((task, "off"), id=f"{name}-dry"))
+            found.append(pytest.param((task, "off"), marks=together, id=f"{name}-dry"))
     return found
 
 
