@@ -6,8 +6,10 @@ BIN := $(VENV)/bin
 PACKAGES := $(VENV)/.packages-installed
 LIBRARIES := $(VENV)/.system-libraries-work
 CHROMIUM := $(VENV)/.chromium-tried
-# Tests that share fixtures, such as recorded datasets, stay in one process (tests/conftest.py).
-PYTEST := $(BIN)/pytest -rs --numprocesses=auto --maxprocesses=4 --dist=loadgroup
+# Tests that share fixtures, such as recorded datasets, stay in one process (tests/conftest.py). Groups
+# run as they are collected, the small ones of tests/unit last: so the processes end together.
+PYTEST := $(BIN)/pytest -rs --numprocesses=auto --maxprocesses=4 --dist=loadgroup \
+	--no-loadscope-reorder
 
 DEMO := outputs/demo
 

@@ -5,10 +5,9 @@ import pytest
 import labutopia_lerobot  # noqa: F401  (first of all: it chooses MuJoCo's OpenGL backend)
 
 
+@pytest.hookimpl(tryfirst=True)  # pytest-xdist reads the marks in its own hook
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Keep together what shares fixtures: the tests of a file, and in the suite those of a task."""
+    """Keep the tests of a file in one process, where they share fixtures, or as the file says."""
     for item in items:
-        parameters = getattr(item, "callspec", None)
-        task = parameters.params.get("env") if parameters is not None else None
-        group = task if isinstance(task, str) else str(item.path)
-        item.add_marker(pytest.mark.xdist_group(group))
+        if item.get_closest_marker("xdist_group") is None:
+            item.add_marker(pytest.mark.xdist_group(item.nodeid.split("::")[0]))

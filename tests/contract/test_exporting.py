@@ -68,7 +68,6 @@ def opened(tmp_path_factory) -> dict[str, tuple[mujoco.MjModel, dict]]:
 
 
 @every_piece
-@pytest.mark.xdist_group("exported pieces")
 def test_mjcf_of_a_piece_is_the_same_model_without_this_package(what, opened):
     here, there = opened[what[0]]
     assert there["mass"] == pytest.approx(here.body_mass.sum(), rel=1e-4)
