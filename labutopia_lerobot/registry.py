@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from labutopia_lerobot.errors import UserError
 
@@ -97,18 +97,34 @@ def levels_with_tasks(tasks_dir: str | Path | None = None) -> list[int]:
 
 
 def choose_tasks(
-    task: str | None, levels: Iterable[int] | None, tasks_dir: str | Path | None = None
+    task: str | list[str] | None,
+    level: Any,
+    tasks_dir: str | Path | None = None,
 ) -> list[str]:
-    """Return the task ids that `task=` and `level=` name together.
+    """Return the task ids that the options `task` and `level` name together, each of them once.
 
     Args:
-        task: A task id, the bare name of a task of one of the levels, or None for all of them.
-        levels: Levels, or None when `task` is an id.
+        task: A task id, the bare name of a task of one of the levels, a list of these, or None for
+            every task of the levels.
+        level: A level, a list of these, `all`, or None where tasks are named by their ids.
         tasks_dir: A further folder of tasks.
 
     Raises:
         UnknownTaskError: If nothing is named, or what is named does not exist.
     """
+    levels: list[Any] | None = None if level is None else listed(level)
+    if levels == ["all"]:
+        levels = levels_with_tasks(tasks_dir)
+    named = [None] if task is None else listed(task)
+    return list(dict.fromkeys(t for name in named for t in _chosen(name, levels, tasks_dir)))
+
+
+def listed[T](one_or_several: T | list[T]) -> list[T]:
+    """Return the values of an option that takes one or a list."""
+    return one_or_several if isinstance(one_or_several, list) else [one_or_several]
+
+
+def _chosen(task: str | None, levels: list[int] | None, tasks_dir: str | Path | None) -> list[str]:
     if levels is None:
         if task is None:
             raise UnknownTaskError("Name a task (task=level1/pick) or a level (level=1)")

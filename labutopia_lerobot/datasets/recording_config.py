@@ -9,7 +9,7 @@ from typing import Any
 from labutopia_lerobot.datasets.declaration import same_features
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.registry import choose_tasks, levels_with_tasks
+from labutopia_lerobot.registry import choose_tasks, listed
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.video import require_filmable
 from labutopia_lerobot.setting import Setting, require_choices, setting_of, with_setting
@@ -68,12 +68,7 @@ class RecordingConfig:
         Raises:
             UnknownTaskError: If none is named, or one that does not exist.
         """
-        folder = getattr(self, "tasks_dir", None)
-        levels = _listed(self.level) if self.level is not None else None
-        if levels == ["all"]:
-            levels = levels_with_tasks(folder)
-        named = [None] if self.task is None else _listed(self.task)
-        return list(dict.fromkeys(t for name in named for t in choose_tasks(name, levels, folder)))
+        return choose_tasks(self.task, self.level, getattr(self, "tasks_dir", None))
 
     def datasets(self) -> "Iterator[RecordingConfig]":
         """Yield the options of each dataset, with its tasks, folder and name filled in.
@@ -86,7 +81,7 @@ class RecordingConfig:
         only = "" if step is None else f"-{step}"
         if len(tasks) == 1 or self.together:
             task = tasks if len(tasks) > 1 else tasks[0]
-            name = "+".join(f"level{level}" for level in _listed(self.level)) if self.level else ""
+            name = "+".join(f"level{level}" for level in listed(self.level)) if self.level else ""
             name = (tasks[0] if len(tasks) == 1 else name or "together") + only
             yield self._one(task, self.root or f"outputs/datasets/{name}", name)
             return
@@ -160,7 +155,3 @@ class RecordingConfig:
     def _one(self, task: Any, root: str, name: str) -> "RecordingConfig":
         repo_id = self.repo_id or f"local/{name.rpartition('/')[2]}"
         return replace(self, task=task, level=None, root=root, repo_id=repo_id)
-
-
-def _listed(value: Any) -> list[Any]:
-    return list(value) if isinstance(value, list) else [value]

@@ -11,7 +11,7 @@ from omegaconf import MISSING
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.row import SINGLE, STAGED
 from labutopia_lerobot.evaluation.uncertainty.planning import require_precision
-from labutopia_lerobot.registry import choose_tasks, levels_with_tasks
+from labutopia_lerobot.registry import choose_tasks, listed
 from labutopia_lerobot.setting import SPLITS, require_choices, with_setting
 
 BOTH = "both"
@@ -65,7 +65,7 @@ class EvaluationConfig:
 
     Attributes:
         policy: Which policy plays.
-        task: Task id, or the bare name of a task of the level.
+        task: Task id, the bare name of a task of the level, or a list of these.
         level: 1 to 5, a list of these, or `all`.
         split: `id`, `train`, `ood`, or a list.
         play: `single`: one policy plays all steps of a task. `staged`: one policy per step, each
@@ -83,7 +83,7 @@ class EvaluationConfig:
     """
 
     policy: PolicyConfig = field(default_factory=PolicyConfig)
-    task: str | None = None
+    task: Any = None
     level: Any = None
     split: Any = "id"
     play: str = SINGLE
@@ -104,11 +104,11 @@ class EvaluationConfig:
         Raises:
             UnknownTaskError: If none is named, or one that does not exist.
         """
-        return choose_tasks(self.task, self._levels, getattr(self, "tasks_dir", None))
+        return choose_tasks(self.task, self.level, getattr(self, "tasks_dir", None))
 
     @property
     def splits(self) -> list[str]:
-        return list(dict.fromkeys(_listed(self.split)))
+        return list(dict.fromkeys(listed(self.split)))
 
     @property
     def plays(self) -> list[str]:
@@ -141,14 +141,6 @@ class EvaluationConfig:
                 "'policy.rename={observation.images.front: observation.images.camera1}'"
             )
 
-    @property
-    def _levels(self) -> list[int] | None:
-        if self.level is None:
-            return None
-        if self.level == "all":
-            return levels_with_tasks(getattr(self, "tasks_dir", None))
-        return list(dict.fromkeys(_listed(self.level)))
-
 
 def require_known_options(arguments: Sequence[str]) -> None:
     """Make sure that every argument is an override (`name=value`) that names an option.
@@ -168,7 +160,3 @@ def require_known_options(arguments: Sequence[str]) -> None:
             raise EvaluationOptionError(
                 f"'{argument}' is no option.{hint} Options (name=value): {', '.join(options)}"
             )
-
-
-def _listed(value: Any) -> list[Any]:
-    return list(value) if isinstance(value, list) else [value]

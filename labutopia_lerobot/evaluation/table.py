@@ -1,6 +1,7 @@
 """The table in the terminal."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import groupby
 from statistics import fmean
 
@@ -68,9 +69,8 @@ def summary_table(
         for summary in group:
             table.add_row(*heading(summary), *_cells(summary, anytime))
         if level_means:
-            for part in dict.fromkeys(map(_part, group)):
-                of_part = [line for line in group if _part(line) == part]
-                table.add_row(*heading(of_part[0]), *_mean_cells(level, of_part))
+            for first, alike in _means(group):
+                table.add_row(*heading(first), *_mean_cells(level, alike))
         table.add_section()
     return table
 
@@ -78,6 +78,20 @@ def summary_table(
 def _part(summary: Summary) -> tuple[str, str, str]:
     """Return policy, split and way of playing."""
     return _policy(summary), summary.split, summary.play
+
+
+def _means(group: Sequence[Summary]) -> Iterator[tuple[Summary, list[Summary]]]:
+    """Yield the lines of every mean, and before them the one that says whose it is."""
+    left = sorted(group, key=lambda line: line.liquid is None)
+    while left:
+        first = left[0]
+        yield first, [line for line in group if _counts_with(line, first)]
+        left = [line for line in left if not _counts_with(line, first)]
+
+
+def _counts_with(line: Summary, first: Summary) -> bool:
+    """Tell whether a mean holds both; a task without liquid counts with `liquid=off` too."""
+    return _part(replace(line, liquid=line.liquid or first.liquid)) == _part(first)
 
 
 def _policy(summary: Summary) -> str:

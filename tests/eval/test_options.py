@@ -15,6 +15,7 @@ from labutopia_lerobot.evaluation.config import (
 )
 from labutopia_lerobot.evaluation.evaluate import make_pairings
 from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.runtime import bars
 
 
@@ -39,6 +40,14 @@ def test_a_policy_elsewhere_is_asked_by_one_worker_unless_told_otherwise() -> No
     config = parse([*remote, "policy.protocol=openpi", "workers=3", "cameras=front"])
     assert (config.policy.protocol, config.workers) == ("openpi", 3)
     assert getattr(config, "cameras", None) == ["front"]
+
+
+def test_tasks_are_named_one_by_one_too_each_is_played_once() -> None:
+    named = ["level4/clean_beaker", "level1/pick"]
+    assert parse([f"task=[{','.join(named)}]", "policy=expert"]).tasks == named
+    assert parse(["task=[pick,level1/pick]", "level=1", "policy=expert"]).tasks == ["level1/pick"]
+    with pytest.raises(UnknownTaskError, match="level1/pik"):
+        _ = parse(["task=[level1/pick,level1/pik]", "policy=expert"]).tasks
 
 
 def row(**columns: Any) -> Row:

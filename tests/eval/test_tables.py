@@ -6,11 +6,16 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from rich.console import Console
 
 from labutopia_lerobot.evaluation.found import FoundResult, find_results
 from labutopia_lerobot.evaluation.reporting.commands import command, episode_command
 from labutopia_lerobot.evaluation.reporting.entry import entries
-from labutopia_lerobot.evaluation.reporting.levels import conditional_rates, level_tables
+from labutopia_lerobot.evaluation.reporting.levels import (
+    conditional_rates,
+    level_tables,
+    step_rates,
+)
 from labutopia_lerobot.evaluation.reporting.outcomes import failure_table, precision_table
 from labutopia_lerobot.evaluation.reporting.paper import Printed, paper_results, printed
 from labutopia_lerobot.evaluation.reporting.table import (
@@ -20,8 +25,11 @@ from labutopia_lerobot.evaluation.reporting.table import (
     as_csv,
     as_latex,
     as_markdown,
+    text,
 )
 from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.statistics import summarise
+from labutopia_lerobot.evaluation.table import summary_table
 from labutopia_lerobot.evaluation.uncertainty.median import Median
 from labutopia_lerobot.evaluation.uncertainty.proportion import wilson
 
@@ -152,6 +160,31 @@ def test_every_table_can_be_written_in_every_format(results: list[FoundResult]) 
     found = entries(results)
     for table in (*level_tables(found), failure_table(found), precision_table(found)):
         assert all(FORMATS[name](table) for name in FORMATS)
+
+
+def test_in_a_terminal_of_80_columns_nothing_is_cut_off(results: list[FoundResult]) -> None:
+    lines = io.StringIO()
+    console = Console(file=lines, width=80)
+    for table in level_tables(entries(results)):
+        console.print(FORMATS["text"](table))
+    shown = lines.getvalue()
+    assert "…" not in shown
+    assert "level4/clean_beaker, act" in shown
+    entry = next(e for e in entries(results) if e.level == 4)
+    for rate in step_rates(entry):
+        assert all(word in shown for word in text(rate).split())
+
+
+def test_a_task_without_liquid_counts_in_the_mean_of_a_level_played_without_it() -> None:
+    filled = written("level4/clean_beaker", "expert", 1.0, n=4)
+    filled = written("level4/clean_beaker", "expert", 1.0, n=4)
+    emptied = [replace(row, liquid="off") for row in filled]
+    dry = replace(filled[0], task="level4/drying_beakers", liquid=None)
+    rows = [*emptied, dry, replace(dry, seed=1, success=False)]
+    lines = io.StringIO()
+    Console(file=lines, width=100).print(summary_table(summarise(rows), level_means=True))
+    means = [line.split() for line in lines.getvalue().splitlines() if "level4, mean" in line]
+    assert [line[:6] for line in means] == [["expert,", "liquid=off", "level4,", "mean", "75", "%"]]
 
 
 def test_every_failure_is_counted_once(results: list[FoundResult]) -> None:

@@ -4,10 +4,13 @@ import csv
 import io
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from itertools import takewhile
+from itertools import groupby, takewhile
+from typing import Any
 
 from rich import box
+from rich.console import Group, RenderableType
 from rich.table import Table as RichTable
+from rich.text import Text
 
 from labutopia_lerobot.evaluation.reporting.paper import Printed
 from labutopia_lerobot.evaluation.uncertainty.median import Median
@@ -15,6 +18,17 @@ from labutopia_lerobot.evaluation.uncertainty.proportion import Interval
 
 _ABREAST = 6
 """Columns up to which a rate stands in one line of a terminal."""
+
+_STACKED = 8
+"""Columns up to which its parts stand below each other; a wider table has lines for columns."""
+
+_LOOK: dict[str, Any] = {
+    "title_justify": "left",
+    "title_style": "bold",
+    "caption_justify": "left",
+    "box": box.SIMPLE_HEAD,
+    "padding": (0, 1, 0, 0),
+}
 
 
 @dataclass(frozen=True)
@@ -93,23 +107,15 @@ def text(cell: Cell) -> str:
             return str(cell)
 
 
-def as_text(table: Table) -> RichTable:
-    """Return a table for the terminal."""
-    shown = RichTable(
-        title=table.title,
-        title_justify="left",
-        title_style="bold",
-        caption=table.note,
-        caption_justify="left",
-        box=box.SIMPLE_HEAD,
-        padding=(0, 1, 0, 0),
-    )
-    words = [
-        all(isinstance(line[i], str | None) for line in table.lines) for i in range(len(table.head))
-    ]
-    for name, is_words in zip(table.head, words, strict=True):
-        shown.add_column(name, justify="left" if is_words else "right")
+def as_text(table: Table) -> RenderableType:
+    """Return a table for the terminal, one too wide as several with a line per column."""
+    if len(table.head) > _STACKED:
+        return _turned(table)
     stacked = len(table.head) > _ABREAST
+    shown = RichTable(title=table.title, caption=table.note, **_LOOK)
+    for name, column in zip(table.head, zip(*table.lines, strict=True), strict=True):
+        is_words = all(isinstance(cell, str | None) for cell in column)
+        shown.add_column(name, justify="left" if is_words else "right", overflow="fold")
     for line, repeated in zip(table.lines, table.repeated, strict=True):
         cells = (
             text(cell).replace(" ", "\n", 2) if stacked and isinstance(cell, Rate) else text(cell)
@@ -117,6 +123,26 @@ def as_text(table: Table) -> RichTable:
         )
         shown.add_row(*[""] * repeated, *cells)
     return shown
+
+
+def _turned(table: Table) -> RenderableType:
+    """Return a table per heading, its lines as columns; the last of their words names them."""
+    words = sum(
+        all(isinstance(cell, str) for cell in column) for column in zip(*table.lines, strict=True)
+    )
+    parts = []
+    for heading, lines in groupby(table.lines, key=lambda line: line[: max(words - 1, 1)]):
+        columns = list(lines)
+        part = RichTable(title=", ".join(map(text, heading)), **_LOOK)
+        part.add_column()
+        for line in columns:
+            part.add_column(text(line[words - 1]), justify="right", overflow="fold")
+        for i in range(words, len(table.head)):
+            cells = [line[i] for line in columns]
+            if any(cell is not None for cell in cells):
+                part.add_row(table.head[i], *map(text, cells))
+        parts.append(part)
+    return Group(Text(table.title, "bold"), *parts, Text(f"{table.note}\n", "dim italic"))
 
 
 def as_markdown(table: Table) -> str:
@@ -176,7 +202,7 @@ def as_latex(table: Table) -> str:
     )
 
 
-FORMATS: dict[str, Callable[[Table], str | RichTable]] = {
+FORMATS: dict[str, Callable[[Table], RenderableType]] = {
     "text": as_text,
     "markdown": as_markdown,
     "csv": as_csv,
