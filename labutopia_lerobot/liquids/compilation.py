@@ -4,11 +4,9 @@ import hashlib
 import logging
 import os
 from collections.abc import Callable
-from functools import cache
+from functools import cache, cached_property, update_wrapper
 from pathlib import Path
-from typing import cast
-
-from numba import njit
+from typing import Any, cast
 
 _SOURCES = Path(__file__).parent
 _DIGEST = _SOURCES / "__pycache__" / "kernels.sha256"
@@ -48,6 +46,32 @@ def tell_of_compiling() -> None:
         )
 
 
+class _Kernel:
+    """A function that is compiled when it is first called, here or by another kernel.
+
+    A program that only sends others to play declares kernels too: it need not load numba, which
+    takes a second and 100 MB.
+    """
+
+    def __init__(self, function: Callable[..., object]) -> None:
+        update_wrapper(self, function)
+        self._function = function
+
+    def __call__(self, *arguments: object) -> object:
+        return self._compiled(*arguments)
+
+    @cached_property
+    def _compiled(self) -> Any:
+        from numba import njit
+
+        return njit(cache=True, error_model="numpy")(self._function)
+
+    @property
+    def _numba_type_(self) -> object:
+        """What numba takes it for in other kernels."""
+        return self._compiled._numba_type_
+
+
 def kernel[Function: Callable[..., object]](function: Function) -> Function:
     """Compile a function at its first call, serially; later processes find it compiled.
 
@@ -55,4 +79,4 @@ def kernel[Function: Callable[..., object]](function: Function) -> Function:
     nothing gives infinity, as in NumPy. Floating point is not reordered (no `fastmath`): with it,
     the process that compiles a kernel computes other last bits than those that find it compiled.
     """
-    return cast(Function, njit(cache=True, error_model="numpy")(function))
+    return cast(Function, _Kernel(function))

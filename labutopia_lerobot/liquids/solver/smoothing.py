@@ -4,6 +4,8 @@ The cubic spline of Monaghan (1992, "Smoothed Particle Hydrodynamics", section 3
 ends at the distance 1, in three dimensions.
 """
 
+from inspect import unwrap
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -19,7 +21,8 @@ def weight(q: float) -> float:
         return 0.0
     if q < 0.5:
         return 8.0 / np.pi * (1.0 - 6.0 * q * q * (1.0 - q))
-    return 16.0 / np.pi * (1.0 - q) ** 3
+    rest = 1.0 - q
+    return 16.0 / np.pi * (rest * (rest * rest))  # not `** 3`, which rounds otherwise in Python
 
 
 @kernel
@@ -30,6 +33,10 @@ def slope(q: float) -> float:
     if q < 0.5:
         return -48.0 / np.pi * (2.0 - 3.0 * q)
     return -48.0 / np.pi * (1.0 - q) ** 2 / q
+
+
+_uncompiled_weight = unwrap(weight)
+"""The same to the last bit: a few thousand values are not worth loading numba."""
 
 
 def _integrate(values: NDArray[np.float64], step: float) -> NDArray[np.float64]:
@@ -45,7 +52,7 @@ def _wall_tables() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     W(r) r over r from z to h; what is behind the wall is the integral of that from s to h.
     """
     fine = np.linspace(0.0, 1.0, 16 * _WALL_ENTRIES + 1)
-    sheet = 2 * np.pi * _integrate(np.array([weight(q) * q for q in fine]), fine[1])
+    sheet = 2 * np.pi * _integrate(np.array([_uncompiled_weight(q) * q for q in fine]), fine[1])
     behind = _integrate(sheet, fine[1])
     return behind[::16].copy(), sheet[::16].copy()
 
@@ -54,7 +61,9 @@ BEHIND_WALL, AT_WALL = _wall_tables()
 """Share of the kernel behind a wall at the distance q = i / 128, and minus its derivative by q."""
 
 _RADII = np.linspace(0.0, 1.0, 2001)
-SECOND_MOMENT = float(np.trapezoid([4 * np.pi / 3 * q**4 * weight(q) for q in _RADII], _RADII))
+SECOND_MOMENT = float(
+    np.trapezoid([4 * np.pi / 3 * q**4 * _uncompiled_weight(q) for q in _RADII], _RADII)
+)
 """Integral of x^2 W over space, divided by h^2."""
 
 
