@@ -24,8 +24,7 @@ def score(entry: Entry, sketch: Sketch) -> float:
     ]
     value = where.edge * _edge(entry, sketch)
     if others:
-        gaps = [_gap(entry.room.outline, other.room.outline) for other in others]
-        nearest = min(gaps)
+        nearest = _nearest(entry.room.outline, joined(*(other.room.outline for other in others)))
         value += min(nearest, where.apart) / where.apart if where.apart else 1 / (1 + nearest)
         value += _alignment(entry, others)
     if entry.need.near is not None:
@@ -51,10 +50,11 @@ def _carrier(entry: Entry, sketch: Sketch) -> FloatArray:
     return np.column_stack([hull.low[0, :2], hull.high[0, :2]])
 
 
-def _gap(one: Boxes, other: Boxes) -> float:
-    """Return how far two boxes are from each other on the floor [m]."""
-    away = np.maximum(one.low[0, :2] - other.high[0, :2], other.low[0, :2] - one.high[0, :2])
-    return float(np.maximum(away, 0.0).sum())
+def _nearest(one: Boxes, others: Boxes) -> float:
+    """Return how far a box is from the nearest of others on the floor [m]."""
+    away = np.maximum(one.low - others.high, others.low - one.high)
+    apart = np.maximum(away, 0.0)
+    return float((apart[:, 0] + apart[:, 1]).min())
 
 
 def _alignment(entry: Entry, others: list[Entry]) -> float:

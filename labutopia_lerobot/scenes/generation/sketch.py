@@ -12,7 +12,7 @@ from labutopia_lerobot.scenes.generation.family import Need
 from labutopia_lerobot.scenes.generation.footprint import Footprint, Region
 from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Heading, Placed, WorkPlace
-from labutopia_lerobot.scenes.space.boxes import TOUCHING, joined
+from labutopia_lerobot.scenes.space.boxes import TOUCHING, Boxes, joined
 from labutopia_lerobot.scenes.space.claims import claims_of_openings, masonry
 from labutopia_lerobot.scenes.space.extent import extent
 from labutopia_lerobot.scenes.space.reach import Reach
@@ -84,19 +84,23 @@ class Sketch:
         which = np.searchsorted(ends, numbers, side="right") - 1
         spots = np.empty((len(numbers), 3))
         inside = np.zeros(len(numbers), bool)
+        at_openings = np.zeros(len(numbers), bool)
         close = np.zeros((len(numbers), len(self.entries)), bool)
+        hulls = joined(*(entry.room.hull for entry in self.entries))
         for index in np.unique(which):
             patch, those = patches[index], which == index
             spots[those] = patch.offsets(numbers[those] - ends[index])
             room = berth(need, patch.heading)
             inside[those] = self._inside(room, spots[those], region)
-            close[those] = self._close(room, spots[those])
+            at_openings[those] = _close(room.outline, spots[those], self._openings).any(axis=1)
+            close[those] = _close(room.hull, spots[those], hulls)
         inside &= self._near(need, region, spots)
         for number in np.flatnonzero(inside):
             patch = patches[which[number]]
             room = berth(need, patch.heading).moved(spots[number])
             others = (self.entries[other].room for other in np.flatnonzero(close[number]))
-            if not room.solids.meet(self._openings) and not any(map(room.conflicts, others)):
+            closed = at_openings[number] and room.solids.meet(self._openings)
+            if not closed and not any(map(room.conflicts, others)):
                 x, y, height = spots[number].tolist()
                 yield self._entry(need, region, room, x, y, height, patch.heading, patch.on)
 
@@ -123,17 +127,6 @@ class Sketch:
         high = np.array([region.x[1], region.y[1], self.footprint.size[2]]) + TOUCHING
         inside: NDArray[np.bool_] = (spots + taken.low >= low) & (spots + taken.high <= high)
         return np.asarray(inside.all(axis=1))
-
-    def _close(self, room: Berth, spots: FloatArray) -> NDArray[np.bool_]:
-        """Tell at which spots the hulls of pieces meet, shape (n, number of entries)."""
-        if not self.entries:
-            return np.zeros((len(spots), 0), bool)
-        own = room.hull
-        others = joined(*(entry.room.hull for entry in self.entries))
-        low, high = spots + own.low, spots + own.high
-        meeting = low[:, None] + TOUCHING < others.high
-        meeting &= others.low + TOUCHING < high[:, None]
-        return np.asarray(meeting.all(axis=2))
 
     def _near(self, need: Need, region: Region, spots: FloatArray) -> NDArray[np.bool_]:
         """Tell which spots are near one of what is needed beside it, shape (n,)."""
@@ -181,3 +174,11 @@ def _gets_to(reach: Reach, entry: Entry) -> bool:
         and (entry.place is None or reach.gets_to(entry.place))
         and all(reach.side_of(entry.piece, top) for top in sides)
     )
+
+
+def _close(hull: Boxes, spots: FloatArray, others: Boxes) -> NDArray[np.bool_]:
+    """Tell at which spots a box meets which others, shape (n, number of others)."""
+    low, high = spots + hull.low, spots + hull.high
+    meeting = low[:, None] + TOUCHING < others.high
+    meeting &= others.low + TOUCHING < high[:, None]
+    return meeting[..., 0] & meeting[..., 1] & meeting[..., 2]

@@ -48,9 +48,11 @@ class Boxes(NamedTuple):
 
     def meet(self, other: "Boxes") -> bool:
         """Tell whether any of them is in any of others by more than they may touch."""
-        inside = self.low[:, None] + TOUCHING < other.high[None]
-        inside &= other.low[None] + TOUCHING < self.high[:, None]
-        return bool(inside.all(axis=2).any())
+        if not (len(self.low) and len(other.low)):
+            return False
+        inside = self.low[:, None] + TOUCHING < other.high
+        inside &= other.low + TOUCHING < self.high[:, None]
+        return bool((inside[..., 0] & inside[..., 1] & inside[..., 2]).any())
 
     def without_inner(self) -> "Boxes":
         """Return them without those that lie in another one."""

@@ -1,6 +1,7 @@
 """Who gets where: a robot drives in by the entrance and reaches for the fronts of things."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy import ndimage
@@ -19,6 +20,9 @@ BENCH_SIDE = 0.5
 """How near to a bench its robot gets [m]: somebody who stands at it."""
 _STAND = 0.3
 """How near to a work place a robot gets [m]: behind it, as its own disc is wider than the gap."""
+
+_SLACK = 0.01
+"""By how much more is looked at, so that nothing is left out by rounding [m]."""
 
 _COSINES = {0: 1.0, 90: 0.0, 180: -1.0, 270: 0.0}
 
@@ -67,9 +71,28 @@ class Reach:
     def _from(
         self, piece: Placed, edge: float, along: tuple[float, float], *, behind: bool
     ) -> tuple[FloatArray, FloatArray]:
-        """Return how far before an edge across a piece it gets, and how far beside its ends [m]."""
+        """Return how far before an edge across a piece it gets, and how far beside its ends [m].
+
+        Of the cells that are near enough to matter: a room has thousands.
+        """
         c, s = -_COSINES[piece.heading], -_COSINES[(piece.heading + 270) % 360]
-        away = self.middles - (piece.x, piece.y)
-        x, y = c * away[:, 0] + s * away[:, 1], c * away[:, 1] - s * away[:, 0]
+        x, y = self._around(piece, max(map(abs, (edge, *along))) + REACH)
+        x, y = c * x + s * y, c * y - s * x
         beside = np.maximum(np.maximum(along[0] - y, y - along[1]), 0.0)
         return (x - edge) if behind else (edge - x), beside
+
+    def _around(self, piece: Placed, near: float) -> tuple[FloatArray, FloatArray]:
+        """Return where it gets from the middle of a piece, up to a distance along x and y [m]."""
+        x = self._x - piece.x
+        beside = np.flatnonzero(np.abs(x) <= near + _SLACK)
+        y = self._y[beside] - piece.y
+        around = np.abs(y) <= near + _SLACK
+        return x[beside][around], y[around]
+
+    @cached_property
+    def _x(self) -> FloatArray:
+        return np.ascontiguousarray(self.middles[:, 0])
+
+    @cached_property
+    def _y(self) -> FloatArray:
+        return np.ascontiguousarray(self.middles[:, 1])
