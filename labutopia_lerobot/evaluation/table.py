@@ -16,8 +16,12 @@ from labutopia_lerobot.task import HOLD_S
 _CAPTION = (
     f"Success: the goal held for {HOLD_S:g} s without a break, after every sub-step and before any "
     "breach. 95 %: {interval}. Ever: the goal held at any instant. Time: mean simulated time "
-    "of the successes. Sub-steps: reached in their order, share of all episodes."
+    "of the successes. Sub-steps, or the steps of a long task: reached in their order, share of "
+    "all episodes."
 )
+_SUBSTEPS = 8
+"""Sub-steps that are shown one by one; a task with more of them is told by its steps."""
+
 _STATE_MARK = ", state"
 _EMPTY_MARK = ", liquid=off"
 _STATE_CAPTION = " State: the policy is told the poses of all things and sees no pictures."
@@ -56,10 +60,10 @@ def summary_table(
     )
     for name, shown in zip(("Policy", "Split", "Played", "Task"), (*varying, True), strict=True):
         if shown:
-            table.add_column(name, no_wrap=True)
+            table.add_column(name, no_wrap=name != "Policy", overflow="fold")
     for name in ("Success", "95 %", "Ever", "Time"):
         table.add_column(name, justify="right", no_wrap=True)
-    table.add_column("Sub-steps")
+    table.add_column("Sub-steps", overflow="fold")
 
     def heading(summary: Summary) -> list[str]:
         return [word for word, shown in zip(_part(summary), varying, strict=True) if shown]
@@ -104,13 +108,15 @@ def _policy(summary: Summary) -> str:
 def _cells(summary: Summary, anytime: bool) -> list[str]:
     low, high = (anytime and summary.anytime95) or summary.wilson95
     seconds = summary.mean_seconds_to_success
+    is_long = len(summary.substep_rates) > _SUBSTEPS and summary.step_rates
+    reached = (summary.step_rates if is_long else summary.substep_rates).items()
     return [
         summary.task if summary.step is None else f"{summary.task} {summary.step}",
         f"{summary.successes}/{summary.n}",
         f"{100 * low:.0f} to {_percent(high)}",
         _percent(summary.ever_rate),
         "-" if seconds is None else f"{seconds:.1f} s",
-        ", ".join(f"{name} {_percent(rate)}" for name, rate in summary.substep_rates.items()),
+        ", ".join(f"{name} {_percent(rate)}" for name, rate in reached),
     ]
 
 
