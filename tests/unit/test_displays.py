@@ -55,6 +55,23 @@ def test_a_balance_shows_the_mass_on_its_pan(kind, grams, digits):
     assert float(number) == pytest.approx(grams, rel=3e-4)  # what the contact solver leaves
 
 
+@pytest.mark.parametrize(
+    ("kind", "part", "shut", "moved"),
+    [
+        ("refrigerator", "upper", "+4.0 \u00b0C", "DOOR OPEN"),
+        ("ultra_low_freezer", "lid", "-80.0 \u00b0C", "LID OPEN"),
+        ("gas_chromatograph", "door", "50.0 \u00b0C", "OVEN OPEN"),
+        ("laminar_flow_bench", "fan", "0.00 m/s", "0.45 m/s"),
+    ],
+)
+def test_a_display_tells_what_was_opened_or_switched_on(kind, part, shut, moved):
+    model, data, display = beside_a_weight(kind, 0.0)
+    assert display.reading.text(model, data) == shut
+    mechanism = getattr(instrument(kind), part)
+    data.joint(mechanism.joint).qpos[0] = mechanism.widest
+    assert display.reading.text(model, data) == moved
+
+
 def test_an_empty_pan_weighs_nothing_and_too_much_is_an_error():
     for grams, text in ((0.0, "0.0000 g"), (300.0, "Err")):
         model, data, display = beside_a_weight("analytical_balance", grams)

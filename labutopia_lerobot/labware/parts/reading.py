@@ -1,4 +1,4 @@
-"""What displays show: a constant, a mass on a pan, what a knob is set to, the time."""
+"""What displays show: a constant, a state, a mass on a pan, what a knob is set to, the time."""
 
 import math
 from dataclasses import dataclass
@@ -20,6 +20,27 @@ class Constant:
     def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
         """Return the text."""
         return self.says
+
+
+@dataclass(frozen=True)
+class Either:
+    """One text or another: by whether a door is open, or a switch on.
+
+    Attributes:
+        joint: Name of its joint.
+        beyond: Position up to which it counts as shut, or off [rad or m].
+        then: The text beyond that.
+        otherwise: The text up to that.
+    """
+
+    joint: str
+    beyond: float
+    then: str
+    otherwise: str
+
+    def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
+        """Return the text for where it is."""
+        return self.then if float(data.joint(self.joint).qpos[0]) > self.beyond else self.otherwise
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Constant
+from labutopia_lerobot.labware.parts.reading import Either
 from labutopia_lerobot.labware.parts.valve import HandWheel
 
 
@@ -66,7 +66,8 @@ class GasChromatograph(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        return (Display(f"{self.name}_display", (0.120, 0.046), Constant("50.0 \u00b0C")),)
+        shown = Either(self.door.joint, math.radians(2.0), "OVEN OPEN", "50.0 \u00b0C")
+        return (Display(f"{self.name}_display", (0.120, 0.046), shown),)
 
     def _forms(self) -> list[Form]:
         x, y, split = 0.270, 0.300, 0.120

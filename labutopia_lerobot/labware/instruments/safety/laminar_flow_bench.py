@@ -11,7 +11,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Constant
+from labutopia_lerobot.labware.parts.reading import Either
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.slide import Sash
 
@@ -59,7 +59,8 @@ class LaminarFlowBench(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        return (Display(f"{self.name}_display", (0.120, 0.040), Constant("0.45 m/s")),)
+        shown = Either(self.fan.joint, self.fan.widest / 2, "0.45 m/s", "0.00 m/s")
+        return (Display(f"{self.name}_display", (0.120, 0.040), shown),)
 
     def _forms(self) -> list[Form]:
         x, y = _DEPTH / 2, _WIDTH / 2

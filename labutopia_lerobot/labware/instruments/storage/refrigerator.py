@@ -17,7 +17,7 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Constant
+from labutopia_lerobot.labware.parts.reading import Either
 from labutopia_lerobot.labware.parts.shelf import Shelf
 
 _DEPTH, _WIDTH, _HEIGHT = 0.650, 0.600, 1.900
@@ -74,7 +74,7 @@ class Refrigerator(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Constant("+4.0 \u00b0C")
+        shown = Either(self.upper.joint, math.radians(2.0), "DOOR OPEN", "+4.0 \u00b0C")
         return (Display(f"{self.name}_display", (0.110, 0.040), shown),)
 
     def _forms(self) -> list[Form]:
