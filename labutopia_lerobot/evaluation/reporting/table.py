@@ -113,8 +113,8 @@ def as_text(table: Table) -> RenderableType:
         return _turned(table)
     stacked = len(table.head) > _ABREAST
     shown = RichTable(title=table.title, caption=table.note, **_LOOK)
-    for name, column in zip(table.head, zip(*table.lines, strict=True), strict=True):
-        is_words = all(isinstance(cell, str | None) for cell in column)
+    for i, name in enumerate(table.head):
+        is_words = all(isinstance(line[i], str | None) for line in table.lines)
         shown.add_column(name, justify="left" if is_words else "right", overflow="fold")
     for line, repeated in zip(table.lines, table.repeated, strict=True):
         cells = (
