@@ -1,11 +1,12 @@
 """Where things are in a dataset of ours, beyond what every LeRobotDataset v3 has; reading tables.
 
 Reads the files directly, so that a look at a dataset costs neither torch nor a cache folder, and
-one file at a time, so that memory does not grow with the dataset.
+frames a row group at a time, an episode of ours, so that memory does not grow with the dataset.
 """
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import fields
 from itertools import groupby
 from pathlib import Path
@@ -73,9 +74,8 @@ def read_episodes(root: Path) -> list[Row]:
     Raises:
         DamagedDatasetError: If a file is missing or cannot be read.
     """
-    table = _read_tables(root, EPISODES)
-    plain = [name for name in table.column_names if not name.startswith("stats/")]
-    rows: list[Row] = table.select(plain).to_pylist()
+    table = _read_tables(root, EPISODES, lambda name: not name.startswith("stats/"))
+    rows: list[Row] = table.to_pylist()
     return rows
 
 
@@ -85,11 +85,11 @@ def read_episode_statistics(root: Path) -> dict[str, NDArray[np.float64]]:
     Raises:
         DamagedDatasetError: If a file is missing or cannot be read.
     """
-    table = _read_tables(root, EPISODES)
+    table = _read_tables(root, EPISODES, lambda name: name.startswith("stats/"))
     return {
         name.removeprefix("stats/"): _numbers(table[name])
         for name in table.column_names
-        if name.startswith("stats/") and not table[name].null_count
+        if not table[name].null_count
     }
 
 
@@ -105,7 +105,7 @@ def read_frames(root: Path) -> pa.Table:
 def frames_of_episodes(
     root: Path, info: Mapping[str, Any], episodes: list[Row]
 ) -> Iterator[tuple[Row, pa.Table]]:
-    """Yield episodes with the table of their frames, one file in memory at a time.
+    """Yield episodes with the table of their frames, one row group in memory at a time.
 
     Args:
         root: Folder of the dataset.
@@ -119,16 +119,18 @@ def frames_of_episodes(
         episodes, lambda row: (row["data/chunk_index"], row["data/file_index"])
     ):
         path = root / info["data_path"].format(chunk_index=chunk, file_index=file)
-        table = _read_table(path)
-        before = table["index"][0].as_py() if table.num_rows else 0
-        for row in rows:
-            frames = table.slice(max(row["dataset_from_index"] - before, 0), row["length"])
-            if frames.num_rows < row["length"]:
-                raise DamagedDatasetError(
-                    f"{path} has {frames.num_rows} frames of episode {row['episode_index']}, not "
-                    f"{row['length']}"
-                )
-            yield row, frames
+        with _reading(path), pq.ParquetFile(path) as table:
+            groups = _RowGroups(table)
+            first = groups.rows(0, 1)
+            before = first["index"][0].as_py() if first.num_rows else 0
+            for row in rows:
+                frames = groups.rows(max(row["dataset_from_index"] - before, 0), row["length"])
+                if frames.num_rows < row["length"]:
+                    raise DamagedDatasetError(
+                        f"{path} has {frames.num_rows} frames of episode {row['episode_index']}, "
+                        f"not {row['length']}"
+                    )
+                yield row, frames
 
 
 def column(table: pa.Table, key: str) -> NDArray[Any]:
@@ -164,19 +166,56 @@ def _numbers(values: pa.ChunkedArray) -> NDArray[Any]:
     return np.asarray(flat.to_numpy(zero_copy_only=False)).reshape(len(values), -1)
 
 
-def _read_tables(root: Path, folder: str) -> pa.Table:
+class _RowGroups:
+    """The rows of a file, of which only the row groups last asked for are in memory.
+
+    Args:
+        table: The file.
+    """
+
+    def __init__(self, table: pq.ParquetFile) -> None:
+        self._table = table
+        counts = [table.metadata.row_group(n).num_rows for n in range(table.num_row_groups)]
+        self._starts = np.cumsum([0, *counts])
+        self._groups: list[int] | None = None
+        self._held: pa.Table
+
+    def rows(self, first: int, count: int) -> pa.Table:
+        """Return rows; fewer where the file ends."""
+        last = min(first + count, self._starts[-1])
+        groups = np.flatnonzero((self._starts[:-1] < last) & (self._starts[1:] > first)).tolist()
+        if groups != self._groups:
+            self._held = self._table.read_row_groups(groups)
+            self._groups = groups
+        return self._held.slice(first - self._starts[groups[0]] if groups else 0, count)
+
+
+def _read_tables(
+    root: Path, folder: str, wanted: Callable[[str], bool] = lambda column: True
+) -> pa.Table:
+    """Return the tables of a folder as one, those columns of them whose names are wanted."""
     paths = sorted((root / folder).glob("chunk-*/file-*.parquet"))
     if not paths:
         raise DamagedDatasetError(f"{root / folder} holds no chunk-*/file-*.parquet")
-    tables = [_read_table(path) for path in paths]
+    tables = []
+    for path in paths:
+        with _reading(path), pq.ParquetFile(path) as table:
+            names = table.schema_arrow.names
+            tables.append(table.read([name for name in names if wanted(name)]))
     try:
         return pa.concat_tables(tables, promote_options="permissive")
     except pa.ArrowException as error:
         raise DamagedDatasetError(f"{root / folder}: files that do not fit: {error}") from None
 
 
-def _read_table(path: Path) -> pa.Table:
+@contextmanager
+def _reading(path: Path) -> Iterator[None]:
+    """Name the file that cannot be read.
+
+    Raises:
+        DamagedDatasetError: If it cannot be read.
+    """
     try:
-        return pq.read_table(path, partitioning=None)
+        yield
     except (OSError, pa.ArrowException) as error:
         raise DamagedDatasetError(f"{path} cannot be read: {error}") from None
