@@ -1,7 +1,8 @@
 """`python scripts/measure_sizes.py`: how large what is handled is in the pictures.
 
-Prints a table in Markdown: for every task the median height, over its starts, of each thing that
-its steps touch, in pixels of every camera; bold where it is below 24 in more than one of three.
+Prints a table in Markdown: for every task the median height of each thing that its steps touch,
+over the frames of those steps as the expert plays them, in pixels of every camera; bold where it is
+below 24 in more than one of three. A handle counts with the drawer or the door that it moves too.
 """
 
 import argparse
@@ -16,6 +17,7 @@ from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.setting import CAMERAS, Setting
+from labutopia_lerobot.task import Step, Task
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
 SIDE = 256
@@ -24,8 +26,11 @@ SIDE = 256
 LEAST = 24
 """Height from which a thing can be learned from [pixels]: three patches of 8, ours."""
 
+EVERY = 5
+"""One of so many frames is looked at."""
+
 FIRST_SEED = 300000
-"""Of the starts."""
+"""Of the episodes."""
 
 
 @clear_errors
@@ -33,7 +38,7 @@ def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("tasks", nargs="*", help="default: all")
-    parser.add_argument("--starts", type=int, default=20, help="of every task (default: 20)")
+    parser.add_argument("--episodes", type=int, default=5, help="of every task (default: 5)")
     arguments = parser.parse_args()
     lines = [
         f"| task | thing | {' | '.join(CAMERAS)} |",
@@ -41,30 +46,47 @@ def main() -> None:
     ]
     sys.stdout.write("\n".join(lines) + "\n")
     for task in arguments.tasks or task_files():
-        for row in rows(task, arguments.starts):
+        for row in rows(task, arguments.episodes):
             sys.stdout.write(f"{row}\n")
             sys.stdout.flush()
 
 
-def rows(task: str, starts: int) -> Iterator[str]:
+def rows(task: str, episodes: int) -> Iterator[str]:
     """Yield a row of the table for each thing that the task's steps touch."""
     env = LabEnv(Setting(task, obs="state", liquid="off"))
     heights: dict[str, list[list[float]]] = {}
-    for seed in range(FIRST_SEED, FIRST_SEED + starts):
+    for seed in range(FIRST_SEED, FIRST_SEED + episodes):
         env.reset(seed=seed)
         cell = env.workcell
         model, data = cell.simulation.scene.model, cell.simulation.data
-        touched = (thing.name for step in cell.steps for thing in step.touches)
-        names = [name for name in dict.fromkeys(touched) if has_body(model, name)]
-        for name in names or [piece.name for piece in cell.task.start if piece.movable]:
-            points = seen_points(model, data, name)
-            heights.setdefault(name, []).append([height(data, model, c, points) for c in CAMERAS])
+        expert = env.expert()
+        expert.start()
+        over, frame = False, 0
+        while not over:
+            if frame % EVERY == 0:
+                for name in handled(model, cell.progress.step or cell.steps[-1], cell.task):
+                    points = seen_points(model, data, name)
+                    pixels = [height(data, model, camera, points) for camera in CAMERAS]
+                    heights.setdefault(name, []).append(pixels)
+            _, _, terminated, truncated, _ = env.step(expert.act())
+            over, frame = terminated or truncated, frame + 1
     env.close()
     for name, found in heights.items():
         medians = np.median(found, axis=0)
         small = (medians < LEAST).sum() > 1
         cells = (f"**{pixels:.0f}**" if small else f"{pixels:.0f}" for pixels in medians)
         yield f"| `{task}` | {name} | {' | '.join(cells)} |"
+
+
+def handled(model: mujoco.MjModel, step: Step, task: Task) -> list[str]:
+    """Return what a step touches, and what it moves by that; else what it may move."""
+    touched = [thing.name for thing in step.touches if has_body(model, thing.name)]
+    moved = [
+        model.body(model.body(name).parentid[0]).name
+        for name in touched
+        if not model.body(name).jntnum[0] and model.body(name).parentid[0]
+    ]
+    return [*touched, *moved] or [piece.name for piece in task.start if piece.movable]
 
 
 def has_body(model: mujoco.MjModel, name: str) -> bool:

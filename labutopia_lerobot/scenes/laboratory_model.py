@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.scenes.building.surfaces_model import add_floor_material
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.textures import PATTERNS, SIZE, texture
 from labutopia_lerobot.scenes.views import CameraPose, View
@@ -51,17 +52,6 @@ def laboratory(
 
 
 def _materials(spec: mujoco.MjSpec) -> None:
-    spec.add_texture(
-        name="floor",
-        type=mujoco.mjtTexture.mjTEXTURE_2D,
-        builtin=mujoco.mjtBuiltin.mjBUILTIN_CHECKER,
-        rgb1=[0.72, 0.74, 0.75],
-        rgb2=[0.66, 0.68, 0.70],
-        width=128,
-        height=128,
-    )
-    floor = spec.add_material(name="floor", texrepeat=[8, 8], specular=0.1, shininess=0.1)
-    floor.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = "floor"
     for name, rgba in (("wall", _WHITE), ("cabinet", _GREY), ("steel", _STEEL)):
         spec.add_material(name=name, rgba=rgba, specular=0.1, shininess=0.1)
     spec.add_material(  # plain: a texture on so large a face costs a tenth of the picture
@@ -79,6 +69,7 @@ def _materials(spec: mujoco.MjSpec) -> None:
 
 
 def _walls(spec: mujoco.MjSpec) -> None:
+    add_floor_material(spec, "grey vinyl")
     room = spec.worldbody.add_body(name=ROOM)
     room.add_geom(
         name="floor",

@@ -75,6 +75,12 @@ DRAWER_VIEW = View(
 )
 """As `DOOR_VIEW`, but nearer in front: the other has room for a door that swings open."""
 
+FURNACE_VIEW = View(
+    front=CameraPose((-0.7, 1.4, 1.4), (0.577, -0.787, -0.292), _UP, 47.0),
+    top=DOOR_VIEW.top,
+)
+"""As `DOOR_VIEW`, but nearer in front and lower, for the vessels and plates before a furnace."""
+
 OVEN_VIEW = View(
     front=CameraPose((-0.7, -1.3, 1.7), (0.548, 0.72, -0.38), _UP, 41.0),
     top=CameraPose((-1.0, -0.1, 3.6), (0.423, 0.0, -0.906), _FORWARD, 29.3),
@@ -83,8 +89,9 @@ OVEN_VIEW = View(
 the beakers before the oven; and from above and behind, as `DOOR_VIEW`."""
 
 PRESS_VIEW = View(
-    front=CameraPose((-0.1, 1.8, 1.5), (0.2, -0.95, -0.2), _UP, 22.0),
+    front=CameraPose((-0.1, 1.8, 1.5), (0.233, -0.943, -0.2), _UP, 13.5),
     top=CameraPose((0.15, -0.08, 3.012), (0.0, 0.0, -1.0), _FORWARD, 23.7),
 )
-"""Over the robot's left shoulder, where the buttons and the finger are in view, and overhead. The
-original looks from the far right of the robot, through what is a wall here, along the panel."""
+"""Over the robot's left shoulder, where the buttons and the finger that presses are in view, so
+near that a button fills 24 of 256 pixels, and overhead. The original looks from the far right of
+the robot, through what is a wall here, along the panel."""

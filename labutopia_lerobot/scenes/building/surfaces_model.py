@@ -35,13 +35,7 @@ _SKIRTING = (0.070, 0.004)
 
 def add_surface_materials(spec: mujoco.MjSpec, plan: Plan) -> None:
     """Add the materials `floor`, `wall`, `ceiling`, `skirting`, `cap` and `sky`, or change them."""
-    kind = plan.floor.rpartition(" ")[2]
-    repeats = 2.0 / FLOOR_REPEATS[kind]  # of a plane MuJoCo counts them by its half sizes
-    drawn = spec.add_texture(name="flooring", type=_TEXTURE, width=SIZE, height=SIZE, nchannel=3)
-    drawn.data = floor_texture(kind).tobytes()
-    floor = _material(spec, "floor", FLOOR_FINISHES[plan.floor])
-    floor.texuniform, floor.texrepeat = True, [repeats, repeats]
-    floor.textures[_RGB] = "flooring"
+    add_floor_material(spec, plan.floor)
     _material(spec, "wall", WALL_FINISHES[plan.wall])
     picture = ceiling_texture(plan.size[0], plan.size[1])
     high, wide, _ = picture.shape
@@ -53,6 +47,17 @@ def add_surface_materials(spec: mujoco.MjSpec, plan: Plan) -> None:
     for name, finish in LOOKS.items():
         _material(spec, name, finish)
     spec.material("sky").emission = 0.9
+
+
+def add_floor_material(spec: mujoco.MjSpec, floor: str) -> None:
+    """Add the material `floor`, one of `FLOOR_FINISHES`, or change it."""
+    kind = floor.rpartition(" ")[2]
+    repeats = 2.0 / FLOOR_REPEATS[kind]  # of a plane MuJoCo counts them by its half sizes
+    drawn = spec.add_texture(name="flooring", type=_TEXTURE, width=SIZE, height=SIZE, nchannel=3)
+    drawn.data = floor_texture(kind).tobytes()
+    material = _material(spec, "floor", FLOOR_FINISHES[floor])
+    material.texuniform, material.texrepeat = True, [repeats, repeats]
+    material.textures[_RGB] = "flooring"
 
 
 def _material(spec: mujoco.MjSpec, name: str, finish: Finish) -> mujoco.MjsMaterial:

@@ -16,7 +16,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop, OverBench
 from labutopia_lerobot.predicates import clear_of, faster, opened, struck
 from labutopia_lerobot.scenario import Draw
-from labutopia_lerobot.scenes.views import DOOR_VIEW
+from labutopia_lerobot.scenes.views import FURNACE_VIEW
 from labutopia_lerobot.skills import Go
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
@@ -99,5 +99,5 @@ def open_transport_pour(draw: Draw) -> Task:
             "blue_plate_struck": struck(blue, but_for=frozenset({flask.name})),
         },
         time_limit_s=4000 / 60,  # original: 4000 steps at 60 Hz
-        view=DOOR_VIEW,
+        view=FURNACE_VIEW,
     )
