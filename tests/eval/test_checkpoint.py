@@ -2,7 +2,9 @@ import json
 from pathlib import Path
 
 import pytest
+from torch.nn import Module
 
+from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint import CheckpointError, open_checkpoint
 from labutopia_lerobot.evaluation.learned import LearnedPolicy, UnusableWeightsError
 from labutopia_lerobot.evaluation.rollout import Pairing, play
@@ -80,6 +82,29 @@ def test_pickled_weights_are_refused(save_checkpoint: Saver) -> None:
     (folder / "model.safetensors").rename(folder / "pytorch_model.bin")
     with pytest.raises(CheckpointError, match=r"pytorch_model\.bin.*can run any code"):
         open_checkpoint(folder, "act", SETTING)
+
+
+def test_a_step_does_not_walk_through_the_network_to_say_that_nobody_trains(
+    save_checkpoint: Saver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    env = LabEnv(SETTING)
+    observation, _ = env.reset(seed=0)
+    policy = LearnedPolicy(save_checkpoint(), "cpu")
+    told: list[Module] = []
+    tell = Module.train
+
+    def train(module: Module, mode: bool = True) -> Module:
+        told.append(module)
+        return tell(module, mode)
+
+    monkeypatch.setattr(Module, "train", train)
+    policy.start(env, 0)
+    action = policy.act(observation)
+    assert not told
+    policy._policy.train()  # a policy that does this by itself is brought back by its next step
+    policy.start(env, 0)
+    assert (policy.act(observation) == action).all()
+    assert not any(module.training for module in policy._policy.modules())
 
 
 def test_weights_of_another_size_are_refused(save_checkpoint: Saver) -> None:
