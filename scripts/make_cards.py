@@ -39,15 +39,17 @@ def main() -> None:
     parser.add_argument("tasks", nargs="*", help="task ids (default: all)")
     parser.add_argument("--text", action="store_true", help="record nothing")
     arguments = parser.parse_args()
-    for task in [] if arguments.text else arguments.tasks or task_files():
-        keep_facts(task)
+    tasks = [] if arguments.text else arguments.tasks or list(task_files())
+    # All samples first: with the first card the checkout is no longer the commit that it names.
+    for sample in [sample_of(task) for task in tasks]:
+        keep_facts(sample)
     results = expert_results()
     for facts in sorted(CARDS.glob("*.json")):
         facts.with_suffix(".md").write_text(card(facts, results))
 
 
-def keep_facts(task: str) -> None:
-    """Record the sample of a task, and keep its facts and pictures."""
+def sample_of(task: str) -> Path:
+    """Record the sample of a task, if it is not there yet; return its folder."""
     options = [f"task={task}", f"episodes={EPISODES}", f"root={SAMPLES / task}"]
     (config,) = parse(options).datasets()
     console = Console(stderr=True, highlight=False, soft_wrap=True)
@@ -56,10 +58,15 @@ def keep_facts(task: str) -> None:
             record(config, bars)
     except FinishedError:
         console.print(f"{config.folder} is finished", markup=False)
-    facts = DatasetFacts.read(config.folder)
-    file = CARDS / f"{task.replace('/', '-')}.json"
+    return config.folder
+
+
+def keep_facts(sample: Path) -> None:
+    """Keep facts and pictures of a sample."""
+    facts = DatasetFacts.read(sample)
+    file = CARDS / f"{'-'.join(sample.relative_to(SAMPLES).parts)}.json"
     facts.save(file)
-    strip = picture_strip(config.folder, facts.info)
+    strip = picture_strip(sample, facts.info)
     assert strip is not None
     file.with_suffix(".jpg").write_bytes(strip)
 
