@@ -7,7 +7,7 @@ import pytest
 from labutopia_lerobot.labware.catalogue import instrument
 from labutopia_lerobot.labware.glass.catalogue import ware
 from labutopia_lerobot.labware.parts.display import Display
-from labutopia_lerobot.labware.parts.reading import Clock, Constant
+from labutopia_lerobot.labware.parts.reading import Clock
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
@@ -61,6 +61,10 @@ def test_a_balance_shows_the_mass_on_its_pan(kind, grams, digits):
         ("refrigerator", "upper", "+4.0 \u00b0C", "DOOR OPEN"),
         ("ultra_low_freezer", "lid", "-80.0 \u00b0C", "LID OPEN"),
         ("gas_chromatograph", "door", "50.0 \u00b0C", "OVEN OPEN"),
+        ("ph_meter", "electrode", "pH -.--", "pH 7.00"),
+        ("liquid_chromatograph", "purge", "1.00 ml/min", "PURGE"),
+        ("desiccator_cabinet", "door", "32 %RH", "DOOR OPEN"),
+        ("glove_box", "lock", "O2 0.4 ppm", "LOCK OPEN"),
         ("laminar_flow_bench", "fan", "0.00 m/s", "0.45 m/s"),
     ],
 )
@@ -95,7 +99,7 @@ def test_a_clock_counts_up_or_down():
 
 
 def test_a_text_too_long_for_its_display_is_written_smaller():
-    display = Display("display", (0.06, 0.02), Constant(""))
+    display = Display("display", (0.06, 0.02), Clock())
     short, long = (display.picture(text) for text in ("1 g", "1000.0000 rpm"))
     assert short.shape == long.shape == (48, 144, 3)
     assert (short != display.picture("")).any(axis=(0, 2)).sum() < 60

@@ -1,25 +1,10 @@
-"""What displays show: a constant, a state, a mass on a pan, what a knob is set to, the time."""
+"""What displays show: a state, a mass on a pan, what a knob is set to, the time."""
 
 import math
 from dataclasses import dataclass
 
 import mujoco
 import numpy as np
-
-
-@dataclass(frozen=True)
-class Constant:
-    """A text that does not change.
-
-    Attributes:
-        says: The text.
-    """
-
-    says: str
-
-    def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
-        """Return the text."""
-        return self.says
 
 
 @dataclass(frozen=True)

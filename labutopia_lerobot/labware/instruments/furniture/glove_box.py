@@ -1,5 +1,6 @@
 """A glove box on its frame."""
 
+import math
 from dataclasses import dataclass
 
 import mujoco
@@ -11,7 +12,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Constant
+from labutopia_lerobot.labware.parts.reading import Either
 from labutopia_lerobot.labware.parts.rotor import Rotor
 
 _FLOOR, _ROOF = 0.920, 1.820
@@ -57,7 +58,7 @@ class GloveBox(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Constant("O2 0.4 ppm")
+        shown = Either(self.lock.joint, math.radians(2.0), "LOCK OPEN", "O2 0.4 ppm")
         return (Display(f"{self.name}_display", (0.160, 0.050), shown),)
 
     def _forms(self) -> list[Form]:

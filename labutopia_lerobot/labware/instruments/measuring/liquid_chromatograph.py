@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.place import Place
-from labutopia_lerobot.labware.parts.reading import Constant
+from labutopia_lerobot.labware.parts.reading import Clock, Either
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -61,9 +61,11 @@ class LiquidChromatograph(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
+        """What the pump delivers, to the column or to waste, and how long the detector has run."""
+        flow = Either(self.purge.joint, math.radians(30.0), "PURGE", "1.00 ml/min")
         return (
-            Display(f"{self.name}_flow", (0.100, 0.034), Constant("1.00 ml/min")),
-            Display(f"{self.name}_wavelength", (0.100, 0.034), Constant("254 nm")),
+            Display(f"{self.name}_flow", (0.100, 0.034), flow),
+            Display(f"{self.name}_run_time", (0.100, 0.034), Clock()),
         )
 
     def _forms(self) -> list[Form]:
