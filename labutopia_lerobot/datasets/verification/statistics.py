@@ -53,61 +53,55 @@ def check_statistics(subject: Subject) -> Iterator[Finding]:
     missing = [key for key in numbers if f"{key}/mean" not in stored]
     if missing:
         yield Unchecked(f"{EPISODES} has no statistics of {', '.join(missing)} for every episode")
-    computed: dict[str, list[Statistics]] = {key: [] for key in numbers}
+    together = {key: _Together() for key in numbers}
     for number, (row, frames) in enumerate(
         frames_of_episodes(subject.root, subject.info, subject.episodes)
     ):
         for key in numbers:
-            computed[key].append(statistics_of(column(frames, key).astype(float)))
+            computed = statistics_of(column(frames, key).astype(float))
+            together[key].add(computed, row["length"])
             if key not in missing:
                 of_episode = {
                     name.rpartition("/")[2]: values[number]
                     for name, values in stored.items()
                     if name.rpartition("/")[0] == key
                 }
-                for wrong in wrong_statistics(of_episode, computed[key][-1], row["length"]):
+                for wrong in wrong_statistics(of_episode, computed, row["length"]):
                     where = f"{EPISODES}: episode {row['episode_index']}"
                     yield Fault(f"{where}: {wrong} of {key} is not that of its frames")
-    yield from _check_dataset(subject, computed, stored)
+    yield from _check_dataset(subject, together, stored)
 
 
 def _check_dataset(
     subject: Subject,
-    computed: Mapping[str, list[Statistics]],
+    computed: Mapping[str, "_Together"],
     stored: Mapping[str, NDArray[np.float64]],
 ) -> Iterator[Finding]:
-    lengths = np.array([row["length"] for row in subject.episodes], dtype=float)
-    longest = int(lengths.max())
+    lengths = [row["length"] for row in subject.episodes]
     told = read_json(subject.root, STATISTICS)
-    for key, episodes in computed.items():
-        for wrong in wrong_statistics(
-            _flat(told.get(key, {})), _together(episodes, lengths), longest
-        ):
+    for key, together in computed.items():
+        for wrong in wrong_statistics(_flat(told.get(key, {})), together.all, max(lengths)):
             yield Fault(f"{STATISTICS}: {wrong} of {key} is not that of the frames")
     for key in subject.cameras:
-        episodes = [
-            {name: stored[f"{key}/{name}"][number] for name in ("min", "max", "mean", "std")}
-            | _quantiles_of(stored, key, number)
-            for number in range(len(lengths))
-            if f"{key}/mean" in stored
-        ]
-        if not episodes:
+        if f"{key}/mean" not in stored:
             yield Unchecked(f"{EPISODES} has no colour statistics of {key} for every episode")
             continue
-        for wrong in wrong_statistics(
-            _flat(told.get(key, {})), _together(episodes, lengths), longest
-        ):
+        together = _Together()
+        for number, length in enumerate(lengths):
+            together.add(_stored_of(stored, key, number), length)
+        for wrong in wrong_statistics(_flat(told.get(key, {})), together.all, max(lengths)):
             yield Fault(f"{STATISTICS}: {wrong} of {key} is not that of its episodes")
 
 
-def _quantiles_of(stored: Mapping[str, NDArray[np.float64]], key: str, number: int) -> Statistics:
-    """Return the quantiles that are stored of an episode, each its own `low` and `high`."""
-    found = {f"q{round(100 * q):02d}" for q in QUANTILES}
-    return {
+def _stored_of(stored: Mapping[str, NDArray[np.float64]], key: str, number: int) -> Statistics:
+    """Return what is stored of an episode, each quantile its own `low` and `high`."""
+    plain = {name: stored[f"{key}/{name}"][number] for name in ("min", "max", "mean", "std")}
+    quantiles = {
         f"{side}_{name}": stored[f"{key}/{name}"][number]
-        for name in found
+        for name in (f"q{round(100 * q):02d}" for q in QUANTILES)
         for side in ("low", "high")
     }
+    return plain | quantiles
 
 
 def statistics_of(values: NDArray[np.float64]) -> Statistics:
@@ -130,19 +124,35 @@ def statistics_of(values: NDArray[np.float64]) -> Statistics:
     return statistics
 
 
-def _together(episodes: list[Statistics], lengths: NDArray[np.float64]) -> Statistics:
-    """Return the statistics of all frames from those of the episodes, as LeRobot does."""
-    share = (lengths / lengths.sum())[:, None]
-    stacked = {name: np.stack([episode[name] for episode in episodes]) for name in episodes[0]}
-    mean = (share * stacked["mean"]).sum(axis=0)
-    variance = (share * (stacked["std"] ** 2 + (stacked["mean"] - mean) ** 2)).sum(axis=0)
-    together = {name: (share * values).sum(axis=0) for name, values in stacked.items()}
-    return together | {
-        "min": stacked["min"].min(axis=0),
-        "max": stacked["max"].max(axis=0),
-        "mean": mean,
-        "std": np.sqrt(variance),
-    }
+class _Together:
+    """The statistics of all frames from those of the episodes, as LeRobot does, one after another.
+
+    Mean and variance by Chan, Golub and LeVeque (1983), "Algorithms for computing the sample
+    variance"; quantiles are the mean of the episodes', weighted by frames.
+    """
+
+    def __init__(self) -> None:
+        self._frames = 0
+        self._all: Statistics = {}
+
+    def add(self, episode: Statistics, frames: int) -> None:
+        """Add an episode of so many frames."""
+        before = self._all or episode
+        self._frames += frames
+        share = frames / self._frames
+        apart = share * (1 - share) * (episode["mean"] - before["mean"]) ** 2
+        within = before["std"] ** 2 + share * (episode["std"] ** 2 - before["std"] ** 2)
+        weighted = {name: before[name] + share * (episode[name] - before[name]) for name in episode}
+        self._all = weighted | {
+            "min": np.minimum(before["min"], episode["min"]),
+            "max": np.maximum(before["max"], episode["max"]),
+            "std": np.sqrt(within + apart),
+        }
+
+    @property
+    def all(self) -> Statistics:
+        """Of all episodes so far."""
+        return self._all
 
 
 def wrong_statistics(
