@@ -16,7 +16,7 @@ SEEDS = 5
 def test_the_expert_succeeds_in_95_of_100_episodes_over_20_rooms(task):
     outcomes = {}
     for number, room in enumerate(TWENTY):
-        env = begun(task, room=room, liquid="off")
+        env = begun(task, room=room)
         for seed in range(SEEDS * number, SEEDS * (number + 1)):
             outcomes[room, seed] = play(env, seed=seed)["outcome"]
     failed = {where: outcome for where, outcome in outcomes.items() if outcome != "success"}
