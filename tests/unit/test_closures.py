@@ -153,7 +153,7 @@ def turned_off(vessel: Vessel, closure: Closure, torque: float) -> bool:
     """Turn a cap with a torque, and lift it with a little more than its weight."""
     held = Held(vessel, closure)
     held.turn(torque, 1.2 * 9.81 * closure.mass, 5.0)
-    return held.away > 0.02
+    return held.away > _LETS_GO
 
 
 def test_a_screw_cap_rises_by_its_pitch_in_a_turn_and_cannot_be_pulled_off():
