@@ -172,7 +172,7 @@ SERIES = (
         "DIN 168-1 GL 32; from memory",
         {"GL 32": (37.6, 16, 2.6)},
         hold=partial(_screw, GL32),
-        pull=(0.02, 1.0),
+        pull=(0.01, 1.0),
     ),
     ClosureSeries(
         "petri_lid",
