@@ -146,11 +146,10 @@ class Sketch:
 
     def add(self, entry: Entry) -> bool:
         """Add a piece, unless a robot would not get to it or to something else any more."""
-        occupancy, reach = self._maps[-1], self._reaches[-1]
+        occupancy, reach = self._maps[-1].copy(), self._reaches[-1]
+        occupancy.add([entry.room.solids])
         checked = [entry]
-        if entry.piece.on is None:
-            occupancy = occupancy.copy()
-            occupancy.add([entry.room.solids])
+        if (occupancy.cells != self._maps[-1].cells).any():  # not above a bench, as a rule
             reach = Reach.of(occupancy, self.footprint.openings[0])
             checked = [*self.entries, entry]
         if not all(_gets_to(reach, one) for one in checked):
