@@ -55,12 +55,25 @@ WIDE_VESSEL_VIEW = View(
 )
 """The same from a focal length of 5, as in the original's tasks with two things side by side."""
 
+HEATER_VIEW = View(
+    front=WIDE_VESSEL_VIEW.front,
+    top=CameraPose((0.15, -0.175, 2.5), (0.0, 0.0, -1.0), _FORWARD, 15.5),
+)
+"""As `WIDE_VESSEL_VIEW` in front; overhead only the hot plate, so near that a button of 40 mm fills
+24 of 256 pixels."""
+
 WIDEST_VESSEL_VIEW = View(
     front=CameraPose((2.0, 0.0, 2.0), (-0.866, 0.0, -0.45), _UP, 29.0),
     top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 38.0),
 )
 """The same from a focal length of about 4, as in the original's stirring tasks; the camera in front
 looks 2 degrees higher, for the hand of a lifted rod."""
+
+FUSION_VIEW = View(
+    front=WIDEST_VESSEL_VIEW.front,
+    top=CameraPose((0.15, -0.39, 2.5), (0.0, 0.0, -1.0), _FORWARD, 15.5),
+)
+"""As `WIDEST_VESSEL_VIEW` in front; overhead the hot plate and the vessel on it, as `HEATER_VIEW`."""
 
 DOOR_VIEW = View(
     front=CameraPose((-0.7, 1.4, 1.4), (0.548, -0.807, -0.222), _UP, 55.3),

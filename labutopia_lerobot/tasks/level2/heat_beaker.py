@@ -18,7 +18,7 @@ from labutopia_lerobot.predicates import (
     steady,
     switched_on,
 )
-from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
+from labutopia_lerobot.scenes.views import HEATER_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions, mishaps
@@ -63,5 +63,5 @@ def heat_on(heater: Heater) -> Task:
         contents={vessel: Filling(ml=60)},  # ours: a good quarter of what it holds
         never=mishaps.handling(vessel, spill=0.01),
         time_limit_s=2500 / 60,  # original: 2500 steps at 60 Hz
-        view=WIDE_VESSEL_VIEW,
+        view=HEATER_VIEW,
     )

@@ -19,7 +19,7 @@ from labutopia_lerobot.predicates import (
     struck,
     switched_on,
 )
-from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
+from labutopia_lerobot.scenes.views import FUSION_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Step, Task
 from labutopia_lerobot.tasks import actions, mishaps
@@ -95,5 +95,5 @@ def liquid_fusion() -> Task:
             "mixture_struck": struck(mixture, but_for=frozenset({heater.name})),
         },
         time_limit_s=6000 / 60,  # original: 6000 steps at 60 Hz
-        view=WIDEST_VESSEL_VIEW,
+        view=FUSION_VIEW,
     )
