@@ -73,7 +73,7 @@ FUSION_VIEW = View(
     front=WIDEST_VESSEL_VIEW.front,
     top=CameraPose((0.15, -0.39, 2.5), (0.0, 0.0, -1.0), _FORWARD, 15.5),
 )
-"""As `WIDEST_VESSEL_VIEW` in front; overhead the hot plate and the vessel on it, as `HEATER_VIEW`."""
+"""As `WIDEST_VESSEL_VIEW` in front; overhead the hot plate with its vessel, as `HEATER_VIEW`."""
 
 DOOR_VIEW = View(
     front=CameraPose((-0.7, 1.4, 1.4), (0.548, -0.807, -0.222), _UP, 55.3),
