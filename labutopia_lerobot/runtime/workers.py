@@ -52,8 +52,10 @@ def become_worker(on_interrupt: signal.Handlers) -> None:
 
     Args:
         on_interrupt: What Ctrl-C does to it: `SIG_DFL` ends it, `SIG_IGN` lets it finish its job.
+            Where it began with Ctrl-C ignored, as behind a shell's `&`, it goes on ignoring that.
     """
-    signal.signal(signal.SIGINT, on_interrupt)
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
+        signal.signal(signal.SIGINT, on_interrupt)
     threading.Thread(target=_end_with_parent, daemon=True).start()
     os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software renderer: a process per core
 

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from io import StringIO
 from pathlib import Path
 
@@ -40,10 +41,17 @@ def evaluate_into(out: Path, **options: object) -> dict:
     return json.loads(file.read_text())
 
 
-def start(folder: Path, *overrides: str) -> "subprocess.Popen[str]":
+def start(
+    folder: Path, *overrides: str, interrupt: signal.Handlers = signal.SIG_DFL
+) -> "subprocess.Popen[str]":
     line = [sys.executable, str(RUN), *overrides]
     return subprocess.Popen(
-        line, cwd=folder, start_new_session=True, stderr=subprocess.PIPE, text=True
+        line,
+        cwd=folder,
+        start_new_session=True,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=partial(signal.signal, signal.SIGINT, interrupt),
     )
 
 
@@ -112,6 +120,16 @@ def test_interrupted_it_says_the_command_that_goes_on(tmp_path: Path) -> None:
     assert going_on[1:-1] == command
     (out,) = {file.parent for file in tmp_path.rglob("rows.jsonl")}
     assert tmp_path / going_on[-1].removeprefix("out=") == out
+
+
+@pytest.mark.slow
+def test_where_interrupts_are_ignored_it_plays_on(tmp_path: Path) -> None:
+    command = ["task=level1/pick", "policy=still", "episodes=3", "workers=1", "videos=0"]
+    process = start(tmp_path, *command, interrupt=signal.SIG_IGN)
+    wait_until(lambda: any(rows_in(file.parent) >= 1 for file in tmp_path.rglob("rows.jsonl")))
+    os.killpg(process.pid, signal.SIGINT)
+    told = process.communicate()[1]
+    assert process.returncode == 0, told
 
 
 def test_only_missing_episodes_are_played(unfinished: Path) -> None:
