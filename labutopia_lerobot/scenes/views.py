@@ -101,6 +101,13 @@ OVEN_VIEW = View(
 """Over the robot's right shoulder, where the open door does not hide the chamber, near enough for
 the beakers before the oven; and from above and behind, as `DOOR_VIEW`."""
 
+OVEN_PANEL_VIEW = View(
+    front=OVEN_VIEW.front,
+    top=CameraPose((-0.7, -0.5, 1.95), (1.02, 0.43, -0.745), _UP, 23.0),
+)
+"""As `OVEN_VIEW` in front; over the robot's right shoulder the places on the shelf and the panel
+beside them, so near that a button of 36 mm fills 24 of 256 pixels."""
+
 PRESS_VIEW = View(
     front=CameraPose((-0.1, 1.8, 1.5), (0.233, -0.943, -0.2), _UP, 13.5),
     top=CameraPose((0.15, -0.08, 3.012), (0.0, 0.0, -1.0), _FORWARD, 23.7),

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import above, fingers_clear_of, switched_on
-from labutopia_lerobot.scenes.views import OVEN_VIEW
+from labutopia_lerobot.scenes.views import OVEN_PANEL_VIEW
 from labutopia_lerobot.skills import Go
 from labutopia_lerobot.task import Milestone, Step, Task
 from labutopia_lerobot.tasks import actions
@@ -71,5 +71,5 @@ def device_operation() -> Task:
         ),
         never=NEVER,
         time_limit_s=4000 / 60,  # original: 4000 steps at 60 Hz
-        view=OVEN_VIEW,
+        view=OVEN_PANEL_VIEW,
     )
