@@ -2,6 +2,8 @@
 
 Exits with 0 if every column of every drawn row comes out the same, to the bit. Otherwise with 1,
 and says whether the submission was played by another build than this one: then nothing is shown.
+What was not played as published (docs/leaderboard.md) is refused with 2. Nothing can show that the
+actions are the policy's, and not the expert's or a copy.
 """
 
 import argparse
@@ -26,16 +28,17 @@ def main() -> None:
     console = Console(soft_wrap=True, highlight=False)
     submission = read(arguments.file)
     different = other_build(submission)
-    count = min(max(arguments.episodes, 1), len(submission.rows))
+    count = min(max(arguments.episodes, 1), len(submission.result.rows))
     rng = np.random.default_rng(arguments.seed)
-    sample = sorted(rng.choice(len(submission.rows), count, replace=False).tolist())
+    sample = sorted(rng.choice(len(submission.result.rows), count, replace=False).tolist())
     wrong = 0
     for row, columns in replayed(submission, sample):
         verdict = f"differs in {', '.join(columns)}" if columns else "the same"
         console.print(f"{row.task} {row.split}, seed {row.seed}: {verdict}", markup=False)
         wrong += bool(columns)
     if different:
-        console.print("Played by another build than this one:\n" + "\n".join(different))
+        listed = "\n".join(different)
+        console.print(f"Played by another build than this one:\n{listed}", markup=False)
     if wrong:
         blame = (
             "That may be the other build's doing: check it with the same one"
@@ -44,7 +47,10 @@ def main() -> None:
         )
         console.print(f"{wrong} of {count} drawn episodes came out otherwise. {blame}.")
         sys.exit(1)
-    console.print(f"All {count} drawn episodes came out the same, to the bit.")
+    console.print(
+        f"All {count} drawn episodes came out the same, to the bit. That shows what these actions "
+        "do, not whose they are: the expert's or another entry's would come out the same."
+    )
 
 
 if __name__ == "__main__":

@@ -18,8 +18,8 @@ def main() -> None:
     arguments = parser.parse_args()
     file = arguments.out or arguments.folder / "submission.json"
     pack(arguments.folder, file)
-    told = f"Wrote {file}. Check it: python eval/check_submission.py {file}"
-    Console().print(told, soft_wrap=True, markup=False, highlight=False)
+    message = f"Wrote {file}. Check it: python eval/check_submission.py {file}"
+    Console().print(message, soft_wrap=True, markup=False, highlight=False)
 
 
 if __name__ == "__main__":

@@ -109,7 +109,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
                 there. What others pass to each other here is ignored.
 
         Raises:
-            TaskError: If there is no such step.
+            TaskError: If there is no such step, or none behind it.
             UnknownOptionError: If a step is played alone, which has its own beginning.
         """
         seed = None if seed is None else operator.index(seed)  # NumPy's integers too, no floats

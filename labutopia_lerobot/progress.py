@@ -1,6 +1,5 @@
 """The memory of an episode: latched milestones, the hold clock, the first breach."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from labutopia_lerobot.predicates import Count, Predicate
@@ -53,11 +52,12 @@ class Progress:
             held. None for the last.
 
     Attributes:
-        history: Every named predicate of the task, when it held.
+        history: Every named predicate of the task, when it held; what only some steps forbid is
+            looked at in those steps.
         milestones: Milestone -> time at which it latched [s], or None.
         counted: How much of its count the first milestone that has not latched has seen.
         outcome: "running", "success", "timeout", "diverged", "interrupted" (a milestone's `keeping`
-            broke), or the key of the breach: of a `never`, "broken" or "collided".
+            broke), or the key of the breach (see `Task.forbidden`).
         ever: Whether the goal held at any instant after the last step, or `until` was done.
 
     Raises:
@@ -66,8 +66,6 @@ class Progress:
 
     def __init__(self, task: Task, after: str | None = None, until: str | None = None) -> None:
         self._task = task
-        self._predicates = task.facts
-        self._breaches = task.breaches
         done = task.steps_until(after) if after is not None else ()
         played = task.steps_until(until) if until is not None else task.steps
         whole = len(played) == len(task.steps)
@@ -75,7 +73,13 @@ class Progress:
         self._hold_steps = round(hold_s * CONTROL_HZ)
         self._course = [(step, milestone) for step in played for milestone in step.milestones]
         self._latched = sum(len(step.milestones) for step in done)
-        self.history = {name: History() for name in self._predicates}
+        self._last = played[-1]
+        self._forbidden = {step.name: task.forbidden(step) for step in played}
+        self._asked = {
+            step: {fact.name: fact for fact in (*task.watched, *forbidden.values())}
+            for step, forbidden in self._forbidden.items()
+        }
+        self.history = {name: History() for name in task.facts}
         self.milestones: dict[str, float | None] = {
             milestone.name: 0.0 if index < self._latched else None
             for index, milestone in enumerate(task.milestones)
@@ -130,9 +134,12 @@ class Progress:
         """Judge the present world, one control step after the previous call."""
         if self.over:
             return
-        for name, fact in self._predicates.items():
-            self.history[name].note(bool(fact.holds(world)), world.time)
-        breach = next((name for name, fact in self._forbidden() if self._holds(fact)), None)
+        # What must not happen in the last step must not behind it either.
+        step = (self.step or self._last).name
+        for name, fact in self._asked[step].items():
+            self.history[name].note(fact.holds(world), world.time)
+        forbidden = self._forbidden[step]
+        breach = next((name for name, fact in forbidden.items() if self._holds(fact)), None)
         self._latch(world)
         self._clock_the_goal()
         if breach is not None:
@@ -148,12 +155,6 @@ class Progress:
     def _holds(self, *facts: Predicate) -> bool:
         return all(self.history[fact.name].holds for fact in facts)
 
-    def _forbidden(self) -> Iterator[tuple[str, Predicate]]:
-        """Yield what must not occur now: at any time, and in the step that is being done."""
-        yield from self._breaches.items()
-        if self.step is not None:
-            yield from self.step.never.items()
-
     def _latch(self, world: World) -> None:
         for _, milestone in self._course[self._latched :]:
             if not self._pass_through(milestone, world):
@@ -167,12 +168,15 @@ class Progress:
         course = milestone.via
         while self._passed < len(course) and self._holds(course[self._passed]):
             self._passed += 1
-        enough = self._passed == len(course)
+        enough, kept = self._passed == len(course), self._holds(*milestone.keeping)
         if milestone.count is not None and enough:
-            self._counter = self._counter or milestone.count.counter()
-            self.counted = self._counter.add(world)
+            if kept or self.counted:
+                self._counter = self._counter or milestone.count.counter()
+                self.counted = self._counter.add(world)
+            else:
+                self._counter = None  # what comes before is not counted
             enough = self.counted >= milestone.count.needed
-        if (self._passed or self.counted) and not self._holds(*milestone.keeping):
+        if (self._passed or self.counted) and not kept:
             self.outcome = INTERRUPTED
             return False
         return enough and self._holds(*milestone.when)

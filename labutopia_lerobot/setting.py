@@ -103,6 +103,7 @@ class Setting:
         for name in ("cameras", "extras", "axes"):
             value = getattr(self, name)
             object.__setattr__(self, name, (value,) if isinstance(value, str) else tuple(value))
+        object.__setattr__(self, "axes", canonical_axes(self.axes))
         if self.tasks_dir is not None:
             object.__setattr__(self, "tasks_dir", str(self.tasks_dir))
         require_choices("obs", [self.obs], OBSERVATION_KINDS)
@@ -137,6 +138,12 @@ class Setting:
         """Return the same with no pictures drawn: `obs=state`, and of the extras the numbers."""
         numbers = tuple(extra for extra in self.extras if extra == FORCES)
         return replace(self, obs="state", extras=numbers)
+
+
+def canonical_axes(axes: Iterable[str]) -> tuple[str, ...]:
+    """Return axes by name, each once: their order decides nothing; `all` says the others too."""
+    named = set(axes)
+    return (ALL,) if ALL in named else tuple(sorted(named))
 
 
 def require_choices(name: str, values: Iterable[object], choices: Collection[object]) -> None:

@@ -2,11 +2,20 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import chain
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.layout import Piece, Start
-from labutopia_lerobot.predicates import Count, Predicate, broken, collided
-from labutopia_lerobot.predicates.predicate import same
+from labutopia_lerobot.predicates import (
+    Count,
+    Predicate,
+    Transfer,
+    broken,
+    collided,
+    contaminated,
+    displaced,
+    pressed_out_of_turn,
+)
 from labutopia_lerobot.scenes.views import VESSEL_VIEW, View
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.substances.filling import Filling
@@ -24,7 +33,13 @@ INTERRUPTED = "interrupted"
 BROKEN = "broken"
 """Outcome of an episode in which something movable was knocked or pressed too hard."""
 COLLIDED = "collided"
-"""Outcome of an episode in which the robot ran into what no step lets it touch."""
+"""Outcome of an episode in which the robot ran into itself or what the step does not touch."""
+DISPLACED = "displaced"
+"""Outcome of an episode in which something was moved or felled that no step touches."""
+CONTAMINATED = "contaminated"
+"""Outcome of an episode in which liquid got into a vessel that it does not belong into."""
+PRESSED_OUT_OF_TURN = "pressed_out_of_turn"
+"""Outcome of an episode in which a button clicked that the step does not touch."""
 
 POLICY_UNREACHABLE = "policy_unreachable"
 """Outcome of an episode whose policy runs elsewhere and could not be asked any more."""
@@ -37,6 +52,9 @@ _RESERVED = {
     INTERRUPTED,
     BROKEN,
     COLLIDED,
+    DISPLACED,
+    CONTAMINATED,
+    PRESSED_OUT_OF_TURN,
     POLICY_UNREACHABLE,
 }
 
@@ -54,7 +72,7 @@ class Milestone:
         when: What must hold together at the moment of latching.
         via: What must have held before, one after the other, since the previous milestone.
         keeping: What must not cease to hold from the first of `via`, or of what is counted, until
-            the latch; if it does, the episode is over.
+            the latch; if it does, the episode is over. Nothing is counted while it does not hold.
         count: What must have added up since the previous milestone, behind the last of `via`.
 
     Raises:
@@ -87,9 +105,14 @@ class Step:
         name: A verb, such as `pick`.
         skills: What the scripted expert plays.
         milestones: What latches within it, in this order.
-        touches: What the hand is to touch; whatever no step of a task names ends the episode when
-            arm or hand push against it.
-        never: Outcome that ends the episode -> the fact that must not occur during this step.
+        touches: What the hand is to touch, buttons among it: in this step, and in the next one, in
+            which the hand leaves it. When arm or hand push against anything else, or a button that
+            is not named clicks, the episode ends. What no step of a task names must stay where it
+            stands.
+        transfers: What is poured where in this step; other liquid that gets into a vessel that it
+            was not filled into ends the episode.
+        never: Outcome that ends the episode -> the fact that must not occur during this step; of
+            the last step also behind it.
         notes: Facts that are told of beside, and judge nothing.
 
     Raises:
@@ -101,11 +124,13 @@ class Step:
     milestones: tuple[Milestone, ...]
     touches: tuple[Thing, ...] = ()
     never: Mapping[str, Predicate] = field(default_factory=dict)
+    transfers: tuple[Transfer, ...] = ()
     notes: tuple[Predicate, ...] = ()
 
     def __post_init__(self) -> None:
         _require_all(Skill, self.skills, f"`skills` of step '{self.name}'")
         _require_all(Milestone, self.milestones, f"`milestones` of step '{self.name}'")
+        _require_all(Transfer, self.transfers, f"`transfers` of step '{self.name}'")
         _require_all(Predicate, self.notes, f"`notes` of step '{self.name}'")
         _require_outcomes(self.never, f"step '{self.name}'")
         if not self.milestones:
@@ -159,11 +184,13 @@ class Task:
         _require_unique("milestone", [milestone.name for milestone in self.milestones])
         _require_unique("thing", [piece.name for piece in self.start])
         named: dict[str, Predicate] = {}
-        for fact in self._all_facts():
-            if not same(fact, named.setdefault(fact.name, fact)):
+        forbidden = (self.forbidden(step).values() for step in self.steps)
+        for fact in (*self.watched, *chain(*forbidden)):
+            if fact != named.setdefault(fact.name, fact):
                 raise TaskError(
-                    f"Two different predicates are called '{fact.name}': judging goes by names, so "
-                    "put what tells them apart, such as a threshold, into the name"
+                    f"Two different predicates are called '{fact.name}': judging goes by names. "
+                    "Name apart what they are about, such as two places, or make them with "
+                    "`@predicate`, whose names show every argument"
                 )
 
     @property
@@ -182,16 +209,39 @@ class Task:
         return round(self.time_limit_s * CONTROL_HZ)
 
     @property
-    def facts(self) -> dict[str, Predicate]:
-        """Every named predicate of the task, by name: milestones, goal, breaches, notes."""
-        return {fact.name: fact for fact in self._all_facts()}
+    def watched(self) -> tuple[Predicate, ...]:
+        """What is asked at every control step, whichever step is being done."""
+        steps = (
+            (*(fact for milestone in step.milestones for fact in milestone.facts), *step.notes)
+            for step in self.steps
+        )
+        return (*chain(*steps), *self.goal, *self.never.values())
 
     @property
-    def breaches(self) -> dict[str, Predicate]:
-        """Outcome -> what must not occur at any time: `never`, then what no task forgives."""
-        loose = (piece for piece in self.start if piece.movable)
-        touched = (thing for step in self.steps for thing in step.touches)
-        return {**self.never, BROKEN: broken(*loose), COLLIDED: collided(*touched)}
+    def facts(self) -> dict[str, Predicate]:
+        """Every named predicate of the task, by name: `watched`, and what steps forbid."""
+        forbidden = (self.forbidden(step).values() for step in self.steps)
+        return {fact.name: fact for fact in (*self.watched, *chain(*forbidden))}
+
+    def forbidden(self, step: Step | None) -> dict[str, Predicate]:
+        """Return outcome -> what must not occur during a step: what it says, and the task, and all.
+
+        Args:
+            step: One of the steps; None before the first, while the prelude is played.
+        """
+        index = len(self.steps) if step is None else self.steps.index(step)
+        near = self.steps if step is None else self.steps[max(index - 1, 0) : index + 1]
+        touched = _things_of(near)
+        poured = (transfer for past in self.steps[: index + 1] for transfer in past.transfers)
+        return {
+            **self.never,
+            **({} if step is None else step.never),
+            BROKEN: broken(),
+            COLLIDED: collided(*touched),
+            DISPLACED: displaced(*_things_of(self.steps)),
+            PRESSED_OUT_OF_TURN: pressed_out_of_turn(*touched),
+            **({CONTAMINATED: contaminated(*poured)} if self.contents else {}),
+        }
 
     def steps_until(self, name: str) -> tuple[Step, ...]:
         """Return the steps up to and with the one of this name.
@@ -208,15 +258,10 @@ class Task:
         """Return the same task with empty vessels: what is poured or spilled is judged by tilts."""
         return replace(self, contents={})
 
-    def _all_facts(self) -> Iterable[Predicate]:
-        for step in self.steps:
-            for milestone in step.milestones:
-                yield from milestone.facts
-        yield from self.goal
-        yield from self.breaches.values()
-        for step in self.steps:
-            yield from step.never.values()
-            yield from step.notes
+
+def _things_of(steps: Iterable[Step]) -> list[Thing]:
+    """Return everything that steps touch, each once."""
+    return list({thing.name: thing for step in steps for thing in step.touches}.values())
 
 
 def _require_all(kind: type, items: object, where: str) -> None:

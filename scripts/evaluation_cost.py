@@ -29,9 +29,8 @@ from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.evaluate import parse
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.config import EvaluationConfig
-from labutopia_lerobot.evaluation.evaluate import make_pairings
-from labutopia_lerobot.evaluation.result import ResultFolder
-from labutopia_lerobot.evaluation.rollout import Pairing
+from labutopia_lerobot.evaluation.jobs import EvaluationJob, make_jobs
+from labutopia_lerobot.evaluation.result_folder import ResultFolder
 from labutopia_lerobot.evaluation.run import run
 from labutopia_lerobot.runtime.workers import in_processes
 
@@ -48,7 +47,7 @@ def main() -> None:
 
 def evaluation_cost(config: EvaluationConfig) -> dict[str, Any]:
     """Evaluate, then measure the parts; the result itself is thrown away."""
-    (pairing,) = make_pairings(config)
+    (job,) = make_jobs(config)
     with tempfile.TemporaryDirectory() as folder:
         config.out = folder
         start = time.perf_counter()
@@ -57,7 +56,7 @@ def evaluation_cost(config: EvaluationConfig) -> dict[str, Any]:
         result = ResultFolder(Path(folder))
         seeds = [row.seed for row in result.rows]
         played = list(zip(seeds, result.actions(), strict=True))
-    ((simulation, policy),) = in_processes(parts, [(pairing, played)], 1)
+    ((simulation, policy),) = in_processes(parts, [(job, played)], 1)
     return {
         "episodes": len(played),
         "steps": sum(len(actions) for _, actions in played),
@@ -68,9 +67,9 @@ def evaluation_cost(config: EvaluationConfig) -> dict[str, Any]:
     }
 
 
-def parts(pairing: Pairing, played: Sequence[Played]) -> tuple[float, float]:
+def parts(job: EvaluationJob, played: Sequence[Played]) -> tuple[float, float]:
     """Return how long the simulation and the policy take for the same episodes [s]."""
-    env, policy = LabEnv(pairing.setting), pairing.make_policy()
+    env, policy = LabEnv(job.setting), job.make_policy()
     simulation = deciding = 0.0
     for seed, actions in played:
         start = time.perf_counter()

@@ -20,12 +20,11 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.result import RESULT
-from labutopia_lerobot.evaluation.row import Row, from_columns
+from labutopia_lerobot.evaluation.result_folder import RESULT, SCHEMA
+from labutopia_lerobot.evaluation.rows import Row, from_columns
+from labutopia_lerobot.evaluation.submission import PUBLISHED
 from labutopia_lerobot.registry import task_files
-from labutopia_lerobot.robots import DEFAULT_ROBOT
-from labutopia_lerobot.scenes import DEFAULT_ROOM
+from labutopia_lerobot.runtime.json_object import read_json_object
 
 RESULTS = Path(__file__).parents[1] / "eval" / "results"
 
@@ -34,7 +33,6 @@ _HERE = ("out", "workers")
 
 _LEFT_OUT: dict[str, Any] = {"facts": {}, "history": {}}
 _WANTED = {"policy": "expert", "split": "id", "axes": []}
-_WANTED_OPTIONS = {"robot": DEFAULT_ROBOT, "room": DEFAULT_ROOM}
 
 
 class OtherRowsError(UserError):
@@ -74,7 +72,7 @@ def read(folder: Path) -> dict[str, list[Row]]:
 
     Raises:
         OtherRowsError: If the rows of a task are missing, or some are not as published: the
-            expert's, split `id`, no further axes, liquid on, the default robot and room.
+            expert's, split `id`, no further axes, the default setting.
         UnreadableResultError: If a row lacks a column.
     """
     files = {task: folder / _name(task) for task in task_files()}
@@ -107,8 +105,8 @@ def _require_expert(
                 f"{file} holds a row of {told} (seed {row['seed']}); {task} is published with "
                 "policy=expert split=id liquid=on and no axes"
             )
-    for name, value in _WANTED_OPTIONS.items():
-        if config[name] != value:
+    for name, value in PUBLISHED.items():
+        if config.get(name, value) != value:
             raise OtherRowsError(f"{file} was played with {name}={config[name]}, not {value}")
     played = range(config["seed"], config["seed"] + config["episodes"])
     if [row["seed"] for row in rows] != list(played):
@@ -124,7 +122,7 @@ def _write(folder: Path, task: str, rows: list[dict[str, Any]], provenance: dict
     file = folder / _name(task)
     options = {name: v for name, v in provenance["config"].items() if name not in _HERE}
     origin = json.dumps(provenance | {"config": options}, indent=1)
-    file.write_text(f'{{"provenance": {origin},\n"rows": [\n{lines}\n]}}\n')
+    file.write_text(f'{{"schema": {SCHEMA},\n"provenance": {origin},\n"rows": [\n{lines}\n]}}\n')
     return file
 
 

@@ -18,7 +18,7 @@ from labutopia_lerobot.cli.record import parse
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.datasets.recording_folder import FinishedError
-from labutopia_lerobot.evaluation.statistics import Summary, summarise
+from labutopia_lerobot.evaluation.rows import EvaluationSummary, summarise
 from labutopia_lerobot.hub.dataset_card import card_of_dataset
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts
 from labutopia_lerobot.hub.strip import picture_strip
@@ -71,13 +71,13 @@ def keep_facts(sample: Path) -> None:
     file.with_suffix(".jpg").write_bytes(strip)
 
 
-def expert_results() -> list[Summary]:
+def expert_results() -> list[EvaluationSummary]:
     """Return the expert's rates."""
     rows = expert_rows.read(expert_rows.RESULTS).values()
     return [line for played in rows for line in summarise(played)]
 
 
-def card(file: Path, results: Sequence[Summary]) -> str:
+def card(file: Path, results: Sequence[EvaluationSummary]) -> str:
     """Return the card of the facts in a file."""
     facts = DatasetFacts.load(file)
     return card_of_dataset(facts, facts.config["repo_id"], results, file.with_suffix(".jpg").name)

@@ -16,8 +16,7 @@ from PIL import Image
 import expert_rows
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.evaluation.row import Row
-from labutopia_lerobot.evaluation.statistics import summarise
+from labutopia_lerobot.evaluation.rows import Row, summarise
 from labutopia_lerobot.layout import Inside
 from labutopia_lerobot.registry import is_beyond_paper, task_files
 from labutopia_lerobot.scenario import canonical_task
@@ -165,8 +164,10 @@ def start_table() -> list[str]:
         "# Where things start",
         "",
         "Uniform over these ranges, world frame; the robot stands at x = -0.4 m and looks along",
-        "x. What stands free is spread over the paper's 15 cm x 15 cm and turned by any yaw.",
-        "Narrower: instruments stand where the original's do, over its ranges, and turn by a few",
+        "x. In levels 1 to 3 what stands free is spread over the paper's 15 cm x 15 cm and turned",
+        "by any yaw. Level 4's vessels get 4 to 12 cm: several of them, and the hand that comes to",
+        "one past the others, leave no more room.",
+        "Instruments stand where the original's do, over its ranges, and turn by a few",
         "degrees only, since further round the arm could not take their handles and buttons.",
         "",
         "| task | thing | x [m] | y [m] | yaw [deg] |",

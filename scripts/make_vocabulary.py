@@ -54,7 +54,8 @@ def _chapters() -> Iterator[str]:
     yield "task file."
     yield ""
     yield from _chapter("Task, step, milestone", "labutopia_lerobot.task")
-    for kind in (task.Task, task.Step, task.Milestone, predicates.Predicate, predicates.Count):
+    kinds = (predicates.Predicate, predicates.Count, predicates.Transfer)
+    for kind in (task.Task, task.Step, task.Milestone, *kinds):
         yield from with_attributes(kind)
     yield "`~fact` is the fact that a predicate does not hold."
     yield ""
@@ -77,9 +78,8 @@ def _chapters() -> Iterator[str]:
     yield from _chapter("Mishaps", "labutopia_lerobot.tasks.mishaps")
     yield from functions(f for f in vars(mishaps).values() if _defined_in(f, mishaps))
     yield from _chapter("Predicates", "labutopia_lerobot.predicates")
-    yield from functions(
-        fact for name in predicates.__all__ if inspect.isfunction(fact := getattr(predicates, name))
-    )
+    facts = (getattr(predicates, name) for name in predicates.__all__)
+    yield from functions(fact for fact in facts if not inspect.isclass(fact))
     yield from _chapter("Skills", "labutopia_lerobot.skills")
     for name in skills.__all__:
         yield from with_attributes(getattr(skills, name))

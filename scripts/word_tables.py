@@ -17,7 +17,7 @@ def functions(functions: Any) -> Iterator[str]:
     yield "| call | meaning |"
     yield "| --- | --- |"
     for function in functions:
-        if inspect.isfunction(function):
+        if callable(function):
             yield f"| {code(_call(function))} | {cell(_told(function))} |"
     yield ""
 

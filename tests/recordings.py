@@ -6,7 +6,6 @@ from pathlib import Path
 from labutopia_lerobot.cli.record import parse
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recorder import record
-from labutopia_lerobot.datasets.tables import RECORDING, read_episodes, read_frames, read_json
 
 PICK = ["task=level1/pick", "obs=state", "episodes=3", "seed=20"]
 FILM = ["task=level1/pick", "episodes=2", "width=64", "height=48", "cameras=[wrist,front]"]
@@ -68,15 +67,10 @@ def recording(root: Path, *overrides: str, workers: int = 2, watch: Watch | None
 
 
 def assert_same_dataset(first: Path, second: Path) -> None:
-    assert read_frames(first).equals(read_frames(second))
-    assert read_episodes(first) == read_episodes(second)
-    for name in ("meta/stats.json", "meta/info.json", RECORDING):
-        assert read_json(first, name) == read_json(second, name)
+    """The same command makes the same bytes."""
     files = [
-        {path.relative_to(root): path for path in root.rglob("*") if path.is_file()}
+        {path.relative_to(root): path.read_bytes() for path in root.rglob("*") if path.is_file()}
         for root in (first, second)
     ]
     assert files[0].keys() == files[1].keys()
-    for name in files[0]:
-        if name.suffix == ".mp4":
-            assert files[0][name].read_bytes() == files[1][name].read_bytes()
+    assert [name for name in files[0] if files[0][name] != files[1][name]] == []

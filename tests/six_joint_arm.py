@@ -54,6 +54,7 @@ SIX = Robot(
     joints=JOINTS,
     gripper=FRANKA_HAND,
     home=(0.3, -0.3, 0.3, 0.0, 0.0, 0.0),
+    elbow="axis2",
     reach=0.9,
     hand_speed=1.7,
     base_body="socket",

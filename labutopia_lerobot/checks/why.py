@@ -44,8 +44,8 @@ def why_failed(task: Task, progress: Progress, expert: Expert, world: World) -> 
 
 def _missed(fact: Predicate, world: World) -> str:
     """Return a fact that does not hold, and by how much where that is measured."""
-    off = {} if fact.off is None else fact.off(world)
-    amounts = ", ".join(f"{amount:.3g} {unit}" for unit, amount in off.items())
+    errors = fact.errors(world).items()
+    amounts = ", ".join(f"{amount:.3g} {unit}" for unit, amount in errors)
     return f"{fact.name} (off by {amounts})" if amounts else fact.name
 
 
@@ -58,11 +58,11 @@ def _ending(task: Task, progress: Progress, world: World) -> str:
         )
     if progress.outcome == INTERRUPTED:
         return "what a milestone must keep ceased to hold"
-    step = {} if progress.step is None else progress.step.never
-    breach = {**step, **task.breaches}.get(progress.outcome)
+    breach = task.forbidden(progress.step or task.steps[-1]).get(progress.outcome)
     if breach is None:
         return progress.outcome
-    because = "" if breach.because is None else f": {breach.because(world)}"
+    reason = breach.reason(world)
+    because = f": {reason}" if reason else ""
     cure = "; is the hand to? Then name it in `touches` of the step" * (
         progress.outcome == COLLIDED
     )

@@ -8,7 +8,7 @@ from pathlib import Path
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.printing_tables import print_tables
 from labutopia_lerobot.evaluation.compare import compare, comparison_table
-from labutopia_lerobot.evaluation.found import find_results
+from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.evaluation.reporting.table import FORMATS
 
 
@@ -24,13 +24,11 @@ def main() -> None:
     parser.add_argument("--json", action="store_true", help="print everything as JSON instead")
     arguments = parser.parse_args()
     places = (arguments.first, arguments.second)
-    first, second = (
-        [row for result in find_results(place) for row in result.rows] for place in places
-    )
+    first, second = (load_results(place) for place in places)
     found = compare(first, second)
     if arguments.json:
-        told = {"first": str(places[0]), "second": str(places[1])}
-        content = told | {"comparisons": [comparison.told for comparison in found]}
+        places_of = {"first": str(places[0]), "second": str(places[1])}
+        content = places_of | {"comparisons": [comparison.columns for comparison in found]}
         json.dump(content, sys.stdout, indent=1)
         sys.stdout.write("\n")
         return

@@ -24,7 +24,7 @@ from labutopia_lerobot.evaluation.config import (
     PolicyConfig,
     require_known_options,
 )
-from labutopia_lerobot.evaluation.result import RESULT, ROWS, OccupiedFolderError
+from labutopia_lerobot.evaluation.result_folder import RESULT, ROWS, OccupiedFolderError
 from labutopia_lerobot.evaluation.run import run
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.runtime.shipped import shipped
@@ -47,8 +47,8 @@ def main() -> None:
         raise KeyboardInterrupt(f"Go on: {_same_command(config.out)}") from None
     except Exception as error:
         if (Path(config.out) / ROWS).exists() and not isinstance(error, OccupiedFolderError):
-            told = f"What was finished before is intact. Go on: {_same_command(config.out)}"
-            error.add_note(told)
+            note = f"What was finished before is intact. Go on: {_same_command(config.out)}"
+            error.add_note(note)
         raise
 
 

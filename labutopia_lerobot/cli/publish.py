@@ -10,8 +10,7 @@ from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.datasets.tables import INFO
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.found import find_results
-from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
 from labutopia_lerobot.hub.dataset import dataset_repository
 from labutopia_lerobot.hub.environment import environment_repository
 from labutopia_lerobot.hub.policy import find_policy, policy_repository
@@ -52,15 +51,10 @@ def main() -> None:
     )
     arguments = parser.parse_args()
     require_repo_id(arguments.repo_id)
-    summaries = [
-        line
-        for folder in arguments.results
-        for found in find_results(folder)
-        for line in found.summaries
-    ]
+    results = [found for folder in arguments.results for found in load_results(folder)]
     busy, console = Console(stderr=True), Console(highlight=False, soft_wrap=True)
     with doing(busy, f"Verifying {arguments.what}"):
-        repository = _repository(arguments.what, arguments.repo_id, summaries)
+        repository = _repository(arguments.what, arguments.repo_id, results)
     if arguments.dry_run:
         console.print(_list(repository, arguments.repo_id, arguments.private), markup=False)
         return
@@ -72,7 +66,7 @@ def main() -> None:
     console.print(f"Published: {url}", markup=False)
 
 
-def _repository(what: str, repo_id: str, results: list[Summary]) -> Repository:
+def _repository(what: str, repo_id: str, results: list[LoadedResult]) -> Repository:
     if what == ENVIRONMENT:
         return environment_repository(repo_id)
     if (Path(what) / INFO).exists():

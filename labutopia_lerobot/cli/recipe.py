@@ -12,7 +12,7 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.json_object import read_json_object
+from labutopia_lerobot.runtime.json_object import read_json_object
 from labutopia_lerobot.runtime.shipped import shipped
 
 

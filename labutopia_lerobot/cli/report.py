@@ -7,12 +7,20 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.printing_tables import print_tables
-from labutopia_lerobot.evaluation.found import find_results
-from labutopia_lerobot.evaluation.reporting.entry import entries
-from labutopia_lerobot.evaluation.reporting.levels import level_tables
-from labutopia_lerobot.evaluation.reporting.outcomes import failure_table, precision_table
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.evaluation.reporting.page import write_page
+from labutopia_lerobot.evaluation.reporting.report_entry import report_entries
+from labutopia_lerobot.evaluation.reporting.result_tables import (
+    failure_table,
+    level_tables,
+    precision_table,
+)
 from labutopia_lerobot.evaluation.reporting.table import FORMATS
+
+
+class NothingToReportError(UserError):
+    """Results without an episode; the message says which."""
 
 
 @clear_errors
@@ -27,18 +35,23 @@ def main() -> None:
         "--out", type=Path, help="the page; DIR/report.html of the first by default"
     )
     arguments = parser.parse_args()
-    results = [result for place in arguments.places for result in find_results(place)]
-    found = entries(results)
+    results = [result for place in arguments.places for result in load_results(place)]
+    found = report_entries(results)
+    if not found:
+        raise NothingToReportError(
+            f"No episode is finished yet in {', '.join(str(result.place) for result in results)}. "
+            "Let the evaluation play on: its command goes on where it was"
+        )
     tables = [*level_tables(found), failure_table(found), precision_table(found)]
     print_tables([table for table in tables if table.lines], arguments.tables)
-    told = Console(stderr=True, soft_wrap=True, highlight=False)
+    console = Console(stderr=True, soft_wrap=True, highlight=False)
     for result in results:
         if not result.finished:
             line = f"Unfinished: {result.place}, {len(result.rows)} episodes so far"
-            told.print(line, markup=False)
+            console.print(line, markup=False)
     page = arguments.out or _beside(arguments.places[0])
     write_page(page, results)
-    told.print(f"Wrote {page}", markup=False)
+    console.print(f"Wrote {page}", markup=False)
 
 
 def _beside(place: Path) -> Path:

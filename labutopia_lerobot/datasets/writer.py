@@ -5,7 +5,7 @@ LeRobot makes every table, statistic and index, in one process and in one order.
 
 import shutil
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from lerobot.configs import DepthEncoderConfig, RGBEncoderConfig, VideoEncoderCo
 from lerobot.datasets import dataset_writer
 from lerobot.datasets.dataset_metadata import LeRobotDatasetMetadata
 from lerobot.datasets.dataset_writer import DatasetWriter
-from lerobot.datasets.io_utils import embed_images
+from lerobot.datasets.io_utils import embed_images, write_stats
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.declaration import IMAGES
@@ -96,7 +96,7 @@ class EncodedDatasetWriter:
         frame_index = np.arange(frames)
         self._videos.next_episode = dict(videos)
         self._meta.next_annotations = dict(annotations)
-        filled_by_lerobot = {"index", "task_index"}
+        filled_by_lerobot = ("index", "task_index")
         self._writer.save_episode(
             {
                 **dict.fromkeys([*videos, *filled_by_lerobot]),
@@ -112,6 +112,7 @@ class EncodedDatasetWriter:
     def finish(self) -> None:
         """Close every file."""
         self._writer.finalize()
+        write_stats(_in_order(self._meta.stats, self._meta.features), self._meta.root)
 
 
 class _AnnotatedMetadata(LeRobotDatasetMetadata):  # type: ignore[misc]  # LeRobot is untyped
@@ -145,9 +146,14 @@ class _AnnotatedMetadata(LeRobotDatasetMetadata):  # type: ignore[misc]  # LeRob
             episode_index,
             episode_length,
             episode_tasks,
-            episode_stats,
+            _in_order(episode_stats, self.features),
             episode_metadata | self.next_annotations,
         )
+
+
+def _in_order[Value](statistics: Mapping[str, Value], features: Iterable[str]) -> dict[str, Value]:
+    """Return statistics in the order of the features: LeRobot keeps the keys in sets."""
+    return {key: statistics[key] for key in features if key in statistics}
 
 
 def _embed_images(table: Dataset) -> Dataset:

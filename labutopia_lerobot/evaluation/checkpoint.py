@@ -3,30 +3,33 @@
 Reads only the JSON beside the weights, so that a mistake is told before torch is imported.
 """
 
-from collections.abc import Mapping
+import json
+import os
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
-from labutopia_lerobot.evaluation.checkpoint_folder import (
-    adapted,
-    checkpoint_files,
-    find_checkpoint,
-)
-from labutopia_lerobot.evaluation.harmless import (
+from safetensors import SafetensorError, safe_open
+
+from labutopia_lerobot.evaluation.checkpoint_security import (
     CONFIG,
     PREPROCESSOR,
     CheckpointError,
     read_steps,
-    require_harmless,
-    require_harmless_model,
+    require_safe_checkpoint,
+    require_safe_model,
 )
-from labutopia_lerobot.evaluation.json_object import read_json_object
+from labutopia_lerobot.evaluation.find_checkpoint import (
+    adapted,
+    checkpoint_files,
+    find_checkpoint,
+)
 from labutopia_lerobot.evaluation.policies import Policy
-from labutopia_lerobot.evaluation.trained_on import element_names, keys_with_statistics
 from labutopia_lerobot.features import ACTION, environment_state_names
 from labutopia_lerobot.robots import load_robot
+from labutopia_lerobot.runtime.json_object import read_json_object
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import CAMERAS, IMAGE_SIZE, Setting
 
@@ -61,7 +64,7 @@ class Checkpoint:
     def __call__(self) -> Policy:
         """Load the policy."""
         # Here: torch takes seconds to import, and only the workers need it.
-        from labutopia_lerobot.evaluation.learned import LearnedPolicy
+        from labutopia_lerobot.evaluation.learned_policy import LearnedPolicy
 
         rename = None if self.rename is None else dict(self.rename)
         return LearnedPolicy(self.folder, self.device, self.base, rename)
@@ -96,10 +99,10 @@ def open_checkpoint(
     """
     folder = find_checkpoint(str(path), policy, setting.task, obs, setting.step, one_of_several)
     checkpoint_files(folder)
-    require_harmless(folder)
+    require_safe_checkpoint(folder)
     base = adapted(folder)
     if base is not None:
-        require_harmless_model(base)
+        require_safe_model(base)
     config = read_json_object(folder / CONFIG, CheckpointError)
     kind = _type(folder, config, policy)
     renamed = dict(rename) if rename else _trained_rename(folder)
@@ -121,14 +124,14 @@ def open_checkpoint(
     if pictures:
         cameras = _cameras(folder, pictures, renamed, adapts)
         height, width = (IMAGE_SIZE, IMAGE_SIZE) if adapts else _picture_size(folder, pictures)
-        seen = replace(setting, obs="pixels", cameras=cameras, width=width, height=height)
+        observed = replace(setting, obs="pixels", cameras=cameras, width=width, height=height)
     else:
         names = environment_state_names(canonical_task(setting))
         _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
         _require_names(folder, setting.task, names)
-        seen = setting.without_pictures()
+        observed = setting.without_pictures()
     chosen = tuple(sorted(rename.items())) if rename else None
-    return Checkpoint(folder, base, kind, device, chosen, seen)
+    return Checkpoint(folder, base, kind, device, chosen, observed)
 
 
 def _type(folder: Path, config: dict[str, Any], policy: str | None) -> str:
@@ -184,13 +187,13 @@ def _trained_rename(folder: Path) -> dict[str, str]:
     """Return what a training renamed: a map may name cameras that its dataset did not have."""
     steps = read_steps(folder / PREPROCESSOR)
     states = [folder / step["state_file"] for step in steps if "state_file" in step]
-    seen = {key for key in keys_with_statistics(states) if key.startswith(_IMAGES)}
+    trained = {key for key in keys_with_statistics(states) if key.startswith(_IMAGES)}
     return {
         before: after
         for step in steps
         if step["registry_name"] == _RENAMING
         for before, after in step["config"].get("rename_map", {}).items()
-        if not before.startswith(_IMAGES) or not seen or seen & {before, after}
+        if not before.startswith(_IMAGES) or not trained or trained & {before, after}
     }
 
 
@@ -222,3 +225,62 @@ def _picture_size(folder: Path, pictures: Mapping[str, tuple[int, ...]]) -> tupl
         raise CheckpointError(f"{folder} wants pictures of several sizes: {sorted(sizes)}")
     height, width = sizes.pop()
     return height, width
+
+
+_TRAINING = "train_config.json"
+_INFO = "meta/info.json"
+
+
+def element_names(folder: Path, key: str) -> tuple[Path, tuple[str, ...]] | None:
+    """Return the dataset of a checkpoint, and how it names the elements of a vector.
+
+    LeRobot keeps shapes with the weights, and no names. Those stand in the dataset, to which only a
+    path leads, relative to where `lerobot-train` was run: None, if it leads nowhere any more.
+
+    Args:
+        folder: LeRobot's `pretrained_model` folder.
+        key: Key of the vector, such as `observation.environment_state`.
+    """
+    dataset = _read(folder / _TRAINING).get("dataset")
+    if not isinstance(dataset, dict) or not isinstance(dataset.get("repo_id"), str):
+        return None
+    root = Path(dataset.get("root") or _home() / dataset["repo_id"])
+    feature = _read(root / _INFO).get("features", {}).get(key, {})
+    names = feature.get("names")
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+        return None
+    return root, tuple(names)
+
+
+def keys_with_statistics(states: Iterable[Path]) -> set[str]:
+    """Return the keys of everything that a training had statistics of; empty if nothing tells.
+
+    LeRobot keeps those of the whole dataset with its normaliser, `KEY.mean` and so on, whatever the
+    policy uses.
+
+    Args:
+        states: Files of the states of a processor's steps.
+    """
+    keys: set[str] = set()
+    for file in states:
+        try:
+            with safe_open(file, framework="numpy") as tensors:
+                keys |= {name.rpartition(".")[0] for name in tensors.keys()}  # noqa: SIM118
+        except (OSError, SafetensorError):
+            continue  # what cannot be known is not checked
+    return keys
+
+
+def _home() -> Path:
+    """Return where LeRobot keeps datasets without a root; its own constant would bring torch."""
+    cache = Path(os.environ.get("HF_HOME") or Path.home() / ".cache" / "huggingface")
+    return Path(os.environ.get("HF_LEROBOT_HOME") or cache / "lerobot")
+
+
+def _read(file: Path) -> dict[str, Any]:
+    """Return a JSON object, empty if there is none: what cannot be known is not checked."""
+    try:
+        content = json.loads(file.read_text())
+    except (OSError, ValueError):
+        return {}
+    return content if isinstance(content, dict) else {}

@@ -1,96 +1,223 @@
 """Two results on common seeds: which policy is better, and how sure that is."""
 
+import hashlib
+import json
+import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import reduce
 from typing import Any
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.condition import Condition, differ_in_task_only
+from labutopia_lerobot.evaluation.load_results import LoadedResult
 from labutopia_lerobot.evaluation.reporting.table import Cell, Rate, Table
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.evaluation.uncertainty import anytime
-from labutopia_lerobot.evaluation.uncertainty.paired import Pairs, holm
-from labutopia_lerobot.evaluation.uncertainty.proportion import wilson
+from labutopia_lerobot.evaluation.uncertainty.intervals import Interval, wilson
+from labutopia_lerobot.evaluation.uncertainty.paired import PairedOutcomes, holm
+
+
+class NoCommonEpisodesError(UserError):
+    """Results that cannot be compared; the message says what each of them holds."""
+
+
+@dataclass(frozen=True)
+class PlayedEpisodes:
+    """What one policy played.
+
+    Attributes:
+        rows: Condition without what only the observer sees -> seed -> row.
+        sequential: Those of these conditions whose run could stop by what it had seen (`until`).
+    """
+
+    rows: Mapping[Condition, Mapping[int, Row]]
+    sequential: frozenset[Condition]
+
+    def __str__(self) -> str:
+        """Return every condition with its seeds."""
+        listed = (
+            f"{condition.description}, {_seeds(sorted(rows))}"
+            for condition, rows in self.rows.items()
+        )
+        return "; ".join(listed) or "no episode"
+
+    @property
+    def sha256(self) -> str:
+        """Of all rows, in hexadecimal digits."""
+        rows = [asdict(row) for of_one in self.rows.values() for row in of_one.values()]
+        return hashlib.sha256(json.dumps(rows, sort_keys=True).encode()).hexdigest()
+
+
+def _seeds(seeds: Sequence[int]) -> str:
+    """Return which seeds there are, in increasing order, in words."""
+    first, last = seeds[0], seeds[-1]
+    if first == last:
+        return f"seed {first}"
+    whole = len(seeds) == last - first + 1
+    return f"seeds {first} to {last}" + ("" if whole else f" ({len(seeds)} of them)")
+
+
+def played_episodes(results: Sequence[LoadedResult]) -> PlayedEpisodes:
+    """Return the episodes of results by condition and seed.
+
+    Raises:
+        NoCommonEpisodesError: If one condition is in two results or was played by two policies, or
+            an episode occurs twice.
+    """
+    rows: dict[Condition, dict[int, Row]] = {}
+    of: dict[Condition, tuple[str, str]] = {}
+    for result in results:
+        for row in result.rows:
+            scene, seed = row.scene
+            by = row.policy, str(result.place)
+            first = of.setdefault(scene, by)
+            if by != first or seed in rows.setdefault(scene, {}):
+                raise NoCommonEpisodesError(
+                    f"{scene.description}, seed {seed}, is there twice: by {first[0]} in "
+                    f"{first[1]} and by {by[0]} in {by[1]}. Name the folder of one of them"
+                )
+            rows[scene][seed] = row
+    sequential = (r.scene[0] for result in results if result.sequential for r in result.rows)
+    return PlayedEpisodes(rows, frozenset(sequential))
+
+
+def require_same_scene(row: Row, other: Row) -> None:
+    """Make sure that an episode was drawn alike for both.
+
+    Raises:
+        NoCommonEpisodesError: If it was not.
+    """
+    if row.drawn != other.drawn:
+        raise NoCommonEpisodesError(
+            f"{row.condition.description}, seed {row.seed}, is not the same scene in both: "
+            f"{row.drawn} and {other.drawn}. Were they played by different versions?"
+        )
+
+
+def common_outcomes(
+    first: Mapping[int, Row], second: Mapping[int, Row]
+) -> Iterable[tuple[bool, bool]]:
+    """Yield who succeeded in each common episode of one condition.
+
+    Raises:
+        NoCommonEpisodesError: If an episode was not drawn alike for both.
+    """
+    for seed in sorted(first.keys() & second.keys()):
+        require_same_scene(first[seed], second[seed])
+        yield first[seed].success, second[seed].success
+
 
 POOLED = "all tasks"
-
-Condition = tuple[str, str, tuple[str, ...], str]
-"""Task, split, axes and how it was played."""
-
-
-class NothingCommonError(UserError):
-    """Results that cannot be compared; the message says why."""
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """Two policies in one task, or in all.
+    """Two policies under one condition, or over all tasks.
 
     Attributes:
-        task: Task id, or `POOLED`.
-        condition: Split, axes and way of playing; empty of all tasks.
+        condition: What both played, without what only they saw; None over all tasks.
         pairs: Common episodes, by who succeeded.
-        p_value_holm: The p-value, adjusted for the number of tasks; of all tasks as it is.
+        sequential: Whether one of the runs could stop by what it had seen: then the number of
+            episodes says something of the outcome, and only what is valid anytime is told.
+        p_value_holm: Its p-value, adjusted for the number of conditions that are told; over all
+            tasks as it is.
     """
 
-    task: str
-    condition: str
-    pairs: Pairs
-    p_value_holm: float
+    condition: Condition | None
+    pairs: PairedOutcomes
+    sequential: bool
+    p_value_holm: float = math.nan
 
     @property
-    def told(self) -> dict[str, Any]:
+    def task(self) -> str:
+        """Task id, or `POOLED`."""
+        return POOLED if self.condition is None else self.condition.task
+
+    @property
+    def p_value(self) -> float:
+        """Of equal policies; valid for how the number of episodes came about."""
+        pairs = self.pairs
+        return anytime.p_value(pairs.first, pairs.second) if self.sequential else pairs.p_value
+
+    @property
+    def rates(self) -> tuple[Rate, Rate]:
+        """Successes of both policies."""
+        pairs = self.pairs
+        return self._rate(pairs.both + pairs.first), self._rate(pairs.both + pairs.second)
+
+    @property
+    def interval(self) -> Interval:
+        """Confidence interval of the difference of the rates, 95 %."""
+        pairs = self.pairs
+        if self.sequential:
+            return anytime.difference_sequence(pairs.first, pairs.second, pairs.n)
+        return pairs.interval()
+
+    @property
+    def columns(self) -> dict[str, Any]:
         """Everything about it, as JSON has it."""
         pairs = self.pairs
-        wins = (pairs.both + pairs.first, pairs.both + pairs.second)
         return {
             "task": self.task,
-            "condition": self.condition,
+            "condition": None if self.condition is None else asdict(self.condition),
             "n": pairs.n,
-            "successes": list(wins),
-            "rates": [count / pairs.n for count in wins],
-            "wilson95": [wilson(count, pairs.n) for count in wins],
+            "successes": [rate.count for rate in self.rates],
+            "rates": [rate.count / pairs.n for rate in self.rates],
+            "rates95": [rate.interval for rate in self.rates],
             "only_first": pairs.first,
             "only_second": pairs.second,
             "difference": pairs.difference,
-            "difference95": pairs.interval(),
-            "p_value": pairs.p_value,
+            "difference95": self.interval,
+            "sequential": self.sequential,
+            "p_value": self.p_value,
             "p_value_holm": self.p_value_holm,
             "p_value_anytime": anytime.p_value(pairs.first, pairs.second),
         }
 
+    def _rate(self, count: int) -> Rate:
+        n = self.pairs.n
+        if self.sequential:
+            low, high = anytime.confidence_sequence(count, n)
+            return Rate(count, n, (float(low), float(high)))
+        return Rate(count, n, wilson(count, n))
 
-def compare(first: Iterable[Row], second: Iterable[Row]) -> list[Comparison]:
-    """Return the comparison of each common task and condition, and then of all together.
+
+def compare(first: Sequence[LoadedResult], second: Sequence[LoadedResult]) -> list[Comparison]:
+    """Return the comparison under each common condition, and of all tasks together.
+
+    All tasks are told together where the conditions differ in nothing else, and every number of
+    episodes was fixed beforehand.
 
     Raises:
-        NothingCommonError: If no episode is common to both, an episode occurs twice in one of
-            them, or what should be the same episode was another scene.
+        NoCommonEpisodesError: If no episode is common to both, one of them holds a condition twice,
+            or what should be the same episode was another scene.
     """
-    ours, theirs = _episodes(first, "first"), _episodes(second, "second")
-    common: dict[Condition, list[tuple[bool, bool]]] = {}
-    for key, row in ours.items():
-        other = theirs.get(key)
-        if other is not None:
-            _require_same_scene(row, other)
-            condition = (row.task, row.split, tuple(row.axes), row.play)
-            common.setdefault(condition, []).append((row.success, other.success))
-    if not common:
-        raise NothingCommonError(
-            f"The results have no episode in common. First: {_told(ours)}. Second: "
-            f"{_told(theirs)}. Play the same tasks, splits, axes and seeds "
-            "with the same robot, room and liquid"
+    ours, theirs = played_episodes(first), played_episodes(second)
+    sequential = ours.sequential | theirs.sequential
+    found = []
+    for condition in sorted(ours.rows.keys() & theirs.rows.keys(), key=lambda c: c.description):
+        pairs = PairedOutcomes.of(common_outcomes(ours.rows[condition], theirs.rows[condition]))
+        if pairs.n:
+            found.append(Comparison(condition, pairs, condition in sequential))
+    if not found:
+        raise NoCommonEpisodesError(
+            f"The results have no episode in common. First: {ours}. Second: {theirs}. Play the "
+            "same tasks, splits, axes, steps and seeds with the same robot, room and liquid"
         )
-    pairs = {condition: Pairs.of(outcomes) for condition, outcomes in sorted(common.items())}
-    adjusted = holm([each.p_value for each in pairs.values()])
-    tasks = [
-        Comparison(condition[0], _words(condition), each, p)
-        for (condition, each), p in zip(pairs.items(), adjusted, strict=True)
-    ]
-    if len(tasks) == 1:
-        return tasks
-    pooled = reduce(Pairs.__add__, pairs.values())
-    return [*tasks, Comparison(POOLED, "", pooled, pooled.p_value)]
+    return adjusted(found)
+
+
+def adjusted(found: Sequence[Comparison]) -> list[Comparison]:
+    """Return comparisons with p-values adjusted for how many there are, and all tasks pooled."""
+    p_values = holm([comparison.p_value for comparison in found])
+    lines = [replace(each, p_value_holm=p) for each, p in zip(found, p_values, strict=True)]
+    conditions = [comparison.condition for comparison in found if comparison.condition is not None]
+    fixed = not any(comparison.sequential for comparison in found)
+    if len(found) == 1 or not fixed or not differ_in_task_only(conditions):
+        return lines
+    pooled = Comparison(None, reduce(PairedOutcomes.__add__, (each.pairs for each in found)), False)
+    return [*lines, replace(pooled, p_value_holm=pooled.p_value)]
 
 
 def comparison_table(comparisons: Sequence[Comparison], names: tuple[str, str]) -> Table:
@@ -101,56 +228,29 @@ def comparison_table(comparisons: Sequence[Comparison], names: tuple[str, str]) 
         names: What the two results are called.
     """
     lines: list[tuple[Cell, ...]] = []
-    for comparison in comparisons:
-        told = comparison.told
-        rates = (
-            Rate(count, told["n"], interval)
-            for count, interval in zip(told["successes"], told["wilson95"], strict=True)
-        )
-        low, high = told["difference95"]
-        difference = f"{100 * told['difference']:+.1f} [{100 * low:+.1f}, {100 * high:+.1f}]"
-        p_values = (_p(told[name]) for name in ("p_value", "p_value_holm"))
-        lines.append((comparison.task, comparison.condition, *rates, difference, *p_values))
+    for each in comparisons:
+        low, high = each.interval
+        difference = f"{100 * each.pairs.difference:+.1f} [{100 * low:+.1f}, {100 * high:+.1f}]"
+        condition = "" if each.condition is None else each.condition.without_task()
+        p_values = (_p(each.p_value), _p(each.p_value_holm))
+        lines.append((each.task, condition, *each.rates, difference, *p_values))
     head = ("Task", "Condition", *names, "difference, points", "p", "p (Holm)")
-    note = (
-        "Common episodes only. Rates: per cent, Wilson 95 %. Difference: percentage points, score "
-        "interval of Tango 1998. p: exact McNemar test; Holm: adjusted for the number of tasks."
+    kinds = {each.sequential for each in comparisons}
+    note = " ".join(
+        [
+            "Common episodes only. Rates in per cent, differences in percentage points.",
+            *[_FIXED] * (False in kinds),
+            *[_SEQUENTIAL] * (True in kinds),
+            "Holm: adjusted for the number of conditions.",
+        ]
     )
     return Table("Comparison on common seeds", head, tuple(lines), note)
 
 
-def _episodes(rows: Iterable[Row], which: str) -> Mapping[tuple[Any, ...], Row]:
-    """Return the rows by what tells which episode it was."""
-    found: dict[tuple[Any, ...], Row] = {}
-    for row in rows:
-        played = (row.task, row.step, row.split, *row.axes, row.play)
-        key = (*played, row.seed, row.liquid, row.robot, row.room)
-        if key in found:
-            raise NothingCommonError(
-                f"The {which} result holds {row.task}, split {row.split}, seed {row.seed} twice, "
-                f"by {found[key].policy} and {row.policy}: name a folder with one policy"
-            )
-        found[key] = row
-    return found
-
-
-def _require_same_scene(row: Row, other: Row) -> None:
-    if row.drawn != other.drawn:
-        raise NothingCommonError(
-            f"{row.task}, split {row.split}, seed {row.seed} is not the same scene in both: "
-            f"{row.drawn} and {other.drawn}. Were they played by different versions?"
-        )
-
-
-def _told(episodes: Mapping[tuple[Any, ...], Row]) -> str:
-    tasks = sorted({f"{row.task} ({row.split})" for row in episodes.values()})
-    seeds = [row.seed for row in episodes.values()]
-    return f"{', '.join(tasks)}, seeds {min(seeds)} to {max(seeds)}" if seeds else "no episode"
-
-
-def _words(condition: Condition) -> str:
-    _, split, axes, play = condition
-    return " ".join([split, *(("+".join(axes),) if axes else ()), *([play] * (play != "single"))])
+_FIXED = "95 %: Wilson, of differences the score interval of Tango 1998; p: exact McNemar test."
+_SEQUENTIAL = (
+    "Of runs with `until`: confidence sequences and p-values that are valid whenever one stops."
+)
 
 
 def _p(value: float) -> str:

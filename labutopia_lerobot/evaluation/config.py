@@ -9,8 +9,8 @@ from typing import Any
 from omegaconf import MISSING
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.row import SINGLE, STAGED
-from labutopia_lerobot.evaluation.uncertainty.planning import require_precision
+from labutopia_lerobot.evaluation.condition import SINGLE, STAGED
+from labutopia_lerobot.evaluation.uncertainty.intervals import require_precision
 from labutopia_lerobot.registry import choose_tasks, listed
 from labutopia_lerobot.setting import SPLITS, require_choices, with_setting
 
@@ -120,7 +120,7 @@ class EvaluationConfig:
 
         Raises:
             EvaluationOptionError: If a number is out of its range.
-        PrecisionError: If no interval of a rate can be as narrow as `until`.
+            PrecisionError: If no interval of a rate can be as narrow as `until`.
             UnknownOptionError: If a word is not one of its choices.
         """
         for name, least in {"episodes": 1, "workers": 1, "seed": 0, "videos": 0}.items():

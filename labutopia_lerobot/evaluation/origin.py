@@ -6,38 +6,43 @@ from pathlib import Path
 from typing import Any
 
 from labutopia_lerobot.evaluation.checkpoint import Checkpoint
-from labutopia_lerobot.evaluation.checkpoint_folder import WEIGHTS, checkpoint_files
+from labutopia_lerobot.evaluation.checkpoint_security import CONFIG, CheckpointError
+from labutopia_lerobot.evaluation.compare import PlayedEpisodes
 from labutopia_lerobot.evaluation.config import EvaluationConfig
-from labutopia_lerobot.evaluation.harmless import CONFIG, CheckpointError
-from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.rollout import Pairing
-from labutopia_lerobot.evaluation.row import Row
-from labutopia_lerobot.evaluation.staged import Staged
+from labutopia_lerobot.evaluation.find_checkpoint import WEIGHTS, checkpoint_files
+from labutopia_lerobot.evaluation.jobs import EvaluationJob
+from labutopia_lerobot.evaluation.policies import StagedPolicyMaker
+from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.runtime import provenance
+from labutopia_lerobot.runtime.json_object import read_json_object
 
 _FREE = ("out", "workers", "videos")
 """Options on which no row depends."""
 
 
-def origin(config: EvaluationConfig, pairings: Sequence[Pairing]) -> dict[str, Any]:
+def origin(
+    config: EvaluationConfig, jobs: Sequence[EvaluationJob], rival: PlayedEpisodes | None = None
+) -> dict[str, Any]:
     """Return everything that decides what the rows are, known before the first is played.
 
     Args:
         config: Options of the run.
-        pairings: What it plays.
+        jobs: What it plays.
+        rival: What decides, with `versus`, how many episodes are played.
 
     Raises:
         CheckpointError: If a file of a checkpoint cannot be read.
     """
-    tasks_dir = pairings[0].setting.tasks_dir
-    tasks = dict.fromkeys(pairing.setting.task for pairing in pairings)
+    tasks_dir = jobs[0].setting.tasks_dir
+    tasks = dict.fromkeys(job.setting.task for job in jobs)
     # Of each once, whatever its splits: weights may be large.
-    checkpoints = {name: each for pairing in pairings for name, each in _checkpoints(pairing)}
+    checkpoints = {name: each for job in jobs for name, each in _checkpoints(job)}
     return {
         "config": {name: value for name, value in asdict(config).items() if name not in _FREE},
         "code": provenance.code(tasks, tasks_dir),
         "versions": provenance.versions(),
         "checkpoints": {name: _weights(checkpoint) for name, checkpoint in checkpoints.items()},
+        "rival_sha256": None if rival is None else rival.sha256,
     }
 
 
@@ -55,6 +60,7 @@ def full_provenance(
         **began["code"],
         "versions": began["versions"],
         "checkpoints": began["checkpoints"],
+        "rival_sha256": began["rival_sha256"],
         "device": _several(row.device for row in rows),
         "renderer": _several(row.renderer for row in rows),
         "machine": provenance.machine(),
@@ -62,27 +68,42 @@ def full_provenance(
     }
 
 
-def _checkpoints(pairing: Pairing) -> Iterator[tuple[str, Checkpoint]]:
+def _checkpoints(job: EvaluationJob) -> Iterator[tuple[str, Checkpoint]]:
     """Yield what plays, by its task or, where it plays a step only, by task and step."""
-    made = pairing.make_policy
-    for maker in [maker for _, maker in made.makers] if isinstance(made, Staged) else [made]:
+    made = job.make_policy
+    for maker in (
+        [maker for _, maker in made.makers] if isinstance(made, StagedPolicyMaker) else [made]
+    ):
         if isinstance(maker, Checkpoint):
             step = maker.setting.step
-            yield pairing.setting.task + (f"/{step}" if step else ""), maker
+            yield job.setting.task + (f"/{step}" if step else ""), maker
 
 
 def _weights(checkpoint: Checkpoint) -> dict[str, Any]:
     """Return which weights a checkpoint has: its real folder, its training step, its hashes."""
     folder, base = checkpoint.folder, checkpoint.base
-    told = {
+    hashes, of_base = weight_hashes(folder, base)
+    weights = {
         "folder": str(folder),
         "type": checkpoint.type,
         "step": _training_step(folder),
-        "sha256": _hashes(folder, checkpoint_files(folder)),
+        "sha256": hashes,
     }
-    if base is None:
-        return told
-    return {**told, "base": {"folder": str(base), "sha256": _hashes(base, (CONFIG, WEIGHTS))}}
+    return weights if base is None else weights | {"base": {"folder": str(base), "sha256": of_base}}
+
+
+def weight_hashes(folder: Path, base: Path | None) -> tuple[dict[str, str], dict[str, str]]:
+    """Return file -> SHA-256 of all that decides what a policy does, and of what it adapts.
+
+    Args:
+        folder: LeRobot's `pretrained_model` folder.
+        base: Folder of the policy that it adapts, if it is an adapter (see `adapted`).
+
+    Raises:
+        CheckpointError: If a file is missing, or cannot be read.
+    """
+    of_base = {} if base is None else _hashes(base, (CONFIG, WEIGHTS))
+    return _hashes(folder, checkpoint_files(folder)), of_base
 
 
 def _hashes(folder: Path, names: Iterable[str]) -> dict[str, str]:
@@ -94,9 +115,9 @@ def _hashes(folder: Path, names: Iterable[str]) -> dict[str, str]:
 
 def _training_step(folder: Path) -> int | None:
     """Return after how many steps of training it was saved, or None if nothing tells."""
-    told = folder.parent / "training_state" / "training_step.json"
-    if told.is_file():
-        step = read_json_object(told, CheckpointError).get("step")
+    file = folder.parent / "training_state" / "training_step.json"
+    if file.is_file():
+        step = read_json_object(file, CheckpointError).get("step")
         return step if isinstance(step, int) else None
     return int(folder.parent.name) if folder.parent.name.isdigit() else None
 

@@ -1,6 +1,6 @@
-"""What plays an episode, and the three reference policies that need no training."""
+"""What plays an episode: reference policies, one policy per step, and recorded actions."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv, Observation
+from labutopia_lerobot.evaluation.condition import EXPERT, RANDOM, STILL
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -128,12 +129,112 @@ class RandomPolicy:
 
 
 REFERENCE_POLICIES: dict[str, PolicyMaker] = {
-    "expert": ExpertPolicy,
-    "random": RandomPolicy,
-    "still": StillPolicy,
+    EXPERT: ExpertPolicy,
+    RANDOM: RandomPolicy,
+    STILL: StillPolicy,
 }
 
 
 def reference_of_step(policy: str, step: str) -> PolicyMaker:
     """Return what makes a reference policy for one step; all but the expert are as ever."""
-    return ExpertOfStep(step) if policy == "expert" else REFERENCE_POLICIES[policy]
+    return ExpertOfStep(step) if policy == EXPERT else REFERENCE_POLICIES[policy]
+
+
+@dataclass(frozen=True)
+class StagedPolicyMaker:
+    """Makes a policy per step.
+
+    Attributes:
+        makers: Pairs of a step and what makes its policy, in the order of the steps.
+    """
+
+    makers: tuple[tuple[str, PolicyMaker], ...]
+
+    def __call__(self) -> Policy:
+        """Make them all."""
+        return StagedPolicy({step: make() for step, make in self.makers})
+
+
+class StagedPolicy:
+    """Lets the policy of the present step play.
+
+    Args:
+        policies: Step -> its policy.
+    """
+
+    def __init__(self, policies: Mapping[str, Policy]) -> None:
+        self._policies = policies
+
+    def start(self, env: LabEnv, seed: int) -> None:
+        """Begin an episode, with the policy of its first step."""
+        self._env, self._seed = env, seed
+        self._step: str | None = None
+
+    def act(self, observation: Observation) -> Action:
+        """Return the next action, of another policy than before where a step has been done.
+
+        Raises:
+            Exception: Whatever that policy raises.
+        """
+        step = self._env.workcell.progress.step
+        if step is not None and step.name != self._step:
+            self._step = step.name
+            self._playing = self._policies[step.name]
+            self._playing.start(self._env, self._seed)
+        return self._playing.act(observation)
+
+    @property
+    def failure(self) -> str | None:
+        """What the policy that plays could not do, or None."""
+        failure: str | None = getattr(self._playing, "failure", None)
+        return failure
+
+    @property
+    def device(self) -> str | None:
+        """Device of torch that the policies run on, or None."""
+        device: str | None = getattr(self._playing, "device", None)
+        return device
+
+
+@dataclass(frozen=True)
+class RecordedActions:
+    """Makes a policy that plays actions again, whatever it observes.
+
+    Attributes:
+        content: The actions, as float32 one after the other.
+        elements: Numbers of an action.
+    """
+
+    content: bytes
+    elements: int
+
+    def __call__(self) -> "RecordedPolicy":
+        """Make the policy."""
+        actions = np.frombuffer(self.content, np.dtype("<f4")).reshape(-1, self.elements)
+        return RecordedPolicy(actions)
+
+
+class RecordedPolicy:
+    """Plays actions again, and is not there any more when they are all played.
+
+    Args:
+        actions: Shape (steps, elements).
+    """
+
+    def __init__(self, actions: NDArray[np.float32]) -> None:
+        self._actions = actions
+
+    def start(self, env: LabEnv, seed: int) -> None:
+        """Begin with the first action."""
+        self._left = iter(self._actions)
+
+    def act(self, observation: Observation) -> Action:
+        """Return the next action.
+
+        Raises:
+            PolicyUnreachable: If there is none left.
+        """
+        action: Action | None = next(self._left, None)
+        if action is None:
+            raise PolicyUnreachable("all stored actions are played")
+        return action.copy()

@@ -66,7 +66,7 @@ class Precision:
 
     def _off(self, facts: Iterable[Predicate], unit: str) -> list[float]:
         """Return by how much the world misses what facts ask for, in one unit."""
-        misses = (fact.off(self._world) for fact in facts if fact.off is not None)
+        misses = (fact.errors(self._world) for fact in facts)
         return [miss[unit] for miss in misses if unit in miss]
 
     def _unwanted(self) -> Iterator[tuple[str, str]]:

@@ -1,44 +1,35 @@
-"""Playing one episode."""
+"""Playing one episode, and playing it again in front of a camera."""
 
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import groupby, islice
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import Info, LabEnv
-from labutopia_lerobot.evaluation.causes import cause_of
-from labutopia_lerobot.evaluation.policies import Policy, PolicyMaker, PolicyUnreachable
+from labutopia_lerobot.evaluation.condition import EXPERT, Condition
+from labutopia_lerobot.evaluation.failure_causes import cause_of
+from labutopia_lerobot.evaluation.jobs import EvaluationJob
+from labutopia_lerobot.evaluation.policies import (
+    REFERENCE_POLICIES,
+    Policy,
+    PolicyUnreachable,
+)
 from labutopia_lerobot.evaluation.precision import Precision
-from labutopia_lerobot.evaluation.row import SINGLE, Row, Series
-from labutopia_lerobot.scenario import canonical_task
-from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.sim.renderers import renderer_name
+from labutopia_lerobot.evaluation.result_folder import film_of, film_of_expert
+from labutopia_lerobot.evaluation.rows import Row
+from labutopia_lerobot.runtime.video import write_video
+from labutopia_lerobot.runtime.workers import in_processes
+from labutopia_lerobot.setting import IMAGE_SIZE, Setting
+from labutopia_lerobot.sim.classic_renderer import NoOpenGLError
+from labutopia_lerobot.sim.renderers import renderer_name, require_renderer
 from labutopia_lerobot.sim.workcell import Workcell
-from labutopia_lerobot.task import POLICY_UNREACHABLE
+from labutopia_lerobot.task import POLICY_UNREACHABLE, RUNNING
 from labutopia_lerobot.world import CONTROL_HZ
-
-
-@dataclass(frozen=True)
-class Pairing:
-    """One policy in one setting: whatever an episode depends on beside its seed.
-
-    Attributes:
-        setting: What is played and observed.
-        policy: What the policy is called.
-        make_policy: Makes it.
-        play: How it plays the steps, `single` or `staged`.
-    """
-
-    setting: Setting
-    policy: str
-    make_policy: PolicyMaker
-    play: str = SINGLE
-
-    @property
-    def series(self) -> Series:
-        """Task, split and way of playing."""
-        return self.setting.task, self.setting.split, self.play
 
 
 @dataclass(frozen=True)
@@ -46,17 +37,51 @@ class Episode:
     """A played episode.
 
     Attributes:
-        pairing: What was played.
+        job: What was played.
         row: What became of it.
         actions: Everything that the policy commanded, shape (steps, elements).
     """
 
-    pairing: Pairing
+    job: EvaluationJob
     row: Row
     actions: NDArray[np.float32]
 
 
-def play(pairing: Pairing, seed: int) -> Episode:
+def evaluate(
+    jobs: Sequence[EvaluationJob],
+    seeds: Sequence[int],
+    workers: int,
+    known: Collection[Episode] = (),
+    enough: Callable[[Condition], bool] = lambda condition: False,
+) -> Iterator[Episode]:
+    """Yield every episode as it is finished; what is in them does not depend on the workers.
+
+    Args:
+        jobs: What to play.
+        seeds: Which episodes of each.
+        workers: Number of processes.
+        known: Episodes that an earlier run played; they are not yielded.
+        enough: Whether a condition needs no more episodes; asked before each of them.
+
+    Raises:
+        Exception: Whatever was raised in a worker; a bug is not a failed episode.
+    """
+    played = {(episode.job, episode.row.seed) for episode in known}
+    unplayed = (
+        (job, seed)
+        for job in jobs
+        for seed in seeds
+        if (job, seed) not in played and not enough(job.condition)
+    )
+    yield from in_processes(play, unplayed, workers)
+
+
+def in_order(episodes: Sequence[Episode], jobs: Sequence[EvaluationJob]) -> list[Episode]:
+    """Return episodes in the order of the jobs, and then of the seeds."""
+    return sorted(episodes, key=lambda episode: (jobs.index(episode.job), episode.row.seed))
+
+
+def play(job: EvaluationJob, seed: int) -> Episode:
     """Play the episode of a seed.
 
     Raises:
@@ -64,18 +89,18 @@ def play(pairing: Pairing, seed: int) -> Episode:
             not a failed episode. Only a policy elsewhere that cannot be asked any more ends it.
     """
     try:
-        return _play(pairing, seed)
+        return _play(job, seed)
     except Exception as error:
-        setting = pairing.setting
+        setting = job.setting
         error.add_note(
             f"In the episode of {setting.task}, split {setting.split}, seed {seed}, played by "
-            f"{pairing.policy}, {pairing.play}"
+            f"{job.policy}, {job.play}"
         )
         raise
 
 
-def _play(pairing: Pairing, seed: int) -> Episode:
-    env, policy = _prepare(pairing)
+def _play(job: EvaluationJob, seed: int) -> Episode:
+    env, policy = _prepare(job)
     observation, info = env.reset(seed=seed)
     policy.start(env, seed)
     actions: list[NDArray[np.float32]] = []
@@ -91,18 +116,18 @@ def _play(pairing: Pairing, seed: int) -> Episode:
         observation, _, terminated, truncated, info = env.step(action)
         precision.note(info["substeps"])
         over = terminated or truncated
-    row = _row(pairing, seed, len(actions), info, env.workcell)
+    row = _row(job, seed, len(actions), info, env.workcell)
     row = replace(
         row,
         **precision.columns,
         expert_failure=getattr(policy, "failure", None),
         cause=cause_of(row),
         device=getattr(policy, "device", None),
-        renderer=_seen_through(pairing.setting),
+        renderer=_seen_through(job.setting),
     )
     elements = env.workcell.simulation.command.size
     commanded = np.array(actions, dtype=np.float32).reshape(len(actions), elements)
-    return Episode(pairing, row, commanded)
+    return Episode(job, row, commanded)
 
 
 def _seen_through(setting: Setting) -> str | None:
@@ -110,25 +135,26 @@ def _seen_through(setting: Setting) -> str | None:
 
 
 @lru_cache(maxsize=1)
-def _prepare(pairing: Pairing) -> tuple[LabEnv, Policy]:
+def _prepare(job: EvaluationJob) -> tuple[LabEnv, Policy]:
     """Compile the scene and load the policy once per process, not once per episode."""
-    return LabEnv(pairing.setting), pairing.make_policy()
+    return LabEnv(job.setting), job.make_policy()
 
 
-def _row(pairing: Pairing, seed: int, steps: int, info: Info, workcell: Workcell) -> Row:
-    setting = pairing.setting
+def _row(job: EvaluationJob, seed: int, steps: int, info: Info, workcell: Workcell) -> Row:
+    setting = job.setting
     latched = {name: _time(time) for name, time in info["substeps"].items()}
     return Row(
         task=setting.task,
         split=setting.split,
         axes=list(setting.axes),
         drawn=info["drawn"],
-        policy=pairing.policy,
-        play=pairing.play,
+        policy=job.policy,
+        play=job.play,
         obs=setting.obs,
         robot=setting.robot,
         room=setting.room,
         step=setting.step,
+        after=info.get("after"),
         seed=seed,
         success=info["is_success"],
         ever_success=info["ever_success"],
@@ -142,7 +168,8 @@ def _row(pairing: Pairing, seed: int, steps: int, info: Info, workcell: Workcell
             name: {"first": _time(fact.first), "last": _time(fact.last), "times": fact.times}
             for name, fact in workcell.progress.history.items()
         },
-        liquid=setting.liquid if _holds_liquid(setting) else None,
+        liquid=job.condition.liquid,
+        particles=setting.particles,
         ml_total=_millilitres(info.get("ml_total")),
         ml_poured=_millilitres(info.get("ml_poured")),
         ml_retained=_millilitres(info.get("ml_retained")),
@@ -155,15 +182,77 @@ def _row(pairing: Pairing, seed: int, steps: int, info: Info, workcell: Workcell
     )
 
 
-@lru_cache(maxsize=1)
-def _holds_liquid(setting: Setting) -> bool:
-    """Tell whether the vessels of the task hold something, also where it is left out."""
-    return bool(canonical_task(replace(setting, liquid="on")).contents)
-
-
 def _time(seconds: float | None) -> float | None:
     return None if seconds is None or np.isinf(seconds) else round(float(seconds), 3)
 
 
 def _millilitres(volume: float | None) -> float | None:
     return None if volume is None else round(volume, 3)
+
+
+_CAMERA = "front"
+
+
+def require_camera(renderer: str) -> None:
+    """Make sure, before hours of playing, that films can be drawn by a kind of renderer.
+
+    Raises:
+        NoFilamentError: If it is Filament, and there is no Vulkan.
+        NoOpenGLError: If it is the classic one, and there is no OpenGL.
+    """
+    try:
+        require_renderer(renderer)
+    except NoOpenGLError as error:
+        raise NoOpenGLError(f"{error}\nvideos=0 films nothing and needs no OpenGL.") from None
+
+
+def choose(episodes: Sequence[Episode], count: int, folder: Path) -> list[tuple[Episode, Path]]:
+    """Return which episodes to film, with the files to write.
+
+    Args:
+        episodes: Every episode, in order.
+        count: How many successes and how many failures of each task and split.
+        folder: Folder of the result.
+    """
+    return [
+        (episode, film_of(folder, episode.row))
+        for _, group in groupby(episodes, key=lambda episode: episode.job)
+        for played in [list(group)]
+        for success in (True, False)
+        for episode in islice((e for e in played if e.row.success == success), count)
+    ]
+
+
+def film(episode: Episode, file: Path) -> None:
+    """Play the actions of an episode again, in front of a camera; of a failure the expert's too.
+
+    The policy is not asked, so that filming can change nothing of what it sees, and only the
+    episodes that are shown are drawn.
+
+    Raises:
+        RuntimeError: If the same actions end otherwise than before.
+    """
+    row = episode.row
+    env = _env(episode.job)
+    observation, info = env.reset(seed=row.seed)
+    frames = [observation["pixels"][_CAMERA]]
+    for action in episode.actions:
+        observation, *_, info = env.step(action)
+        frames.append(observation["pixels"][_CAMERA])
+    env.close()
+    # Where nobody answered any more, the actions end before the episode does.
+    if info["outcome"] != (RUNNING if row.outcome == POLICY_UNREACHABLE else row.outcome):
+        raise RuntimeError(
+            f"{row.task}, seed {row.seed}: the same actions ended in {info['outcome']} while "
+            f"being filmed, and in {row.outcome} before"
+        )
+    write_video(file, frames)
+    if not row.success and row.policy != EXPERT:
+        setting = episode.job.setting.without_pictures()  # it looks at no pictures
+        expert = EvaluationJob(setting, EXPERT, REFERENCE_POLICIES[EXPERT])
+        film(play(expert, row.seed), film_of_expert(file))
+
+
+def _env(job: EvaluationJob) -> LabEnv:
+    size: dict[str, Any] = {"width": IMAGE_SIZE, "height": IMAGE_SIZE}
+    return LabEnv(replace(job.setting, obs="pixels", cameras=(_CAMERA,), **size))

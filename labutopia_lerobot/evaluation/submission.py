@@ -1,11 +1,12 @@
 """One JSON file for the leaderboard: rows, where they come from, and every action of theirs.
 
 Whoever has the same build plays drawn episodes again from their actions, without the policy, and
-must get the same rows to the bit.
+must get the same rows to the bit. That shows what the actions do, not whose they are: an expert's
+or a copy's look the same.
 """
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -13,22 +14,51 @@ from typing import Any
 import numpy as np
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.result import ACTIONS, RESULT, read_actions
-from labutopia_lerobot.evaluation.rollout import Pairing, play
-from labutopia_lerobot.evaluation.row import Row, from_columns
-from labutopia_lerobot.evaluation.statistics import summarise
-from labutopia_lerobot.evaluation.stored_actions import StoredActions, decode
+from labutopia_lerobot.evaluation.condition import Condition
+from labutopia_lerobot.evaluation.jobs import EvaluationJob
+from labutopia_lerobot.evaluation.load_results import LoadedResult, result_in
+from labutopia_lerobot.evaluation.policies import RecordedActions
+from labutopia_lerobot.evaluation.result_folder import (
+    ACTIONS,
+    RESULT,
+    SCHEMA,
+    decode,
+    key_in_run,
+    read_actions,
+)
+from labutopia_lerobot.evaluation.rollout import play
+from labutopia_lerobot.evaluation.rows import Row, by_condition, from_columns
+from labutopia_lerobot.robots import DEFAULT_ROBOT, load_robot
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences, write_whole
-from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.runtime.json_object import read_json_object
+from labutopia_lerobot.scenes import DEFAULT_ROOM
+from labutopia_lerobot.setting import CLASSIC, PARTICLES, Setting
+
+FIRST_SEED = 100_000
+"""Of every published evaluation."""
+
+FEWEST_EPISODES = 100
+"""Of every condition, where the number was fixed beforehand."""
+
+PUBLISHED: Mapping[str, object] = {
+    "liquid": "on",
+    "particles": PARTICLES,
+    "robot": DEFAULT_ROBOT,
+    "room": DEFAULT_ROOM,
+    "renderer": CLASSIC,
+    "tasks_dir": None,
+}
+"""Option -> its value in every published evaluation; an earlier version may not have had it."""
+
+_SPLITS = ("id", "ood")
 
 _OF_THE_POLICY = ("policy", "obs", "device", "renderer", "expert_failure")
 """Columns that tell who played and what was seen: actions that are played again tell nothing."""
 
 
 class SubmissionError(UserError):
-    """A result that cannot be submitted, or a file that is no submission."""
+    """A result that cannot be published or submitted, or a file that is no submission."""
 
 
 @dataclass(frozen=True)
@@ -36,23 +66,20 @@ class Submission:
     """What a file of the leaderboard holds.
 
     Attributes:
-        rows: One per episode.
-        summary: What follows from them, as it stands in the file.
-        provenance: What they come from (see `origin`).
+        result: Its rows, and where they come from.
         actions: Their actions, as JSON, in the order of the rows.
     """
 
-    rows: list[Row]
-    summary: list[dict[str, Any]]
-    provenance: dict[str, Any]
-    actions: list[dict[str, Any]]
+    result: LoadedResult
+    actions: Sequence[Mapping[str, Any]]
 
 
 def pack(folder: Path, file: Path) -> None:
     """Write the submission of a finished result.
 
     Raises:
-        SubmissionError: If it is unfinished, or an episode's actions are missing.
+        SubmissionError: If it is unfinished, an episode's actions are missing, or it is not played
+            as published.
     """
     if not (folder / RESULT).is_file():
         raise SubmissionError(
@@ -62,42 +89,103 @@ def pack(folder: Path, file: Path) -> None:
     result = read_json_object(folder / RESULT, SubmissionError)
     kept = read_actions(folder / ACTIONS)
     rows = [from_columns(Row, columns, folder / RESULT) for columns in result["rows"]]
-    missing = [row for row in rows if (row.series, row.seed) not in kept]
+    missing = [row for row in rows if key_in_run(row) not in kept]
     if missing:
         raise SubmissionError(
             f"{folder / ACTIONS} lacks the actions of {len(missing)} episodes. Evaluate anew"
         )
-    actions = [kept[row.series, row.seed] for row in rows]
-    write_whole(file, result | {"actions": actions})
+    content = result | {"actions": [kept[key_in_run(row)] for row in rows]}
+    _submission(content, folder / RESULT)
+    write_whole(file, content)
 
 
 def read(file: Path) -> Submission:
-    """Return a submission, and make sure that its summary follows from its rows.
+    """Return a submission, and make sure that it may be on the leaderboard.
 
     Raises:
-        SubmissionError: If it is none, or its summary does not.
+        SubmissionError: If it is none, its summary does not follow from its rows, or it was not
+            played as published (see `require_published`).
+        UnreadableResultError: If its rows cannot be read.
     """
-    content = read_json_object(file, SubmissionError)
+    return _submission(read_json_object(file, SubmissionError), file)
+
+
+def require_published(result: LoadedResult) -> None:
+    """Make sure that numbers of a result may stand beside those of others.
+
+    Raises:
+        SubmissionError: If a condition is not in the published setting, was played by two policies,
+            or its episodes are not those of the seeds from 100000 on, each once and in order.
+    """
+    for name, usual in PUBLISHED.items():
+        value = result.config.get(name, usual)
+        if value != usual:
+            raise SubmissionError(
+                f"{result.place} was played with {name}={value}; published is {name}={usual}"
+            )
+    played = by_condition(result.rows)
+    scenes = [condition.scene for condition, _ in played]
+    for (condition, policy), rows in played.items():
+        where = f"{result.place}, {condition.description}, {policy}"
+        unusual = set(condition.marks()) - {"state"}  # which is shown
+        if unusual or condition.split not in _SPLITS:
+            raise SubmissionError(
+                f"{where}: published are the splits {' and '.join(_SPLITS)} in the default setting"
+            )
+        if scenes.count(condition.scene) > 1:
+            raise SubmissionError(f"{where}: the same episodes are there by another policy")
+        seeds = [row.seed for row in rows]
+        if seeds != list(range(FIRST_SEED, FIRST_SEED + len(rows))):
+            raise SubmissionError(
+                f"{where}: its {len(rows)} seeds must be {FIRST_SEED} to "
+                f"{FIRST_SEED + len(rows) - 1}, each once and in order"
+            )
+
+
+def _submission(content: Mapping[str, Any], file: Path) -> Submission:
+    """Return the submission that a JSON object is; see `read`."""
+    if content.get("schema") != SCHEMA:
+        raise SubmissionError(
+            f"{file} has no schema {SCHEMA}, but {content.get('schema')!r}: evaluate anew, with "
+            "this version"
+        )
     parts = ("rows", "summary", "actions")
-    lists = [content.get(part) for part in parts]
-    told = content.get("provenance")
-    if not all(isinstance(part, list) for part in lists) or not isinstance(told, dict):
-        raise SubmissionError(f"{file} is no submission: it has no {', '.join(parts)}, provenance")
-    rows = [from_columns(Row, columns, file) for columns in content["rows"]]
-    if len(rows) != len(content["actions"]) or not rows:
-        raise SubmissionError(f"{file} has {len(rows)} rows and {len(content['actions'])} actions")
-    computed = json.loads(json.dumps([asdict(summary) for summary in summarise(rows)]))
-    if computed != content["summary"]:
+    if not all(isinstance(content.get(part), list) for part in parts):
+        raise SubmissionError(f"{file} is no submission: it lacks {', '.join(parts)} or provenance")
+    result, actions = result_in(content, file, file), content["actions"]
+    if len(result.rows) != len(actions) or not actions:
+        raise SubmissionError(f"{file} has {len(result.rows)} rows and {len(actions)} actions")
+    try:
+        summaries = [summary.columns for summary in result.summaries]
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise SubmissionError(f"{file} is refused: its rows are damaged ({error})") from None
+    if json.loads(json.dumps(summaries)) != content["summary"]:
         raise SubmissionError(f"{file} is refused: its summary does not follow from its rows")
-    return Submission(rows, content["summary"], told, content["actions"])
+    require_published(result)
+    _require_episodes(result)
+    return Submission(result, actions)
+
+
+def _require_episodes(result: LoadedResult) -> None:
+    """Make sure that the number of episodes was fixed beforehand and is enough, or has a rule."""
+    if result.sequential:
+        return
+    wanted = result.config.get("episodes")
+    for summary in result.summaries:
+        if summary.n != wanted or summary.n < FEWEST_EPISODES:
+            raise SubmissionError(
+                f"{result.place} holds {summary.n} episodes of {summary.condition.description}, "
+                f"and was to play {wanted}: all of them are wanted, and {FEWEST_EPISODES} at "
+                "least, or a run that stops by itself (until=0.05)"
+            )
 
 
 def other_build(submission: Submission) -> list[str]:
     """Return in what the build that played a submission differs from this one, a line for each."""
-    tasks = dict.fromkeys(row.task for row in submission.rows)
+    tasks = dict.fromkeys(row.task for row in submission.result.rows)
     here = provenance.code(tasks) | {"versions": provenance.versions()}
     compared = {name: here[name] for name in ("sources", "tasks", "versions")}
-    return differences(submission.provenance, compared)
+    return differences(submission.result.provenance, compared)
 
 
 def replayed(submission: Submission, sample: Sequence[int]) -> Iterator[tuple[Row, list[str]]]:
@@ -114,30 +202,33 @@ def replayed(submission: Submission, sample: Sequence[int]) -> Iterator[tuple[Ro
         SubmissionError: If actions cannot be read, or do not fit their row.
     """
     for index in sample:
-        row = submission.rows[index]
+        row = submission.result.rows[index]
         again = _again(submission, index)
-        told = {name: getattr(row, name) for name in _OF_THE_POLICY}
-        before, after = asdict(row), asdict(replace(again, **told))
+        of_policy = {name: getattr(row, name) for name in _OF_THE_POLICY}
+        before, after = asdict(row), asdict(replace(again, **of_policy))
         yield row, [name for name in before if before[name] != after[name]]
 
 
 def _again(submission: Submission, index: int) -> Row:
-    row, options = submission.rows[index], submission.provenance.get("config", {})
+    row = submission.result.rows[index]
+    setting = _setting(row.condition)
     try:
         actions = decode(submission.actions[index])
+        elements = len(load_robot(setting.robot).elements)
+        if actions.shape[1] != elements:
+            raise ValueError(f"actions of {actions.shape[1]} elements, and not of {elements}")
     except ValueError as error:
         raise SubmissionError(f"Row {index}: {error}") from None
-    setting = Setting(
-        task=row.task,
-        obs="state",  # nobody looks
-        split=row.split,
-        axes=tuple(row.axes),
-        tasks_dir=options.get("tasks_dir"),
-        liquid=row.liquid or "on",
-        particles=options.get("particles", Setting.particles),
-        robot=row.robot,
-        room=row.room,
-        step=row.step,
+    maker = RecordedActions(np.ascontiguousarray(actions, "<f4").tobytes(), actions.shape[1])
+    return play(EvaluationJob(setting, row.policy, maker, row.play), row.seed).row
+
+
+def _setting(condition: Condition) -> Setting:
+    """Return in what an episode is played again: nobody looks, and no file is believed."""
+    return Setting(
+        task=condition.task,
+        obs="state",
+        split=condition.split,
+        axes=condition.axes,
+        step=condition.step,
     )
-    maker = StoredActions(np.ascontiguousarray(actions, "<f4").tobytes(), actions.shape[1])
-    return play(Pairing(setting, row.policy, maker, row.play), row.seed).row

@@ -1,11 +1,16 @@
 """Filling in a card: metadata that the Hub reads, and a page for people."""
 
+from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any
 
 from huggingface_hub import DatasetCard, DatasetCardData, ModelCard, ModelCardData
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.condition import Condition
+from labutopia_lerobot.evaluation.load_results import LoadedResult
+from labutopia_lerobot.evaluation.rows import EvaluationSummary
 
 CITATION = """\
 @misc{li2025labutopia,
@@ -18,6 +23,11 @@ CITATION = """\
   year = {2025},
 }"""
 """The paper, as its title page has it."""
+
+
+class UnfinishedResultError(UserError):
+    """A result that no card shows, because episodes are missing."""
+
 
 TAGS = ("LeRobot", "labutopia", "laboratory", "mujoco", "robotics", "simulation")
 
@@ -60,17 +70,36 @@ def rate(successes: int, n: int, interval: tuple[float, float]) -> str:
     return f"{successes} of {n} (95 %: {100 * low:.0f} to {100 * high:.0f} %)"
 
 
-def summary_row(summary: Summary) -> dict[str, str]:
-    """Return what a table of results tells of one policy in one task and split."""
-    seconds = summary.mean_seconds_to_success
+def summary_row(summary: EvaluationSummary) -> dict[str, str]:
+    """Return what a table of results tells of one policy under one condition."""
+    seconds, condition = summary.mean_seconds_to_success, summary.condition
     return {
-        "task": summary.task,
-        "split": summary.split,
-        "obs": summary.obs,
-        "liquid": summary.liquid or "none",
-        "success": rate(summary.successes, summary.n, summary.wilson95),
+        "task": condition.task,
+        "condition": condition.without_task(summary.policy),
+        "success": rate(summary.successes, summary.n, summary.interval),
         "seconds": "-" if seconds is None else f"{seconds:.1f}",
     }
+
+
+def finished_summaries(results: Sequence[LoadedResult]) -> list[list[EvaluationSummary]]:
+    """Return what each result tells.
+
+    Raises:
+        UnfinishedResultError: If one is not finished: its rates are those of the episodes so far.
+    """
+    for result in results:
+        if not result.finished:
+            raise UnfinishedResultError(
+                f"{result.place} is not finished ({len(result.rows)} episodes so far), and no "
+                "card shows it: let the evaluation end first; the same command goes on"
+            )
+    return [result.summaries for result in results]
+
+
+def options(condition: Condition) -> str:
+    """Return the whole of a condition as options of `eval/run.py`."""
+    values = asdict(condition) | {"axes": f"[{','.join(condition.axes)}]"}
+    return " ".join(f"{name}={'null' if v is None else v}" for name, v in values.items())
 
 
 def _filled(template: str, metadata: str, content: dict[str, Any]) -> str:

@@ -1,18 +1,20 @@
 """A dataset as a repository of the Hub: verified, with its card, found by LeRobot's tag."""
 
 from collections.abc import Sequence
+from itertools import chain
 from pathlib import Path
 
 from labutopia_lerobot.datasets.tables import DamagedDatasetError
 from labutopia_lerobot.datasets.verify import verify
-from labutopia_lerobot.evaluation.statistics import Summary
+from labutopia_lerobot.evaluation.load_results import LoadedResult
+from labutopia_lerobot.hub.card import finished_summaries
 from labutopia_lerobot.hub.dataset_card import card_of_dataset
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts, dataset_files
 from labutopia_lerobot.hub.repository import CARD, Repository
 from labutopia_lerobot.hub.strip import STRIP, picture_strip
 
 
-def dataset_repository(root: Path, repo_id: str, results: Sequence[Summary]) -> Repository:
+def dataset_repository(root: Path, repo_id: str, results: Sequence[LoadedResult]) -> Repository:
     """Verify a dataset and return what is to lie on the Hub.
 
     LeRobot and its visualiser look for the format's version as a tag.
@@ -25,7 +27,9 @@ def dataset_repository(root: Path, repo_id: str, results: Sequence[Summary]) -> 
     Raises:
         DamagedDatasetError: If anything is wrong with it.
         UntoldDatasetError: If it does not say how it was recorded.
+        UnfinishedResultError: If a result is not finished.
     """
+    summaries = list(chain(*finished_summaries(results)))
     faults = verify(root).faults
     if faults:
         listed = "\n".join(f"  {fault}" for fault in faults)
@@ -35,6 +39,6 @@ def dataset_repository(root: Path, repo_id: str, results: Sequence[Summary]) -> 
     strip = picture_strip(root, facts.info)
     if strip is not None:
         files[STRIP] = strip
-    card = card_of_dataset(facts, repo_id, results, strip=None if strip is None else STRIP)
+    card = card_of_dataset(facts, repo_id, summaries, strip=None if strip is None else STRIP)
     files[CARD] = card.encode()
     return Repository("dataset", files, tag=facts.info["codebase_version"])

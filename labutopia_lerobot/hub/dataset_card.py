@@ -9,8 +9,9 @@ import numpy as np
 from huggingface_hub import DatasetCardData
 
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
-from labutopia_lerobot.evaluation.statistics import Summary
-from labutopia_lerobot.evaluation.uncertainty.proportion import wilson
+from labutopia_lerobot.evaluation.condition import EXPERT
+from labutopia_lerobot.evaluation.rows import EvaluationSummary
+from labutopia_lerobot.evaluation.uncertainty.intervals import wilson
 from labutopia_lerobot.hub.card import TAGS, dataset_card, rate, summary_row
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts
 from labutopia_lerobot.hub.feature_meanings import meaning
@@ -24,14 +25,15 @@ LICENCE = "apache-2.0"
 _GENERATED = ("timestamp", "frame_index", "episode_index", "index", "task_index")
 """Features that LeRobot counts out itself; their statistics say nothing."""
 
-_EXPERT = "expert"
-
 _NOT_TYPED = ("task", "repo_id", "root", "workers")
 """Options that the command of a card names otherwise, or on which the dataset does not depend."""
 
 
 def card_of_dataset(
-    facts: DatasetFacts, repo_id: str, results: Sequence[Summary] = (), strip: str | None = None
+    facts: DatasetFacts,
+    repo_id: str,
+    results: Sequence[EvaluationSummary] = (),
+    strip: str | None = None,
 ) -> str:
     """Return the card of a dataset, in Markdown.
 
@@ -45,6 +47,9 @@ def card_of_dataset(
     successes = sum(row["outcome"] == SUCCESS for row in facts.episodes)
     attempts = successes + len(facts.recording["failures"])
     several = len(facts.tasks) > 1
+    of_expert = [
+        line for line in results if line.policy == EXPERT and line.condition.task in facts.tasks
+    ]
     title = f"LabUtopia, {len(facts.tasks)} tasks" if several else f"LabUtopia {facts.tasks[0]}"
     seeds = [row["seed"] for row in facts.episodes]
     return dataset_card(
@@ -80,11 +85,8 @@ def card_of_dataset(
         successes=successes,
         attempts=rate(successes, attempts, wilson(successes, attempts)),
         failures=facts.recording["failures"],
-        expert=[
-            summary_row(line)
-            for line in results
-            if line.policy == _EXPERT and line.task in facts.tasks
-        ],
+        expert=[summary_row(line) for line in of_expert],
+        sequential=any(line.sequential for line in of_expert),
         code=facts.recording["code"],
         versions={name: v for name, v in facts.recording["versions"].items() if v is not None},
         renderers=facts.recording["renderers"],

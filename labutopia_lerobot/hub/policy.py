@@ -6,13 +6,16 @@ from pathlib import Path
 from huggingface_hub import EvalResult, ModelCardData
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.checkpoint_folder import checkpoint_files
-from labutopia_lerobot.evaluation.harmless import require_harmless
-from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.statistics import Summary
-from labutopia_lerobot.hub.card import TAGS, model_card, summary_row
+from labutopia_lerobot.evaluation.checkpoint_security import require_safe_checkpoint
+from labutopia_lerobot.evaluation.condition import ID, SINGLE, Condition
+from labutopia_lerobot.evaluation.find_checkpoint import adapted, checkpoint_files
+from labutopia_lerobot.evaluation.load_results import LoadedResult
+from labutopia_lerobot.evaluation.origin import weight_hashes
+from labutopia_lerobot.evaluation.rows import EvaluationSummary
+from labutopia_lerobot.hub.card import TAGS, finished_summaries, model_card, options, summary_row
 from labutopia_lerobot.hub.dataset_card import LOCAL
 from labutopia_lerobot.hub.repository import CARD, Repository
+from labutopia_lerobot.runtime.json_object import read_json_object
 
 _CONFIG = "config.json"
 _TRAINING = "train_config.json"
@@ -31,27 +34,23 @@ def find_policy(path: Path) -> Path | None:
     return next((folder for folder in folders if (folder / _CONFIG).is_file()), None)
 
 
-def policy_repository(folder: Path, repo_id: str, results: Sequence[Summary]) -> Repository:
+def policy_repository(folder: Path, repo_id: str, results: Sequence[LoadedResult]) -> Repository:
     """Return what is to lie on the Hub of a policy.
 
     Args:
         folder: LeRobot's `pretrained_model` folder.
         repo_id: Its name on the Hub.
-        results: What it achieved; rows of other policies are left out of its card.
+        results: What it achieved; what other weights played is left out of its card.
 
     Raises:
-        UnpublishablePolicyError: If no row is of a policy of its type.
+        UnfinishedResultError: If a result is not finished.
+        UnpublishablePolicyError: If there are results, and none was played by these very weights.
         CheckpointError: If a file is missing, or loading it would run code.
     """
     checkpoint_files(folder)
-    require_harmless(folder)
+    require_safe_checkpoint(folder)
     config = read_json_object(folder / _CONFIG, UnpublishablePolicyError)
-    own = [line for line in results if line.policy == config["type"]]
-    if results and not own:
-        played = ", ".join(sorted({line.policy for line in results}))
-        raise UnpublishablePolicyError(
-            f"--results are of {played}, and {folder} holds a policy of type {config['type']}"
-        )
+    own = _own_summaries(folder, results) if results else []
     files: dict[str, Path | bytes] = {
         file.name: file for file in sorted(folder.iterdir()) if file.suffix in _SENT
     }
@@ -59,16 +58,57 @@ def policy_repository(folder: Path, repo_id: str, results: Sequence[Summary]) ->
     return Repository("model", files)
 
 
+def _own_summaries(folder: Path, results: Sequence[LoadedResult]) -> list[EvaluationSummary]:
+    """Return what these very weights played, all steps of a task or one of them by itself.
+
+    Raises:
+        UnfinishedResultError: If a result is not finished.
+        UnpublishablePolicyError: If they played none of the results; the message lists these.
+    """
+    summaries = finished_summaries(results)
+    hashes = weight_hashes(folder, adapted(folder))
+    own = [
+        summary
+        for result, of_result in zip(results, summaries, strict=True)
+        for summary in of_result
+        if _played_by(result, summary.condition) == hashes
+    ]
+    if not own:
+        played = "; ".join(
+            f"{result.place}: {', '.join(sorted({s.policy for s in of_result}))}"
+            for result, of_result in zip(results, summaries, strict=True)
+        )
+        raise UnpublishablePolicyError(
+            f"--results hold nothing that the weights in {folder} played ({played}). Evaluate "
+            f"them: python eval/run.py policy.path={folder}"
+        )
+    return own
+
+
+def _played_by(result: LoadedResult, condition: Condition) -> object:
+    """Return the hashes of the weights that played alone under a condition, or None."""
+    if condition.play != SINGLE:
+        return None  # a policy per step: what they achieve is no single one's
+    name = "/".join(filter(None, (condition.task, condition.step)))
+    checkpoints = result.provenance.get("checkpoints")
+    weights = checkpoints.get(name) if isinstance(checkpoints, dict) else None
+    if not isinstance(weights, dict):
+        return None
+    return weights.get("sha256"), weights.get("base", {}).get("sha256", {})
+
+
 def _dataset(folder: Path) -> str | None:
     """Return the name of the dataset that it was trained on, if its folder tells."""
     if not (folder / _TRAINING).is_file():
         return None
-    told = read_json_object(folder / _TRAINING, UnpublishablePolicyError)
-    name: str | None = told.get("dataset", {}).get("repo_id")
+    training = read_json_object(folder / _TRAINING, UnpublishablePolicyError)
+    name: str | None = training.get("dataset", {}).get("repo_id")
     return name
 
 
-def _card(kind: str, dataset: str | None, repo_id: str, results: Sequence[Summary]) -> str:
+def _card(
+    kind: str, dataset: str | None, repo_id: str, results: Sequence[EvaluationSummary]
+) -> str:
     metadata = ModelCardData(
         license="apache-2.0",
         library_name="lerobot",
@@ -85,18 +125,23 @@ def _card(kind: str, dataset: str | None, repo_id: str, results: Sequence[Summar
         repo_id=repo_id,
         dataset=dataset,
         results=[summary_row(line) for line in results],
-        task=results[0].task if results else "level1/pick",
+        sequential=any(line.sequential for line in results),
+        task=results[0].condition.task if results else "level1/pick",
     )
 
 
-def _eval_result(summary: Summary) -> EvalResult:
+def _eval_result(summary: EvaluationSummary) -> EvalResult:
+    played = summary.condition
+    unusual = played.without_task(summary.policy).removeprefix(ID).lstrip(", ")
+    name = ", ".join(filter(None, (played.task, unusual)))
     return EvalResult(
         task_type="robotics",
         dataset_type="labutopia",
-        dataset_name=f"LabUtopia {summary.task}",
-        dataset_split=summary.split,
+        dataset_name=f"LabUtopia {name}",
+        dataset_config=name,  # by this the Hub tells results apart, not by the name
+        dataset_split=played.split,
         metric_type="success_rate",
         metric_name="Success rate",
         metric_value=summary.rate,
-        metric_config=f"obs={summary.obs} liquid={summary.liquid} episodes={summary.n}",
+        metric_config=f"{options(played)} episodes={summary.n}",
     )

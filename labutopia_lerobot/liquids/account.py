@@ -4,25 +4,31 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.compilation import kernel
-from labutopia_lerobot.liquids.solver.advance import FIXED, MOVING
+from labutopia_lerobot.liquids.solver.advance import NOTHING
 from labutopia_lerobot.liquids.solver.bodies import Glass, into
 from labutopia_lerobot.liquids.solver.walls import holds
 
 
 @kernel
 def whereabouts(
-    positions: NDArray[np.float64], glass: Glass, inner: NDArray[np.int64]
+    positions: NDArray[np.float64],
+    glass: Glass,
+    inner: NDArray[np.int64],
+    smallest_first: NDArray[np.int64],
 ) -> NDArray[np.int64]:
     """Return which vessel each particle is in, shape (n,); -1 outside of all.
+
+    In a vessel that stands in another one, liquid is in the inner vessel.
 
     Args:
         positions: Shape (n, 3), metres, world frame.
         glass: The vessels.
         inner: Number of edges of each vessel's cavity, shape (vessels,).
+        smallest_first: The vessels, by the volume of their cavities, shape (vessels,).
     """
     places = np.full(len(positions), -1, np.int64)
     local = np.empty(3)
-    for v in range(len(inner)):
+    for v in smallest_first:
         edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
         for a in range(len(positions)):
             if places[a] < 0:
@@ -36,7 +42,8 @@ def tally(
     vessels: int,
     origins: NDArray[np.int64],
     inside: NDArray[np.int64],
-    touching: NDArray[np.int8],
+    touching: NDArray[np.int64],
+    standing: NDArray[np.bool_],
 ) -> NDArray[np.int64]:
     """Count particles by origin and place, as `LiquidAccount.counts` has them.
 
@@ -44,11 +51,12 @@ def tally(
         vessels: Number of vessels and bottles.
         origins: Where each particle was filled, shape (n,); -1 nowhere.
         inside: Which vessel it is in, shape (n,); -1 none.
-        touching: What it touches, shape (n,), one of the constants of `solver.advance`.
+        touching: Owner that it touches, shape (n,), or `NOTHING` (see `solver.advance`).
+        standing: Which owners stand, shape (owners,) (see `Surroundings.standing`).
     """
-    outside = np.full(len(inside), vessels + 2)
-    outside[touching == MOVING] = vessels + 1
-    outside[touching == FIXED] = vessels
+    spilled, clinging, in_flight = vessels, vessels + 1, vessels + 2
+    outside = np.where(np.append(standing, False)[touching], spilled, clinging)
+    outside[touching == NOTHING] = in_flight
     places = np.where(inside >= 0, inside, outside)
     rows, columns = vessels + 1, vessels + 3
     # A row of -1 is the last one: remainders are never negative.

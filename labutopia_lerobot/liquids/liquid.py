@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
 from labutopia_lerobot.liquids.compilation import tell_of_compiling
 from labutopia_lerobot.liquids.lattice import lattice
-from labutopia_lerobot.liquids.solver.advance import advance
+from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
 from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.setting import PARTICLES
@@ -39,6 +39,7 @@ class Liquid:
         vessels: Everything that can hold the liquid, and the bottles that it can come from.
         fillings: Everything that is to be filled in: what it is, and how much of it in all.
         particles: Number of particles.
+        robot: Root body of what can carry vessels, if anything.
 
     Attributes:
         vessels: Those that liquid flows among: not the bottles.
@@ -58,6 +59,7 @@ class Liquid:
         vessels: Sequence[Fillable | Dispenser],
         fillings: Sequence[Filling],
         particles: int = PARTICLES,
+        robot: int | None = None,
     ) -> None:
         tell_of_compiling()
         bottles = [vessel for vessel in vessels if isinstance(vessel, Dispenser)]
@@ -72,7 +74,7 @@ class Liquid:
         self._held = dict.fromkeys(self._waiting, self.substances[0])
         depths = [vessel.profile.depth(volume) for vessel in self.vessels]
         self._mixing = Mixing(self.substances, self.volume, max(depths, default=0.0))
-        self._around = Surroundings(model, data, self.vessels)
+        self._around = Surroundings(model, data, self.vessels, robot)
         self._impulse = np.zeros((self._around.owners, 6))
         self.empty()
 
@@ -110,7 +112,7 @@ class Liquid:
         self.amounts = amounts
         self._last_held: NDArray[np.int64] = origins.copy()
         self._pressure: FloatArray = np.zeros(len(positions))
-        self._touching: NDArray[np.int8] = np.zeros(len(positions), np.int8)
+        self._touching: NDArray[np.int64] = np.full(len(positions), NOTHING)
         self._impulse[:] = 0.0
         self._around.move()
         self._around.move()
@@ -211,7 +213,7 @@ class Liquid:
         self.origins = np.append(self.origins, np.full(count, origin))
         self._last_held = np.append(self._last_held, np.full(count, origin))
         self._pressure = np.append(self._pressure, np.zeros(count))
-        self._touching = np.append(self._touching, np.zeros(count, np.int8))
+        self._touching = np.append(self._touching, np.full(count, NOTHING))
 
     def step(self) -> None:
         """Move on by 1 / `hertz`, to where the bodies are now, and push them.
@@ -251,8 +253,9 @@ class Liquid:
     def take_account(self) -> LiquidAccount:
         """Return where the liquid is; `transfers` run from the previous call to this one."""
         count = len(self.names)
-        inside = whereabouts(self.positions, self._around.glass, self._around.inner)
-        counts = tally(count, self.origins, inside, self._touching)
+        around = self._around
+        inside = whereabouts(self.positions, around.glass, around.inner, around.smallest_first)
+        counts = tally(count, self.origins, inside, self._touching, around.standing)
         for name, waiting in self._waiting.items():
             bottle = self.names.index(name)
             counts[bottle, bottle] += waiting

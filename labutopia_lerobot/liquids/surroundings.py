@@ -22,6 +22,10 @@ _KINDS = {
 }
 
 
+_FALLS = 0.05
+"""Speed from which on a thing does not stand [m/s]; ours: a free fall of 0.1 mm."""
+
+
 class Surroundings:
     """The walls of a scene, moving with its bodies; their owners are first vessels, then geoms.
 
@@ -29,25 +33,40 @@ class Surroundings:
         model: The compiled scene.
         data: Its state.
         vessels: Everything that can hold liquid.
+        robot: Root body of what can carry things, if anything.
 
     Attributes:
         glass: The vessels.
         shapes: All else that things collide with; a mesh is the box around it.
         inner: Number of edges of each vessel's cavity, shape (vessels,).
+        smallest_first: The vessels, by the volume of their cavities, shape (vessels,).
         owners: Number of vessels and shapes.
     """
 
     def __init__(
-        self, model: mujoco.MjModel, data: mujoco.MjData, vessels: Sequence[Fillable]
+        self,
+        model: mujoco.MjModel,
+        data: mujoco.MjData,
+        vessels: Sequence[Fillable],
+        robot: int | None = None,
     ) -> None:
         self._data = data
+        self._robot = -1 if robot is None else robot
         self._vessels = np.array([model.body(vessel.name).id for vessel in vessels], dtype=int)
         solid = (model.geom_contype | model.geom_conaffinity) != 0
         self._geoms = np.flatnonzero(solid & ~np.isin(model.geom_bodyid, self._vessels))
         self._bodies = np.concatenate([self._vessels, model.geom_bodyid[self._geoms]])
-        self._movable = np.flatnonzero(model.body_weldid[self._bodies] > 0)
+        self._moves = model.body_weldid[self._bodies] > 0
+        self._movable = np.flatnonzero(self._moves)
+        self._roots = model.body_rootid[self._bodies]
+        self._root_of_geom = model.body_rootid[model.geom_bodyid]
+        free = model.jnt_type == mujoco.mjtJoint.mjJNT_FREE
+        self._free = model.body_rootid[model.jnt_bodyid[free]]
+        self._falling_dofs = model.jnt_dofadr[free][:, None] + np.arange(3)
         self.owners = len(self._bodies)
         self.inner = np.array([len(vessel.profile.inner) for vessel in vessels], dtype=int)
+        capacities = [vessel.profile.capacity for vessel in vessels]
+        self.smallest_first = np.argsort(capacities, kind="stable")
         self.glass = _glass(vessels)
         self.shapes = _shapes(model, self._geoms)
         boxed = model.geom_type[self._geoms] == mujoco.mjtGeom.mjGEOM_MESH
@@ -64,6 +83,19 @@ class Surroundings:
         offset = np.einsum("sij,sj->si", rotation, self._centres)
         self.shapes.now.origin[:] = data.geom_xpos[self._geoms] + offset
         self.shapes.now.rotation[:] = rotation
+
+    @property
+    def standing(self) -> NDArray[np.bool_]:
+        """Which owners stand, shape (owners,): neither the robot touches them, nor do they fall."""
+        data = self._data
+        geoms = data.contact.geom[(data.contact.geom >= 0).all(axis=1)]  # no flexes
+        of_geom = self._root_of_geom[geoms]
+        held = of_geom[(of_geom == self._robot).any(axis=1)].ravel()
+        speeds = np.linalg.norm(data.qvel[self._falling_dofs], axis=1)
+        carried = np.concatenate([held, self._free[speeds > _FALLS]])
+        stands: NDArray[np.bool_] = np.isin(self._roots, [self._robot, *carried], invert=True)
+        stands |= ~self._moves
+        return stands
 
     def push(self, wrench: FloatArray) -> None:
         """Apply forces until the next call, through MuJoCo's `xfrc_applied`.

@@ -9,9 +9,21 @@ from labutopia_lerobot.predicates.buttons import (
     switched_on,
     touched,
 )
-from labutopia_lerobot.predicates.counting import Count, swings, turns
-from labutopia_lerobot.predicates.damage import broken, collided
-from labutopia_lerobot.predicates.liquids import liquid_moving, poured, spilled
+from labutopia_lerobot.predicates.counting import Count, pulled, swings, turns
+from labutopia_lerobot.predicates.damage import (
+    broken,
+    collided,
+    displaced,
+    pressed_out_of_turn,
+)
+from labutopia_lerobot.predicates.liquids import (
+    Transfer,
+    contaminated,
+    lip_over,
+    liquid_moving,
+    poured,
+    spilled,
+)
 from labutopia_lerobot.predicates.openables import (
     above,
     clear_of,
@@ -30,29 +42,32 @@ from labutopia_lerobot.predicates.placing import (
     touching,
     withdrawn,
 )
-from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.predicate import Predicate, predicate
 from labutopia_lerobot.predicates.squeezing import dispensed, spout_over
-from labutopia_lerobot.predicates.stirring import immersed, moving, off_axis, over_mouth
-from labutopia_lerobot.predicates.tilting import lip_over, tilted
+from labutopia_lerobot.predicates.stirring import immersed, over_mouth
 from labutopia_lerobot.predicates.vessels import (
     falling,
     gripped,
     knocked_over,
     lifted,
     steady,
+    tilted,
     upright,
 )
 
 __all__ = [
     "Count",
     "Predicate",
+    "Transfer",
     "above",
     "aligned",
     "broken",
     "clear_of",
     "closed",
     "collided",
+    "contaminated",
     "dispensed",
+    "displaced",
     "falling",
     "faster",
     "fingered",
@@ -66,13 +81,14 @@ __all__ = [
     "lifted",
     "lip_over",
     "liquid_moving",
-    "moving",
     "near",
-    "off_axis",
     "opened",
     "over_mouth",
     "poured",
+    "predicate",
     "pressed",
+    "pressed_out_of_turn",
+    "pulled",
     "pushed",
     "released",
     "spilled",

@@ -1,10 +1,12 @@
 """Facts about push buttons, and about the finger on them."""
 
+import math
+from collections.abc import Mapping
 from typing import Protocol
 
 import numpy as np
 
-from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Button, Thing, World
 
 
@@ -17,66 +19,71 @@ class Switchable(Protocol):
         ...
 
 
-def pressed(button: Button) -> Predicate:
+@predicate("{button} pressed")
+def pressed(world: World, button: Button) -> bool:
     """Button has clicked in, and not out again."""
-    return Predicate(f"{button.name} pressed", lambda world: world.pressed(button.name))
+    return world.pressed(button.name)
 
 
-def pushed(button: Button, *, with_force: float) -> Predicate:
+@predicate("{button} pushed with {with_force:g} N")
+def pushed(world: World, button: Button, *, with_force: float) -> bool:
     """Button is pushed with a force [N] or more."""
-    return Predicate(
-        f"{button.name} pushed with {with_force:g} N",
-        lambda world: world.sensor(button.force_sensor) >= with_force,
-    )
+    return world.sensor(button.force_sensor) >= with_force
 
 
-def fingered(button: Button) -> Predicate:
+@predicate("finger on {button}")
+def fingered(world: World, button: Button) -> bool:
     """A finger touches the button."""
-    fingers = frozenset({LEFT_PAD, RIGHT_PAD, HAND})
-    return Predicate(
-        f"finger on {button.name}", lambda world: bool(world.touched_by(button.name) & fingers)
-    )
+    return bool(world.touched_by(button.name) & {LEFT_PAD, RIGHT_PAD, HAND})
 
 
-def aligned(button: Button, *, within: float, within_deg: float) -> Predicate:
-    """Fingers point at a button: axes no further apart than a distance [m] and an angle [deg]."""
-    least = np.cos(np.radians(within_deg))
+@predicate("hand aligned with {button} within {within:g} m and {within_deg:g} deg")
+def aligned(world: World, button: Button, *, within: float, within_deg: float) -> bool:
+    """A finger tip, or the middle between both, is on the button's axis and points along it.
 
-    def misses(world: World) -> tuple[float, float]:
-        axis, hand = world.frame(button.name), world.gripper
-        offset = hand.position_w - axis.position_w
-        aside = np.linalg.norm(offset - (offset @ axis.z_axis) * axis.z_axis)
-        return float(aside), float(hand.z_axis @ axis.z_axis)
-
-    def holds(world: World) -> bool:
-        aside, cosine = misses(world)
-        return bool(aside < within and cosine > least)
-
-    def off(world: World) -> dict[str, float]:
-        aside, cosine = misses(world)
-        return {"mm": 1e3 * aside, "deg": float(np.degrees(np.arccos(np.clip(cosine, -1, 1))))}
-
-    return Predicate(f"hand aligned with {button.name} within {within:g} m", holds, off)
+    Args:
+        world: The world.
+        button: What is pointed at.
+        within: How far from the axis [m].
+        within_deg: How far the hand may lean from it [deg].
+    """
+    aside, lean = _misses(world, button)
+    return aside < within and lean < math.radians(within_deg)
 
 
-def touched(*things: Thing) -> Predicate:
+@aligned.measure
+def _off_axis(
+    world: World, button: Button, *, within: float, within_deg: float
+) -> Mapping[str, float]:
+    aside, lean = _misses(world, button)
+    return {"mm": 1e3 * aside, "deg": math.degrees(lean)}
+
+
+def _misses(world: World, button: Button) -> tuple[float, float]:
+    """Return how far the nearest finger tip is from the button's axis [m], and the angle [rad]."""
+    axis, hand = world.frame(button.name), world.gripper
+    between = hand.advanced(world.robot.finger_reach).position_w - axis.position_w
+    outward = (world.gripper_opening + world.robot.finger_thickness) / 2 * hand.y_axis
+    tips = np.array([between, between + outward, between - outward])
+    aside = tips - np.outer(tips @ axis.z_axis, axis.z_axis)
+    cosine = np.clip(hand.z_axis @ axis.z_axis, -1.0, 1.0)
+    return float(np.linalg.norm(aside, axis=1).min()), float(np.arccos(cosine))
+
+
+@predicate("robot touches {things}")
+def touched(world: World, *things: Thing) -> bool:
     """Arm or hand touches any of the things."""
-    robot = frozenset({ARM, HAND, LEFT_PAD, RIGHT_PAD})
-    names = [thing.name for thing in things]
-    return Predicate(
-        f"robot touches {' or '.join(names)}",
-        lambda world: any(world.touched_by(name) & robot for name in names),
-    )
+    robot = {ARM, HAND, LEFT_PAD, RIGHT_PAD}
+    return any(world.touched_by(thing.name) & robot for thing in things)
 
 
-def fingers_clear_of(button: Button, *, by: float) -> Predicate:
+@predicate("hand {by:g} m clear of {button}")
+def fingers_clear_of(world: World, button: Button, *, by: float) -> bool:
     """Point between the pads is further than `by` metres from the face of a button."""
-    return Predicate(
-        f"hand {by:g} m clear of {button.name}",
-        lambda world: world.gripper.distance_to(world.frame(button.name)) > by,
-    )
+    return world.gripper.distance_to(world.frame(button.name)) > by
 
 
-def switched_on(switch: Switchable) -> Predicate:
+@predicate("{switch} on")
+def switched_on(world: World, switch: Switchable) -> bool:
     """Switch is on."""
-    return Predicate(f"{switch.name} on", lambda world: world.switched_on(switch.name))
+    return world.switched_on(switch.name)

@@ -1,8 +1,9 @@
-"""What no task forgives: glass that is knocked, and a robot that runs into things."""
+"""What no task forgives: glass that is knocked, a robot that runs into things, an untidy bench."""
 
+import math
 from collections.abc import Iterator
 
-from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Thing, World
 
 _KNOCK = 0.25
@@ -18,42 +19,78 @@ _PUSH = 2.0
 arm that is guided by hand (data sheet of the default robot: guiding force about 2 N), so that one
 feels it."""
 
+_MOVED = 0.02
+"""How far what a task leaves alone may be moved [m]; ours: a nudge that a person would not see."""
 
-def broken(*things: Thing) -> Predicate:
-    """One of the things is knocked or pressed too hard, against anything but the rubber pads."""
-    names = [thing.name for thing in things]
-
-    def blows(world: World) -> Iterator[str]:
-        for name in names:
-            for other in sorted(world.touched_by(name) - {LEFT_PAD, RIGHT_PAD}):
-                speed, load = world.approach_speed(name, other), world.contact_force(name, other)
-                if speed > _KNOCK or load > _LOAD:
-                    yield f"{name} met {other} at {speed:.2f} m/s, with {load:.1f} N"
-
-    which = " or ".join(names) or "nothing"
-    return Predicate(
-        f"{which} knocked at {_KNOCK:g} m/s or pressed with {_LOAD:g} N",
-        lambda world: any(blows(world)),
-        because=lambda world: "; ".join(blows(world)),
-    )
+_FELLED = 30.0
+"""How far it may lean [deg]; ours: further than glass leans and falls back."""
 
 
-def collided(*sparing: Thing) -> Predicate:
-    """Arm, or hand, pushes against anything; the hand may against some things."""
-    spared = {thing.name for thing in sparing}
-    robot = {ARM, HAND, LEFT_PAD, RIGHT_PAD}
-    allowed = {ARM: robot, **dict.fromkeys((HAND, LEFT_PAD, RIGHT_PAD), robot | spared)}
-    but = f" but {', '.join(sorted(spared))}" if spared else ""
+@predicate(f"anything knocked at {_KNOCK:g} m/s or pressed with {_LOAD:g} N")
+def broken(world: World) -> bool:
+    """What stands free is knocked or pressed too hard, against anything but the rubber pads."""
+    return any(_blows(world))
 
-    def pushes(world: World) -> Iterator[str]:
-        for part, others in allowed.items():
-            for other in sorted(world.touched_by(part) - others):
-                force = world.contact_force(part, other)
-                if force > _PUSH:
-                    yield f"{part} pushed {other} with {force:.1f} N"
 
-    return Predicate(
-        f"robot pushes anything{but} with {_PUSH:g} N",
-        lambda world: any(pushes(world)),
-        because=lambda world: "; ".join(pushes(world)),
-    )
+@broken.explain
+def _all_blows(world: World) -> str:
+    return "; ".join(_blows(world))
+
+
+def _blows(world: World) -> Iterator[str]:
+    for thing in world.movable:
+        name = thing.name
+        for other in sorted(world.touched_by(name) - {LEFT_PAD, RIGHT_PAD}):
+            speed, load = world.approach_speed(name, other), world.contact_force(name, other)
+            if speed > _KNOCK or load > _LOAD:
+                yield f"{name} met {other} at {speed:.2f} m/s, with {load:.1f} N"
+
+
+@predicate(f"robot pushes itself or anything but {{spared}} with {_PUSH:g} N")
+def collided(world: World, *spared: Thing) -> bool:
+    """Arm, or hand, pushes against anything, another link included; the hand may some things."""
+    return any(_pushes(world, spared))
+
+
+@collided.explain
+def _all_pushes(world: World, *spared: Thing) -> str:
+    return "; ".join(_pushes(world, spared))
+
+
+def _pushes(world: World, spared: tuple[Thing, ...]) -> Iterator[str]:
+    hand = {HAND, LEFT_PAD, RIGHT_PAD}
+    may_touch = hand | {thing.name for thing in spared}
+    allowed: dict[str, set[str]] = {ARM: set(), **dict.fromkeys(sorted(hand), may_touch)}
+    for part, others in allowed.items():
+        for other in sorted(world.touched_by(part) - others):
+            force = world.contact_force(part, other)
+            if force > _PUSH:
+                yield f"{part} pushed {other} with {force:.1f} N"
+
+
+@predicate(f"anything but {{moved}} displaced by {_MOVED:g} m or leaning by {_FELLED:g} deg")
+def displaced(world: World, *moved: Thing) -> bool:
+    """What the task leaves alone, a target or a distractor, has left its place, or fallen."""
+    return any(_displacements(world, moved))
+
+
+@displaced.explain
+def _all_displacements(world: World, *moved: Thing) -> str:
+    return "; ".join(_displacements(world, moved))
+
+
+def _displacements(world: World, moved: tuple[Thing, ...]) -> Iterator[str]:
+    names = {thing.name for thing in moved}
+    for thing in world.movable:
+        if thing.name not in names:
+            now = world.pose(thing)
+            way, lean = now.distance_to(world.stood(thing)), math.degrees(now.tilt)
+            if way > _MOVED or lean > _FELLED:
+                yield f"{thing.name} is {1e3 * way:.0f} mm off, leaning by {lean:.0f} deg"
+
+
+@predicate("any button but {named} pressed")
+def pressed_out_of_turn(world: World, *named: Thing) -> bool:
+    """A button clicks that is not to be pressed now, whatever presses it."""
+    allowed = {thing.name for thing in named}
+    return any(world.pressed(name) for name in world.buttons if name not in allowed)

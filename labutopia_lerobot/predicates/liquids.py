@@ -1,77 +1,155 @@
-"""Facts about liquid: poured, spilled, moving.
+"""Facts about liquid: poured, spilled, contaminated, moving.
 
 Where liquid is simulated they are about volumes. Where it is not (`liquid=off`) the same facts are
-told from how vessels are tilted, as in the original.
+judged by how vessels are tilted, as in the original.
 """
 
-from labutopia_lerobot.predicates.predicate import Predicate
-from labutopia_lerobot.predicates.tilting import lip_over, tilted
-from labutopia_lerobot.world import OpenVessel, Thing, World
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from labutopia_lerobot.predicates.predicate import predicate
+from labutopia_lerobot.world import FloatArray, OpenVessel, Thing, World
+
+POURS_BELOW = 0.30
+"""How high above the target a lip may pour [m]; ours: paper "above", original 0.1 to 0.2."""
+
+_EMPTIED_DEG = 95.0
+"""Lean from which on nothing stays in a beaker: beyond the level [deg]."""
+
+_MISPLACED = 0.05
+"""Share of what was filled in that may lie in a wrong vessel; ours, as what may be spilled."""
 
 
+@predicate("{vessel} lip less than {below:g} m over {target}")
+def lip_over(world: World, vessel: OpenVessel, target: OpenVessel, *, below: float) -> bool:
+    """Lowest point of the lip is over the target's mouth, less than `below` metres above it."""
+    x, y, z = _lip(world, vessel) - world.frame(target.rim).position_w
+    return math.hypot(x, y) < target.mouth_radius and bool(0.0 < z < below)
+
+
+def _lip(world: World, vessel: OpenVessel) -> FloatArray:
+    """Lowest point of the vessel's lip, shape (3,), metres, world frame."""
+    rim = world.frame(vessel.rim)
+    # The part of "down" that lies in the plane of the rim.
+    slope: FloatArray = rim.z_axis * rim.z_axis[2] - (0.0, 0.0, 1.0)
+    lip: FloatArray = slope * vessel.mouth_radius / max(float(np.linalg.norm(slope)), 1e-9)
+    return rim.position_w + lip
+
+
+@predicate("{share:percent} of what was in {origin} poured out of {vessel} into {target}")
 def poured(
-    vessel: OpenVessel,
-    target: OpenVessel,
-    *,
-    share: float,
-    of: Thing | None = None,
-    beyond_deg: float = 95.0,
-    below: float = 0.20,
-) -> Predicate:
-    """At least this share of what was filled into the vessel, or into `of`, is in the target.
+    world: World, vessel: OpenVessel, target: OpenVessel, *, share: float, origin: Thing
+) -> bool:
+    """At least this share of what was filled into the origin is in the target.
 
-    Without liquid: the vessel leans more than `beyond_deg` degrees, beyond the level, where nothing
-    stays in a beaker, with its lip over the target's mouth, less than `below` metres above.
+    Without liquid: the vessel leans beyond the level with its lip over the target's mouth.
+
+    Args:
+        world: The world.
+        vessel: What it is poured out of.
+        target: What it is poured into.
+        share: How much of it must have arrived.
+        origin: What it was filled into at the start, such as the vessel itself.
     """
-    tipped = tilted(vessel, beyond_deg=beyond_deg)
-    aimed = lip_over(vessel, target, below=below)
-    origin = vessel if of is None else of
-
-    def holds(world: World) -> bool:
-        liquid = world.liquid
-        if liquid is None:
-            return tipped.holds(world) and aimed.holds(world)
-        arrived = liquid.from_in(origin.name, target.name)
-        return arrived > 0.0 and arrived >= share * liquid.originated_in(origin.name)
-
-    def off(world: World) -> dict[str, float]:
-        liquid = world.liquid
-        if liquid is None:
-            return {}
-        arrived = liquid.from_in(origin.name, target.name)
-        return {"ml": 1e6 * (liquid.originated_in(origin.name) - arrived)}
-
-    return Predicate(f"{100 * share:g} % of {origin.name} poured into {target.name}", holds, off)
+    liquid = world.liquid
+    if liquid is None:
+        emptied = world.pose(vessel).tilt > math.radians(_EMPTIED_DEG)
+        return emptied and lip_over(vessel, target, below=POURS_BELOW).holds(world)
+    arrived = liquid.from_in(origin.name, target.name)
+    return arrived > 0.0 and arrived >= share * liquid.originated_in(origin.name)
 
 
-def spilled(
-    vessel: Thing, *, share: float, unless: Predicate | None = None, beyond_deg: float = 45.0
-) -> Predicate:
-    """More than this share of what was filled into the vessel lies on the bench or the like.
+@poured.measure
+def _still_missing(
+    world: World, vessel: OpenVessel, target: OpenVessel, *, share: float, origin: Thing
+) -> Mapping[str, float]:
+    liquid = world.liquid
+    if liquid is None:
+        return {}
+    arrived = liquid.from_in(origin.name, target.name)
+    return {"ml": 1e6 * (liquid.originated_in(origin.name) - arrived)}
 
-    What clings to glass, to the hand or to anything else that can move is not spilled yet.
 
-    Without liquid: the vessel leans more than `beyond_deg` degrees (a half-full beaker runs over
-    at 52 to 56), unless that fact holds.
+@predicate("more than {share:percent} of {vessel} spilled; it may lean over {over}")
+def spilled(world: World, vessel: Thing, *, share: float, over: OpenVessel | None = None) -> bool:
+    """More than this share of what was filled into the vessel lies on what stands, as the bench.
+
+    What is in the hand, or falls from it, is not spilled yet: it clings.
+
+    Without liquid: the vessel leans further than a half-full one can before it runs over.
+
+    Args:
+        world: The world.
+        vessel: What the liquid was filled into.
+        share: How much of it may be spilled.
+        over: Without liquid, what the vessel may lean over: its target.
     """
-    tipped = tilted(vessel, beyond_deg=beyond_deg)
-
-    def holds(world: World) -> bool:
-        liquid = world.liquid
-        if liquid is not None:
-            spilt = liquid.spilled_from(vessel.name)
-            return spilt > share * liquid.originated_in(vessel.name)
-        return tipped.holds(world) and not (unless is not None and unless.holds(world))
-
-    return Predicate(f"more than {100 * share:g} % of {vessel.name} spilled", holds)
+    liquid = world.liquid
+    if liquid is not None:
+        return liquid.spilled_from(vessel.name) > share * liquid.originated_in(vessel.name)
+    runs_over = world.pose(vessel).tilt > math.radians(_runs_over_deg(vessel))
+    if not runs_over or over is None or not isinstance(vessel, OpenVessel):
+        return runs_over
+    return not lip_over(vessel, over, below=POURS_BELOW).holds(world)
 
 
-def liquid_moving(vessel: Thing, *, above: float) -> Predicate:
+def _runs_over_deg(vessel: Thing) -> float:
+    """Return from which lean on a vessel spills where no liquid is simulated [deg].
+
+    A half-full cylinder runs over where the tangent of its lean is its height over the diameter of
+    its mouth, one that tapers later. 9 degrees before that: 45 for a beaker; where it is tall and
+    narrow 60, from where on a lip that pours must be over its target (`actions.pour`). A bottle
+    with a spout is not told apart from a beaker.
+    """
+    if not isinstance(vessel, OpenVessel):
+        return 45.0
+    brim = math.degrees(math.atan2(vessel.height, 2 * vessel.mouth_radius))
+    return min(max(brim - 9.0, 45.0), 60.0)
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """What is to be poured where.
+
+    Attributes:
+        origin: What the liquid was filled into at the start.
+        into: What it is to get into.
+    """
+
+    origin: Thing
+    into: Thing
+
+    @property
+    def name(self) -> str:
+        return f"{self.origin.name} into {self.into.name}"
+
+
+@predicate("more than {share:percent} of a liquid in a wrong vessel, {transfers} excepted")
+def contaminated(world: World, *transfers: Transfer, share: float = _MISPLACED) -> bool:
+    """Too much of what was filled into a vessel lies in another one that it is not to get into.
+
+    Args:
+        world: The world.
+        *transfers: Which liquids are to get where.
+        share: How much of what was filled in may be elsewhere.
+    """
+    liquid = world.liquid
+    if liquid is None:
+        return False
+    allowed = {(transfer.origin.name, transfer.into.name) for transfer in transfers}
+    return any(
+        amount > share * liquid.originated_in(origin)
+        for origin, amount in liquid.elsewhere(allowed).items()
+    )
+
+
+@predicate("liquid in {vessel} moving above {above:g} m/s")
+def liquid_moving(world: World, vessel: Thing, *, above: float) -> bool:
     """Liquid inside the vessel moves at more than `above` metres per second on the average.
 
     Without liquid: never.
     """
-    return Predicate(
-        f"liquid in {vessel.name} moving above {above:g} m/s",
-        lambda world: world.liquid is not None and world.liquid.speed_in(vessel.name) > above,
-    )
+    return world.liquid is not None and world.liquid.speed_in(vessel.name) > above

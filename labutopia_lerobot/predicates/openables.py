@@ -4,7 +4,7 @@ from typing import Protocol
 
 import numpy as np
 
-from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.predicate import Predicate, predicate
 from labutopia_lerobot.predicates.vessels import gripped
 from labutopia_lerobot.world import Thing, World
 
@@ -64,26 +64,22 @@ class Latching(Openable, Protocol):
         ...
 
 
-def opened(part: Openable, *, to: float) -> Predicate:
+@predicate("{part} opened to {to:of part}")
+def opened(world: World, part: Openable, *, to: float) -> bool:
     """Door or drawer is open to a position of its joint [rad or m], or further."""
-    return Predicate(
-        f"{part.name} opened to {part.spell(to)}", lambda world: world.joint(part.joint) >= to
-    )
+    return world.joint(part.joint) >= to
 
 
-def less_open(part: Openable, *, than: float) -> Predicate:
+@predicate("{part} less open than {than:of part}")
+def less_open(world: World, part: Openable, *, than: float) -> bool:
     """Door or drawer is not open as far as a position of its joint [rad or m]."""
-    return Predicate(
-        f"{part.name} less open than {part.spell(than)}",
-        lambda world: world.joint(part.joint) < than,
-    )
+    return world.joint(part.joint) < than
 
 
-def closed(part: Openable) -> Predicate:
+@predicate("{part} closed")
+def closed(world: World, part: Openable) -> bool:
     """Door or drawer is closed without a gap."""
-    return Predicate(
-        f"{part.name} closed", lambda world: world.joint(part.joint) < part.closed_within
-    )
+    return world.joint(part.joint) < part.closed_within
 
 
 def latched(part: Latching) -> Predicate:
@@ -92,52 +88,49 @@ def latched(part: Latching) -> Predicate:
     Raises:
         ValueError: If the door has no catch.
     """
-    shut, catch = closed(part), part.catch
-    if catch is None:
+    if part.catch is None:
         raise ValueError(f"{part.name} has no catch that could keep it shut")
-    return Predicate(
-        f"{part.name} latched",
-        lambda world: shut.holds(world) and world.joint(catch.joint) < catch.engaged_within,
-    )
+    return _latched(part)
 
 
-def faster(part: Openable, *, than: float) -> Predicate:
-    """Door or drawer moves faster than a speed of its joint [rad/s or m/s], either way."""
-    return Predicate(
-        f"{part.name} faster than {part.spell(than)}/s",
-        lambda world: world.joint_speed(part.joint) > than,
-    )
+@predicate("{part} latched")
+def _latched(world: World, part: Latching) -> bool:
+    catch = part.catch
+    shut = world.joint(part.joint) < part.closed_within
+    return shut and catch is not None and world.joint(catch.joint) < catch.engaged_within
 
 
-def grasped(bar: Bar) -> Predicate:
+@predicate("{part} faster than {than:of part}/s")
+def faster(world: World, part: Openable, *, than: float) -> bool:
+    """Door or drawer has moved faster than a speed of its joint [rad/s or m/s], either way."""
+    return world.joint_speed(part.joint) > than
+
+
+@predicate("{bar} grasped")
+def grasped(world: World, bar: Bar) -> bool:
     """Bar is between the pads: they are closed on it, it is where they are and keeps them apart.
 
     A closed fist touches a bar with both pads too: it is shut, and ahead of the bar. Fingers that
     are twisted about a bar until it jams are commanded wider than it is.
     """
-    held = gripped(bar)
-    return Predicate(
-        f"{bar.name} grasped",
-        lambda world: (
-            held.holds(world)
-            and world.commanded_opening < bar.diameter
-            and world.gripper_opening > bar.diameter / 2
-            and _distance(world, bar) < bar.diameter / 2
-        ),
+    return (
+        gripped(bar).holds(world)
+        and world.commanded_opening < bar.diameter
+        and world.gripper_opening > bar.diameter / 2
+        and _distance(world, bar) < bar.diameter / 2
     )
 
 
-def clear_of(bar: Bar, *, by: float) -> Predicate:
+@predicate("hand {by:g} m clear of {bar}")
+def clear_of(world: World, bar: Bar, *, by: float) -> bool:
     """Point between the pads is further than `by` metres from the surface of a bar."""
-    return Predicate(f"hand {by:g} m clear of {bar.name}", lambda world: _distance(world, bar) > by)
+    return _distance(world, bar) > by
 
 
-def above(bar: Bar, *, by: float) -> Predicate:
+@predicate("hand {by:g} m above {bar}")
+def above(world: World, bar: Bar, *, by: float) -> bool:
     """Point between the pads is more than `by` metres higher than the middle of a bar."""
-    return Predicate(
-        f"hand {by:g} m above {bar.name}",
-        lambda world: bool(world.gripper.position_w[2] - world.frame(bar.name).position_w[2] > by),
-    )
+    return bool(world.gripper.position_w[2] - world.frame(bar.name).position_w[2] > by)
 
 
 def _distance(world: World, bar: Bar) -> float:

@@ -1,9 +1,10 @@
-"""Facts about setting a vessel down and leaving it."""
+"""Facts about setting a thing down, leaving it, and leaving others alone."""
 
-import numpy as np
+import math
+from collections.abc import Mapping
 
 from labutopia_lerobot.places import Destination
-from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.world import BENCH, HAND, LEFT_PAD, RIGHT_PAD, Standing, Thing, World
 
 _LEVEL_DEG = 1.0
@@ -13,69 +14,74 @@ _CONTACT = 0.001
 """Greatest height of a base above what it stands on [m]; contacts give by less than 0.1 mm."""
 
 
-def near(thing: Thing, place: Destination, *, within: float) -> Predicate:
+@predicate("{thing} within {within:g} m of {place}")
+def near(world: World, thing: Thing, place: Destination, *, within: float) -> bool:
     """Axis of the thing is, horizontally, within a distance [m] of the place."""
-
-    def distance(world: World) -> float:
-        offset = world.pose(thing).position_w - place.position_w(world)
-        return float(np.hypot(offset[0], offset[1]))
-
-    return Predicate(
-        f"{thing.name} within {within:g} m of {place.name}",
-        lambda world: distance(world) < within,
-        off=lambda world: {"mm": 1e3 * distance(world)},
-    )
+    return _distance(world, thing, place) < within
 
 
-def standing_on(thing: Thing, place: Destination) -> Predicate:
-    """Base of the thing is in full contact with what is at the place: it touches, level and low."""
-
-    def holds(world: World) -> bool:
-        pose = world.pose(thing)
-        gap = abs(pose.position_w[2] - place.position_w(world)[2])
-        level = pose.tilt < np.radians(_LEVEL_DEG)
-        return bool(gap < _CONTACT and level and world.touching(thing.name, place.support))
-
-    return Predicate(
-        f"{thing.name} standing on {place.support}",
-        holds,
-        off=lambda world: {"deg": float(np.degrees(world.pose(thing).tilt))},
-    )
+@near.measure
+def _off_place(
+    world: World, thing: Thing, place: Destination, *, within: float
+) -> Mapping[str, float]:
+    return {"mm": 1e3 * _distance(world, thing, place)}
 
 
-def released(thing: Thing) -> Predicate:
+def _distance(world: World, thing: Thing, place: Destination) -> float:
+    """Return how far the axis of a thing is from a place, horizontally [m]."""
+    x, y, _ = world.pose(thing).position_w - place.position_w(world)
+    return math.hypot(x, y)
+
+
+@predicate("{thing} standing on {place}")
+def standing_on(world: World, thing: Thing, place: Destination) -> bool:
+    """Base of the thing is in full contact with what bears the place: it touches, level and low."""
+    pose = world.pose(thing)
+    gap = abs(pose.position_w[2] - place.position_w(world)[2])
+    level = pose.tilt < math.radians(_LEVEL_DEG)
+    return bool(gap < _CONTACT and level and world.touching(thing.name, place.support))
+
+
+@standing_on.measure
+def _off_level(world: World, thing: Thing, place: Destination) -> Mapping[str, float]:
+    return {"deg": math.degrees(world.pose(thing).tilt)}
+
+
+@predicate("{thing} released")
+def released(world: World, thing: Thing) -> bool:
     """No part of the hand touches the thing."""
-    parts = frozenset({LEFT_PAD, RIGHT_PAD, HAND})
-    return Predicate(
-        f"{thing.name} released", lambda world: not world.touched_by(thing.name) & parts
-    )
+    return not world.touched_by(thing.name) & {LEFT_PAD, RIGHT_PAD, HAND}
 
 
-def withdrawn(thing: Standing, *, by: float) -> Predicate:
+@predicate("hand withdrawn {by:g} m from {thing}")
+def withdrawn(world: World, thing: Standing, *, by: float) -> bool:
     """Point between the pads is more than `by` metres from the cylinder around the thing."""
-
-    def holds(world: World) -> bool:
-        x, y, z = (world.pose(thing).inverse() @ world.gripper).position_w
-        aside = max(0.0, np.hypot(x, y) - thing.footprint_radius)
-        beyond = max(0.0, -z, z - thing.height)
-        return bool(np.hypot(aside, beyond) > by)
-
-    return Predicate(f"hand withdrawn {by:g} m from {thing.name}", holds)
+    x, y, z = (world.pose(thing).inverse() @ world.gripper).position_w
+    aside = max(0.0, math.hypot(x, y) - thing.footprint_radius)
+    beyond = max(0.0, -z, z - thing.height)
+    return math.hypot(aside, beyond) > by
 
 
-def struck(*things: Thing, but_for: frozenset[str] = frozenset()) -> Predicate:
-    """Something touches a bystander: anything but the bench and what may."""
-    names, allowed = [thing.name for thing in things], but_for | {BENCH}
-    return Predicate(
-        f"{' or '.join(names)} struck",
-        lambda world: any(world.touched_by(name) - allowed for name in names),
+@predicate("{things} struck by anything but {but_for} with {force:g} N")
+def struck(
+    world: World, *things: Thing, but_for: frozenset[str] = frozenset(), force: float = 0.0
+) -> bool:
+    """Something touches one of the things: anything but the bench and what may.
+
+    Args:
+        world: The world.
+        *things: What is to be left alone.
+        but_for: Contact names of what may touch them.
+        force: What may touches with this force [N] or less.
+    """
+    return any(
+        force == 0.0 or world.contact_force(thing.name, other) > force
+        for thing in things
+        for other in world.touched_by(thing.name) - but_for - {BENCH}
     )
 
 
-def touching(thing: Thing, *others: Thing) -> Predicate:
+@predicate("{thing} touching {others}")
+def touching(world: World, thing: Thing, *others: Thing) -> bool:
     """The thing touches one of the others."""
-    names = frozenset(other.name for other in others)
-    return Predicate(
-        f"{thing.name} touching {' or '.join(sorted(names))}",
-        lambda world: bool(world.touched_by(thing.name) & names),
-    )
+    return bool(world.touched_by(thing.name) & {other.name for other in others})

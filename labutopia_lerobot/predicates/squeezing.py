@@ -1,10 +1,10 @@
 """Facts about a bottle that is squeezed, and about where its spout points."""
 
+import math
+from collections.abc import Mapping
 from typing import Protocol
 
-import numpy as np
-
-from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.world import OpenVessel, Thing, World
 
 
@@ -17,32 +17,29 @@ class Squeezable(Thing, Protocol):
         ...
 
 
-def dispensed(bottle: Squeezable, vessel: OpenVessel, *, at_least_ml: float) -> Predicate:
+@predicate("{at_least_ml:g} ml squeezed out of {bottle} into {vessel}")
+def dispensed(world: World, bottle: Squeezable, vessel: OpenVessel, *, at_least_ml: float) -> bool:
     """No less than this volume [ml] out of the bottle is in the vessel.
 
     Without liquid: the bottle's wall has displaced that much, and the spout is over the vessel.
     """
-    aimed = spout_over(bottle, vessel)
-
-    def holds(world: World) -> bool:
-        if world.liquid is None:
-            return world.displaced(bottle) * 1e6 >= at_least_ml and aimed.holds(world)
-        return world.liquid.from_in(bottle.name, vessel.name) * 1e6 >= at_least_ml
-
-    def off(world: World) -> dict[str, float]:
-        if world.liquid is None:
-            return {}
-        return {"ml": abs(1e6 * world.liquid.from_in(bottle.name, vessel.name) - at_least_ml)}
-
-    return Predicate(f"{at_least_ml:g} ml squeezed into {vessel.name}", holds, off)
+    if world.liquid is None:
+        enough = world.displaced(bottle) * 1e6 >= at_least_ml
+        return enough and spout_over(bottle, vessel).holds(world)
+    return world.liquid.from_in(bottle.name, vessel.name) * 1e6 >= at_least_ml
 
 
-def spout_over(bottle: Squeezable, vessel: OpenVessel) -> Predicate:
+@dispensed.measure
+def _off_amount(
+    world: World, bottle: Squeezable, vessel: OpenVessel, *, at_least_ml: float
+) -> Mapping[str, float]:
+    if world.liquid is None:
+        return {}
+    return {"ml": abs(1e6 * world.liquid.from_in(bottle.name, vessel.name) - at_least_ml)}
+
+
+@predicate("spout of {bottle} over {vessel}")
+def spout_over(world: World, bottle: Squeezable, vessel: OpenVessel) -> bool:
     """Liquid that falls from the spout falls into the vessel: it is above the mouth, inside it."""
-
-    def holds(world: World) -> bool:
-        spout, rim = world.frame(bottle.spout), world.frame(vessel.rim)
-        x, y, z = spout.position_w - rim.position_w
-        return bool(np.hypot(x, y) < vessel.mouth_radius and z > 0.0)
-
-    return Predicate(f"spout of {bottle.name} over {vessel.name}", holds)
+    x, y, z = world.frame(bottle.spout).position_w - world.frame(vessel.rim).position_w
+    return math.hypot(x, y) < vessel.mouth_radius and bool(z > 0.0)

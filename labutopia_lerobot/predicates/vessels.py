@@ -1,8 +1,11 @@
 """Facts about vessels and other things that stand, are held, lean or fall."""
 
+import math
+from collections.abc import Mapping
+
 import numpy as np
 
-from labutopia_lerobot.predicates.predicate import Predicate
+from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Thing, World
 
 _MARGIN = 0.001
@@ -15,63 +18,57 @@ _LEVER = 0.1
 the size of glassware."""
 
 
-def lifted(thing: Thing, *, by: float) -> Predicate:
+@predicate("{thing} lifted by {by:g} m")
+def lifted(world: World, thing: Thing, *, by: float) -> bool:
     """Base of the thing is more than `by` metres above the bench top."""
-    return Predicate(
-        f"{thing.name} lifted by {by:g} m",
-        lambda world: bool(world.pose(thing).position_w[2] - world.bench_height > by),
-    )
+    return bool(world.pose(thing).position_w[2] - world.bench_height > by)
 
 
-def upright(thing: Thing, *, within_deg: float) -> Predicate:
+@predicate("{thing} upright within {within_deg:g} deg")
+def upright(world: World, thing: Thing, *, within_deg: float) -> bool:
     """Axis of the thing leans less than `within_deg` degrees from the vertical."""
-    limit = np.radians(within_deg)
-    return Predicate(
-        f"{thing.name} upright within {within_deg:g} deg",
-        lambda world: world.pose(thing).tilt < limit,
-        off=lambda world: {"deg": float(np.degrees(world.pose(thing).tilt))},
-    )
+    return world.pose(thing).tilt < math.radians(within_deg)
 
 
-def gripped(thing: Thing) -> Predicate:
+@upright.measure
+def _lean(world: World, thing: Thing, *, within_deg: float) -> Mapping[str, float]:
+    return {"deg": math.degrees(world.pose(thing).tilt)}
+
+
+@predicate("{thing} tilted beyond {beyond_deg:g} deg")
+def tilted(world: World, thing: Thing, *, beyond_deg: float) -> bool:
+    """Axis of the thing leans more than `beyond_deg` degrees from the vertical."""
+    return world.pose(thing).tilt > math.radians(beyond_deg)
+
+
+@predicate("{thing} gripped")
+def gripped(world: World, thing: Thing) -> bool:
     """Gripper is closed on the thing: both pads touch it, and it keeps them from going further.
 
     What hangs on open fingers, or is jammed between them, is not gripped.
     """
-
-    def holds(world: World) -> bool:
-        touched = world.touching(LEFT_PAD, thing.name) and world.touching(RIGHT_PAD, thing.name)
-        return touched and world.commanded_opening < world.gripper_opening - _MARGIN
-
-    return Predicate(f"{thing.name} gripped", holds)
+    touched = world.touching(LEFT_PAD, thing.name) and world.touching(RIGHT_PAD, thing.name)
+    return touched and world.commanded_opening < world.gripper_opening - _MARGIN
 
 
-def steady(thing: Thing, *, below: float) -> Predicate:
+@predicate("{thing} steady below {below:g} m/s")
+def steady(world: World, thing: Thing, *, below: float) -> bool:
     """Centre of mass moves slower than `below` [m/s], and so does by turning what is 10 cm off."""
-
-    def holds(world: World) -> bool:
-        turning = _LEVER * float(np.linalg.norm(world.angular_velocity(thing)))
-        return bool(np.linalg.norm(world.velocity(thing)) < below) and turning < below
-
-    return Predicate(f"{thing.name} steady below {below:g} m/s and {below / _LEVER:g} rad/s", holds)
+    turning = _LEVER * float(np.linalg.norm(world.angular_velocity(thing)))
+    return bool(np.linalg.norm(world.velocity(thing)) < below) and turning < below
 
 
-def knocked_over(thing: Thing, *, beyond_deg: float) -> Predicate:
+@predicate("{thing} knocked over beyond {beyond_deg:g} deg")
+def knocked_over(world: World, thing: Thing, *, beyond_deg: float) -> bool:
     """The thing leans more than `beyond_deg` degrees while not between the pads."""
-    limit = np.radians(beyond_deg)
-    held = gripped(thing)
-    return Predicate(
-        f"{thing.name} knocked over",
-        lambda world: world.pose(thing).tilt > limit and not held.holds(world),
-    )
+    leans = world.pose(thing).tilt > math.radians(beyond_deg)
+    return leans and not gripped(thing).holds(world)
 
 
-def falling(thing: Thing, *, faster_than: float) -> Predicate:
+@predicate("{thing} falling faster than {faster_than:g} m/s")
+def falling(world: World, thing: Thing, *, faster_than: float) -> bool:
     """The thing moves down faster than `faster_than` metres per second while not between the pads.
 
     It may touch an open hand that it slips through. Free fall gets to 0.44 m/s in 10 mm.
     """
-    return Predicate(
-        f"{thing.name} falling faster than {faster_than:g} m/s",
-        lambda world: world.fall_speed(thing) > faster_than,
-    )
+    return world.fall_speed(thing) > faster_than

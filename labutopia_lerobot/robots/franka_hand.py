@@ -10,6 +10,7 @@ from labutopia_lerobot.robots.robot import Element, ParallelGripper
 FRANKA_HAND = ParallelGripper(
     element=Element("gripper", lower=0.0, upper=0.08, speed=0.1, acceleration=1.0, jerk=500.0),
     finger_reach=0.009,  # half a pad's height, franka_hand_model
+    finger_thickness=0.0152,  # a pad's, franka_hand_model
     site="grasp",
     body="hand",
     finger_joints=("finger_joint1", "finger_joint2"),

@@ -53,6 +53,7 @@ IIWA = Robot(
     # Grasp point at (0.52, -0.22, 0.35) m, hand level, turned 70 degrees to the right, the elbow to
     # the left: above what stands on the bench, to the right of drawers that are open.
     home=(0.822, 1.339, -1.330, -1.731, -0.466, 0.805, 0.378),
+    elbow="joint4",
     # Flange of the stretched arm, 0.946 m from the shoulder [KUKA], at the height of the bench; the
     # data sheet's "maximum reach" of 0.82 m ends at the wrist.
     reach=0.90,

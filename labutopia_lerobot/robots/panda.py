@@ -39,6 +39,7 @@ PANDA = Robot(
     # Grasp point at (0.45, 0.2, 0.35) m, hand horizontal, turned 60 degrees to the right: one that
     # pointed straight away from the base would need joint 6 beyond its limit.
     home=(0.812, 0.159, 0.067, -2.209, -1.319, 1.318, 0.046),
+    elbow="joint4",
     reach=0.855,  # Franka Emika Panda data sheet, "maximum reach"
     hand_speed=1.7,  # [FCI], limits in the Cartesian space: translation
     base_body="link0",

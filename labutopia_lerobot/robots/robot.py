@@ -43,6 +43,7 @@ class ParallelGripper:
     Attributes:
         element: Distance between the pads [m].
         finger_reach: How far the fingers reach beyond the point between the pads [m].
+        finger_thickness: Thickness of a finger tip, along the motion of the fingers [m].
         site: Site between the pads: z forward, y along the finger motion, x up at home.
         body: Body that carries the fingers.
         finger_joints: Slides of the fingers; their sum is the opening.
@@ -51,6 +52,7 @@ class ParallelGripper:
 
     element: Element
     finger_reach: float
+    finger_thickness: float
     site: str
     body: str
     finger_joints: tuple[str, str]
@@ -72,6 +74,7 @@ class Robot:
         joints: Joints of the arm from base to hand [rad].
         gripper: The hand.
         home: Joint angles at rest [rad].
+        elbow: Name of the joint that folds the arm; at 0 that is straight.
         reach: How far the hand gets from the base, horizontally [m].
         hand_speed: Greatest speed of the point between the pads [m/s].
         base_body: Root body.
@@ -84,6 +87,7 @@ class Robot:
     joints: tuple[Element, ...]
     gripper: ParallelGripper
     home: tuple[float, ...]
+    elbow: str
     reach: float
     hand_speed: float
     base_body: str
@@ -139,3 +143,8 @@ class Robot:
     def finger_reach(self) -> float:
         """How far the fingers reach beyond the point between the pads [m]."""
         return self.gripper.finger_reach
+
+    @property
+    def finger_thickness(self) -> float:
+        """Thickness of a finger tip, along the motion of the fingers [m]."""
+        return self.gripper.finger_thickness

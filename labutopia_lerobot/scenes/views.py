@@ -55,25 +55,12 @@ WIDE_VESSEL_VIEW = View(
 )
 """The same from a focal length of 5, as in the original's tasks with two things side by side."""
 
-HEATER_VIEW = View(
-    front=WIDE_VESSEL_VIEW.front,
-    top=CameraPose((0.15, -0.175, 2.5), (0.0, 0.0, -1.0), _FORWARD, 15.5),
-)
-"""As `WIDE_VESSEL_VIEW` in front; overhead only the hot plate, so near that a button of 40 mm fills
-24 of 256 pixels."""
-
 WIDEST_VESSEL_VIEW = View(
     front=CameraPose((2.0, 0.0, 2.0), (-0.866, 0.0, -0.45), _UP, 29.0),
     top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 38.0),
 )
 """The same from a focal length of about 4, as in the original's stirring tasks; the camera in front
 looks 2 degrees higher, for the hand of a lifted rod."""
-
-FUSION_VIEW = View(
-    front=WIDEST_VESSEL_VIEW.front,
-    top=CameraPose((0.15, -0.39, 2.5), (0.0, 0.0, -1.0), _FORWARD, 15.5),
-)
-"""As `WIDEST_VESSEL_VIEW` in front; overhead the hot plate with its vessel, as `HEATER_VIEW`."""
 
 DOOR_VIEW = View(
     front=CameraPose((-0.7, 1.4, 1.4), (0.548, -0.807, -0.222), _UP, 55.3),
@@ -100,13 +87,6 @@ OVEN_VIEW = View(
 )
 """Over the robot's right shoulder, where the open door does not hide the chamber, near enough for
 the beakers before the oven; and from above and behind, as `DOOR_VIEW`."""
-
-OVEN_PANEL_VIEW = View(
-    front=OVEN_VIEW.front,
-    top=CameraPose((-0.7, -0.5, 1.95), (1.02, 0.43, -0.745), _UP, 23.0),
-)
-"""As `OVEN_VIEW` in front; over the robot's right shoulder the places on the shelf and the panel
-beside them, so near that a button of 36 mm fills 24 of 256 pixels."""
 
 PRESS_VIEW = View(
     front=CameraPose((-0.1, 1.8, 1.5), (0.233, -0.943, -0.2), _UP, 13.5),

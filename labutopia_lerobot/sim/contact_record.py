@@ -1,4 +1,4 @@
-"""What touched what, how hard and how fast, at every physics step of a control period."""
+"""What touched what, how hard and how fast things moved, at every step of a control period."""
 
 import mujoco
 import numpy as np
@@ -28,6 +28,7 @@ class ContactRecord:
             shape (groups, groups).
         fall: Greatest downward speed of each movable piece at an instant at which not both pads
             touched it [m/s], shape (movable pieces,).
+        speed: Greatest speed of every degree of freedom [rad/s or m/s], shape (nv,).
     """
 
     def __init__(self, scene: Scene, data: mujoco.MjData) -> None:
@@ -45,10 +46,11 @@ class ContactRecord:
         self.force: FloatArray = np.zeros(groups)
         self.approach: FloatArray = np.zeros(groups)
         self.fall: FloatArray = np.zeros(len(movable))
+        self.speed: FloatArray = np.zeros(scene.model.nv)
 
     def clear(self) -> None:
         """Forget everything: a control period begins."""
-        for extremes in (self.touched, self.force, self.approach, self.fall):
+        for extremes in (self.touched, self.force, self.approach, self.fall, self.speed):
             extremes[:] = 0
         self.now[:] = -1.0
 
@@ -69,6 +71,7 @@ class ContactRecord:
         )
         _note_extremes(self.now, self.touched, self.force)
         _note_falls(self.now, self._pads, self._movable, self._downward, data.qvel, self.fall)
+        _note_speeds(data.qvel, self.speed)
 
 
 @kernel
@@ -141,3 +144,10 @@ def _note_falls(
         group = movable[piece]
         if now[pads[0], group] < 0.0 or now[pads[1], group] < 0.0:
             fall[piece] = max(fall[piece], -qvel[downward[piece]])
+
+
+@kernel
+def _note_speeds(qvel: FloatArray, speed: FloatArray) -> None:
+    """Take note of how fast every degree of freedom moves, whichever way."""
+    for dof in range(len(qvel)):
+        speed[dof] = max(speed[dof], abs(qvel[dof]))

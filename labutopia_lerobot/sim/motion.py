@@ -34,6 +34,15 @@ _NEAR = 2 * _MARGIN
 _GAIN = 0.85 / CONTROL_HZ
 """Share of the distance left that one control period may use up, per second: mink bounds a step by
 `gain * distance / dt`."""
+_POSTURE = 0.003
+"""Cost of joints away from home, beside 1.0 for the position of the hand [1/rad]; ours: pulls the
+hand off its target by less than the phases ask for."""
+_STRETCHED = 0.6
+"""Angle of the elbow below which the posture costs more [rad]; ours: experts that are not lost fold
+it by 0.9 rad and more in every task."""
+_FOLDING = 10.0
+"""How many times more it costs where the arm is straight; ours. Without that an arm that was
+stretched once found no way back: moving the hand inwards begins by bringing it further off."""
 _RETREAT = 0.0005
 """Distance by which a pair that is too near must part in a control period [m]."""
 _SHARE = 0.85
@@ -64,7 +73,8 @@ class ReactiveMotion:
         )
         self._command_limits = CommandLimits(scene.robot, _SHARE)
         self._box = _Box(self._model.nv, self._drives.joint_dofs)
-        self._posture = mink.PostureTask(self._model, cost=0.003)
+        self._elbow = scene.robot.names.index(scene.robot.elbow)
+        self._posture = mink.PostureTask(self._model, cost=_POSTURE)
         home = self._model.qpos0.copy()
         self._drives.place(home, np.array(scene.robot.start))
         self._posture.set_target(home)
@@ -90,6 +100,8 @@ class ReactiveMotion:
         self._look(holds)
         quat_wxyz, position = target.quat_wxyz, target.position_w
         self._track.set_target(mink.SE3(np.concatenate([quat_wxyz, position])))
+        folded = min(1.0, abs(self._simulation.command[self._elbow]) / _STRETCHED)
+        self._posture.set_cost(_POSTURE * (1.0 + _FOLDING * (1.0 - folded) ** 2))
         avoid = [self._clearances[pair] for pair in self._kept_apart(touches, holds)]
         limits, commands, joints = self._command_limits, self._simulation.commands, self._joints
         before, last = commands[-2:]

@@ -15,7 +15,7 @@ from labutopia_lerobot.robots.set_points import SPAN, SUBSTEPS, set_points
 from labutopia_lerobot.sim.button_contacts import ButtonContacts
 from labutopia_lerobot.sim.contact_record import ContactRecord
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
-from labutopia_lerobot.sim.scene import COMMANDS, CONTACTS, Scene
+from labutopia_lerobot.sim.scene import COMMANDS, CONTACTS, ROBOT_MOUNT, Scene
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 from labutopia_lerobot.world.model import PHYSICS_HZ
@@ -280,4 +280,5 @@ class Simulation:
 def _liquid(scene: Scene, data: mujoco.MjData) -> Liquid:
     """Return all that the contents of a scene are, still empty."""
     vessels = [piece for piece in scene.pieces if isinstance(piece, Fillable | Dispenser)]
-    return Liquid(scene.model, data, vessels, list(scene.contents.values()), scene.particles)
+    contents, robot = list(scene.contents.values()), scene.model.body(ROBOT_MOUNT).id
+    return Liquid(scene.model, data, vessels, contents, scene.particles, robot)

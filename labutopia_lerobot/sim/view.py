@@ -31,8 +31,9 @@ class SimulatedWorld:
         self._gripper = scene.model.site(scene.robot.gripper.site).id
         self._group = {name: index for index, name in enumerate(scene.groups)}
         self._pieces = scene.pieces
-        movable = [piece.name for piece in scene.pieces if piece.movable]
-        self._faller = {name: index for index, name in enumerate(movable)}
+        self._movable: tuple[Thing, ...] = tuple(p for p in scene.pieces if p.movable)
+        self._faller = {piece.name: index for index, piece in enumerate(self._movable)}
+        self._buttons = tuple(button.name for piece in scene.pieces for button in piece.buttons)
         self._bodies: dict[str, int] = {
             piece.name: int(scene.model.body(piece.name).id) for piece in scene.pieces
         }
@@ -71,6 +72,16 @@ class SimulatedWorld:
     def commanded_opening(self) -> float:
         """Distance between the pads that is commanded [m]."""
         return float(self._simulation.command[-1])
+
+    @property
+    def movable(self) -> tuple[Thing, ...]:
+        """Everything that stands free, distractors included."""
+        return self._movable
+
+    @property
+    def buttons(self) -> tuple[str, ...]:
+        """Names of all push-buttons."""
+        return self._buttons
 
     def pose(self, thing: Thing) -> Pose:
         """Return the frame of a thing: origin at the centre of its base."""
@@ -112,9 +123,10 @@ class SimulatedWorld:
             raise self._unknown("joint", name, self._names(self._model.njnt, "joint")) from None
 
     def joint_speed(self, name: str) -> float:
-        """Return how fast a named hinge [rad/s] or slide [m/s] moves; never negative."""
+        """Return the greatest speed of a named hinge [rad/s] or slide [m/s]; never negative."""
         try:
-            return abs(float(self._data.joint(name).qvel[0]))
+            dof = int(self._model.joint(name).dofadr[0])
+            return float(self._simulation.contacts.speed[dof])
         except KeyError:
             raise self._unknown("joint", name, self._names(self._model.njnt, "joint")) from None
 
@@ -129,9 +141,8 @@ class SimulatedWorld:
 
     def pressed(self, name: str) -> bool:
         """Tell whether a named button has clicked in, and not out again."""
-        buttons = [button.name for piece in self._pieces for button in piece.buttons]
-        if name not in buttons:
-            raise self._unknown("button", name, buttons)
+        if name not in self._buttons:
+            raise self._unknown("button", name, self._buttons)
         return self._simulation.pressed(name)
 
     def switched_on(self, name: str) -> bool:

@@ -28,7 +28,7 @@ from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
-from labutopia_lerobot.task import DIVERGED, SUCCESS, Step
+from labutopia_lerobot.task import DIVERGED, SUCCESS, Step, TaskError
 
 
 class Workcell:
@@ -41,6 +41,7 @@ class Workcell:
     Attributes:
         task: The task of the episode in play.
         steps: Those of its steps that the episode is about.
+        after: Step behind which the episode has begun, or None for the start of the task.
         simulation: The physics.
         world: The read-only view of it that predicates and skills get.
         progress: The judge of the episode in play.
@@ -51,6 +52,8 @@ class Workcell:
         self._setting = setting
         self.task = task = scenario.task
         self.steps = task.steps
+        self.after: str | None = None
+        self._halt: NDArray[np.float32] | None = None
         pieces = (*task.start, *scenario.variation.bystanders)
         robot = load_robot(setting.robot)
         room = load_room(scenario.variation.room or setting.room)
@@ -106,7 +109,7 @@ class Workcell:
             Whether prelude and steps went well; if not, this start is no good.
 
         Raises:
-            TaskError: If the task has no step `after`.
+            TaskError: If the task has no step `after`, or none behind it.
         """
         self.task = task = scenario.task
         until = self._setting.step
@@ -116,6 +119,10 @@ class Workcell:
         else:
             before = () if until is None else played[:-1]
         self.steps = played[len(before) :]
+        if not self.steps:
+            raise TaskError(f"Nothing is left to play behind '{after}': it is the last step")
+        self.after = before[-1].name if before else None
+        self._halt = None
         variation = scenario.variation
         self._appearance.show(variation)
         layout = sample_layout(task.start, rng)
@@ -133,20 +140,32 @@ class Workcell:
             return False
         self.filter.start(self.simulation.command)
         self.simulation.start_clock()
-        self.progress = Progress(task, before[-1].name if before else None, until)
+        self.progress = Progress(task, self.after, until)
         self.progress.update(self.world)
         return True
 
     def step(self, action: NDArray[np.float32]) -> None:
         """Command the robot for one control period, and judge what has come of it.
 
+        Behind the end of the episode the robot stays where it is, whatever is commanded.
+
         Raises:
             ValueError: If the action does not have the shape of the robot's.
         """
+        if self.progress.over:
+            self._halt = self._here if self._halt is None else self._halt
+            action = self._halt
         self.simulation.step(self.filter(action, self.simulation.commands))
         if self.simulation.diverged:
             self.progress.end(DIVERGED)
         self.progress.update(self.world)
+
+    @property
+    def _here(self) -> NDArray[np.float32]:
+        """The action that leaves the arm where it is, and what is held in the hand."""
+        action = self.simulation.measured.astype(np.float32)
+        action[-1] = self.simulation.command[-1]
+        return action
 
     def color(self, camera: str) -> NDArray[np.uint8]:
         """Return what a camera sees, shape (height, width, 3)."""
@@ -188,6 +207,7 @@ class Workcell:
             "facts": progress.facts,
             "substeps": {name: np.inf if time is None else time for name, time in latched},
             "step": None if progress.step is None else progress.step.name,
+            "after": self.after,
             **({} if liquid is None else liquid.millilitres),
             "applied_action": filtered.applied.copy(),
             "clipped_actions": filtered.clipped,
@@ -213,10 +233,10 @@ class Workcell:
         """Let the expert play skills that nobody judges; tell whether all went well."""
         expert = self.expert(skills)
         expert.start()
-        breaches = self.task.breaches.values()
+        forbidden = self.task.forbidden(None).values()
         while skills and not expert.finished:
             self.simulation.step(self.filter(expert.act(), self.simulation.commands))
-            broken = any(breach.holds(self.world) for breach in breaches)
+            broken = any(fact.holds(self.world) for fact in forbidden)
             if expert.failure or broken or self.simulation.diverged:
                 return False
         return True

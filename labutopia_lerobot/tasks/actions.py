@@ -7,8 +7,8 @@ its line. A task that does an action twice gives the step another name (`Step.na
 from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates import (
     Predicate,
+    Transfer,
     closed,
-    faster,
     fingered,
     grasped,
     gripped,
@@ -17,23 +17,24 @@ from labutopia_lerobot.predicates import (
     lifted,
     lip_over,
     liquid_moving,
-    moving,
     near,
-    off_axis,
     opened,
     over_mouth,
     poured,
     pressed,
+    pulled,
     pushed,
     released,
     standing_on,
     steady,
     swings,
     tilted,
+    touched,
     turns,
     upright,
     withdrawn,
 )
+from labutopia_lerobot.predicates.liquids import POURS_BELOW
 from labutopia_lerobot.predicates.stirring import Filled
 from labutopia_lerobot.skills import Close, Open, Pick, Place, Pour, Press, Shake, Stir
 from labutopia_lerobot.skills.handle import Operable
@@ -42,14 +43,23 @@ from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Milestone, Step
 from labutopia_lerobot.world import BENCH, Button, Graspable, OpenVessel, Standing, Thing
 
+OFF_THE_BENCH = 0.10
+"""How far level 4 lifts at least [m]; ours: the paper's 20 cm are those of levels 1 to 3."""
+
 
 def pick(
-    thing: Graspable, *, lift: float = 0.25, support: str = BENCH, also: tuple[Predicate, ...] = ()
+    thing: Graspable,
+    *,
+    by: float = 0.20,
+    lift: float = 0.25,
+    support: str = BENCH,
+    also: tuple[Predicate, ...] = (),
 ) -> Step:
-    """Pick: grasp and lift by 20 cm (paper: "exceeding 20 cm").
+    """Pick: grasp and lift, by 20 cm in levels 1 to 3 (paper: "exceeding 20 cm").
 
     Args:
         thing: What to pick up.
+        by: How far it must be lifted [m].
         lift: How far the expert lifts it [m].
         support: Contact name of what it stands on or in.
         also: What must hold too when it has been lifted.
@@ -58,7 +68,7 @@ def pick(
     return Step(
         "pick",
         (Pick(thing, lift, support),),
-        (Milestone("gripped", (held,)), Milestone("lifted", (held, lifted(thing, by=0.20), *also))),
+        (Milestone("gripped", (held,)), Milestone("lifted", (held, lifted(thing, by=by), *also))),
         (thing,),
     )
 
@@ -78,9 +88,12 @@ def pour(
         share: How much of what was filled in must have arrived.
         of: What it was filled into, if not into the vessel in the hand.
     """
-    enough = poured(vessel, into, share=share, of=of)
+    origin = vessel if of is None else of
+    enough = poured(vessel, into, share=share, origin=origin)
     flowing = tilted(vessel, beyond_deg=60)
-    over_it = aimed(vessel, into) | ~flowing  # upright it may go anywhere, and pour on later
+    over_it = (
+        lip_over(vessel, into, below=POURS_BELOW) | ~flowing
+    )  # upright it may go anywhere, and pour on later
     return Step(
         "pour",
         (Pour(vessel, into),),
@@ -89,12 +102,8 @@ def pour(
             Milestone("righted", (gripped(vessel), upright(vessel, within_deg=10))),
         ),
         (vessel,),
+        transfers=(Transfer(origin, into),),
     )
-
-
-def aimed(vessel: OpenVessel, into: OpenVessel) -> Predicate:
-    """Return what holds while liquid flows: the lip is over the target, and not high above it."""
-    return lip_over(vessel, into, below=0.20)  # original: 0.1 to 0.2
 
 
 def place(
@@ -163,7 +172,7 @@ def shake(vessel: Graspable, at: Destination) -> Step:
 def held_at(vessel: Graspable, at: Destination) -> tuple[Predicate, ...]:
     """Return what holds where a shake starts and ends."""
     return (
-        near(vessel, at, within=0.05),
+        near(vessel, at, within=0.20),  # ours: over the workspace, of which it is the middle
         lifted(vessel, by=0.20),
         upright(vessel, within_deg=5),  # ours: a third of a tilt
     )
@@ -178,19 +187,15 @@ def stir(rod: Graspable, vessel: Filled, filling: Filling) -> Step:
         filling: What it holds, or would.
     """
     inside = (gripped(rod), immersed(rod, vessel, filling_ml=filling.ml))
-    # Ours: half of the original's 9 mm, and the way from the axis to the circle and back for free.
-    five = turns(rod, vessel, needed=4.75, beyond=0.005)
-    circling = (
-        *inside,
-        off_axis(rod, vessel, beyond=0.003),
-        moving(rod, above=0.003),  # paper: "without interruption or hesitation"; ours: a tenth
-    )
+    # Ours: a third of the original's 9 mm; the way from the axis to the circle and back for free;
+    # the paper's "without interruption", where a person still sees one motion.
+    five = turns(rod, vessel, needed=4.75, beyond=0.003, pause=2.0)
     return Step(
         "stir",
         (Stir(rod, vessel),),
         (
             Milestone("inserted", inside),
-            Milestone("stirred", inside, keeping=circling, count=five),
+            Milestone("stirred", inside, keeping=inside, count=five),
             Milestone("withdrawn", held_over(rod, vessel)),
         ),
         (rod,),
@@ -203,48 +208,43 @@ def held_over(rod: Graspable, vessel: OpenVessel) -> tuple[Predicate, ...]:
     return (gripped(rod), over_mouth(rod, vessel, within=0.04, by=0.05))
 
 
-def open_by_handle(part: Operable, *, to: float, begun: float, pull: float, hasty: float) -> Step:
-    """Open: grip the handle and pull, "without slipping" (paper).
+def open_by_handle(part: Operable, *, to: float, begun: float, pull: float) -> Step:
+    """Open: grip the handle and pull, in one pull or several (paper: "without slipping").
 
     Args:
         part: The door or drawer.
         to: Position of its joint that counts as open [rad or m].
         begun: Position beyond which it has moved [rad or m].
         pull: How far the expert pulls [rad or m].
-        hasty: Speed of its joint that is not smooth any more (paper: "smoothly") [rad/s or m/s].
     """
-    held = grasped(part.handle)
+    by_handle = pulled(part, part.handle, to=to, slack=begun)
     return Step(
         "open",
         (Open(part, pull),),
         (
-            Milestone("gripped", (held, less_open(part, than=begun))),
-            Milestone("opened", (opened(part, to=to),), (opened(part, to=begun),), keeping=(held,)),
+            Milestone("gripped", (grasped(part.handle), less_open(part, than=begun))),
+            Milestone("opened", (opened(part, to=to),), count=by_handle),
         ),
         (part.handle,),
-        {"slammed": faster(part, than=hasty)},
     )
 
 
-def close_by_handle(part: Operable, *, begun: float, hasty: float, grip: str = "gripped") -> Step:
-    """Close: grip the handle and push shut, "without slipping" (paper).
+def close_by_handle(part: Operable, *, begun: float) -> Step:
+    """Close: push shut by the handle, in the grip or not (paper: grasped; the original either way).
 
     Args:
         part: The door or drawer.
         begun: Position below which it has moved [rad or m].
-        hasty: Speed of its joint that is not smooth any more (paper: "smoothly") [rad/s or m/s].
-        grip: Name of the first milestone.
     """
-    held = grasped(part.handle)
     return Step(
         "close",
         (Close(part),),
         (
-            Milestone(grip, (held, opened(part, to=begun))),
-            Milestone("closed", (closed(part),), (less_open(part, than=begun),), keeping=(held,)),
+            Milestone("touched", (touched(part.handle), opened(part, to=begun))),
+            Milestone("closed", (closed(part),)),
         ),
         (part.handle,),
-        {"slammed": faster(part, than=hasty)},
+        notes=(grasped(part.handle),),
     )
 
 

@@ -1,22 +1,30 @@
 """What must not happen: the other half of an action, shared by the tasks of all levels.
 
-What a number comes from is said on its line.
+What a number comes from is said on its line. What no task forgives, such as broken glass, stands in
+`Task.forbidden`.
 """
 
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import reduce
 from operator import or_
 
-from labutopia_lerobot.predicates import Predicate, falling, knocked_over, spilled, struck
+from labutopia_lerobot.predicates import (
+    Predicate,
+    falling,
+    faster,
+    knocked_over,
+    spilled,
+    struck,
+)
+from labutopia_lerobot.skills.handle import Operable
 from labutopia_lerobot.skills.pour import Pourable
 from labutopia_lerobot.task import Step
 from labutopia_lerobot.world import Graspable, OpenVessel, Thing
 
 
 def handling(
-    vessel: Pourable, *, spill: float | None, pouring: Predicate | None = None
+    vessel: Pourable, *, spill: float | None, into: OpenVessel | None = None
 ) -> dict[str, Predicate]:
     """Return what must not happen to a vessel that is handled.
 
@@ -24,12 +32,9 @@ def handling(
         vessel: What is handled.
         spill: Share of its content that may be spilled (paper: "without spilling"; the number is
             ours); None for an empty one.
-        pouring: What excuses a tilt where no liquid is simulated.
+        into: What it is poured into, if anything.
     """
-    spilling = {}
-    if spill is not None:
-        lean = _runs_over_deg(vessel)
-        spilling["spilled"] = spilled(vessel, share=spill, unless=pouring, beyond_deg=lean)
+    spilling = {} if spill is None else {"spilled": spilled(vessel, share=spill, over=into)}
     return {
         "knocked_over": knocked_over(vessel, beyond_deg=30),
         **spilling,
@@ -37,20 +42,19 @@ def handling(
     }
 
 
-def _runs_over_deg(vessel: OpenVessel) -> float:
-    """Return from which lean on a vessel spills where no liquid is simulated [deg].
-
-    A half-full cylinder runs over where the tangent of its lean is its height over the diameter of
-    its mouth, one that tapers later. 9 degrees before that: 45 for a beaker; where it is tall and
-    narrow 60, from where on a lip that pours must be over its target (`actions.pour`).
-    """
-    brim = math.degrees(math.atan2(vessel.height, 2 * vessel.mouth_radius))
-    return min(max(brim - 9.0, 45.0), 60.0)
-
-
 def of_any(*each: Mapping[str, Predicate]) -> dict[str, Predicate]:
     """Return what must happen to none of several vessels, from what must not to each."""
     return {name: reduce(or_, (one[name] for one in each)) for name in each[0]}
+
+
+def slamming(part: Operable, *, faster_than: float) -> dict[str, Predicate]:
+    """Return what must not happen to a door or drawer, whoever moves it (paper: "smoothly").
+
+    Args:
+        part: The door or drawer.
+        faster_than: Speed of its joint that is not smooth any more [rad/s or m/s].
+    """
+    return {"slammed": faster(part, than=faster_than)}
 
 
 def sparing(
@@ -67,6 +71,7 @@ def stirring(rod: Graspable, vessel: OpenVessel, rack: Thing) -> dict[str, Predi
         "knocked_over": knocked_over(rod, beyond_deg=30),
         "dropped": falling(rod, faster_than=0.4),  # as `handling`
         "spilled": spilled(vessel, share=0.01),  # paper: "without causing spillage"
-        "struck": struck(vessel),
+        # Paper: no "collision"; ours: a rod that stirs may brush the wall.
+        "struck": struck(vessel, force=2.0),
         "rack_struck": struck(rack, but_for=frozenset({rod.name})),
     }

@@ -1,6 +1,6 @@
 """Where the liquid of a scene is, and where it came from."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -61,12 +61,12 @@ class LiquidAccount:
 
     @property
     def spilled(self) -> float:
-        """In no vessel, and on something that can never move, as bench and floor [m^3]."""
+        """In no vessel, and on what stands: bench, floor, plate, the outside of a vessel [m^3]."""
         return self._volume(self.counts[:, -3])
 
     @property
     def clinging(self) -> float:
-        """In no vessel, and on the outside of one or on something that can move [m^3]."""
+        """In no vessel, and on the robot, on what it holds or on what falls [m^3]."""
         return self._volume(self.counts[:, -2])
 
     @property
@@ -95,6 +95,21 @@ class LiquidAccount:
     def from_in(self, origin: str, vessel: str) -> float:
         """Return what was filled into one vessel and is inside another, or the same one [m^3]."""
         return self._volume(self.counts[self._index(origin), self._index(vessel)])
+
+    def elsewhere(self, allowed: Collection[tuple[str, str]]) -> Mapping[str, float]:
+        """Return what is in vessels that it was neither filled into nor is allowed to get into.
+
+        Args:
+            allowed: Pairs of an origin and a vessel.
+
+        Returns:
+            Origin -> volume [m^3], of every vessel and bottle.
+        """
+        own = np.eye(len(self.vessels), dtype=bool)
+        for origin, vessel in allowed:
+            own[self._index(origin), self._index(vessel)] = True
+        astray = np.where(own, 0, self.counts[:-1, :-3])
+        return {name: self._volume(astray[v]) for v, name in enumerate(self.vessels)}
 
     def spilled_from(self, origin: str) -> float:
         """Return what was filled into a vessel and is spilled [m^3]."""

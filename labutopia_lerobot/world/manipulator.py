@@ -31,6 +31,11 @@ class Manipulator(Protocol):
         ...
 
     @property
+    def finger_thickness(self) -> float:
+        """Thickness of a finger tip, along the motion of the fingers [m]."""
+        ...
+
+    @property
     def vessel_approach(self) -> Approach:
         """How the hand comes to vessels, relative to the bearing from the robot's base."""
         ...

@@ -1,5 +1,6 @@
 """Positions and orientations of frames in the world."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -49,7 +50,7 @@ class Pose:
     @property
     def tilt(self) -> float:
         """Angle between the frame's z axis and the vertical [rad]."""
-        return float(np.arccos(np.clip(self.rotation_w[2, 2], -1.0, 1.0)))
+        return math.acos(min(1.0, max(-1.0, self.rotation_w[2, 2])))
 
     def __matmul__(self, other: "Pose") -> "Pose":
         """Express a pose given in this frame in the world."""

@@ -1,6 +1,6 @@
 """What predicates and skills may ask of a thing, beside where it is."""
 
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 
 class Thing(Protocol):
@@ -26,6 +26,7 @@ class Standing(Thing, Protocol):
         ...
 
 
+@runtime_checkable
 class OpenVessel(Thing, Protocol):
     """A vessel with a round mouth."""
 

@@ -21,11 +21,10 @@ ROOM = "room"
 class World(Protocol):
     """Getters only: nothing that holds a `World` can change the simulation.
 
-    Everything handed out is a copy. Contacts, their forces and speeds, and falls are the extremes
-    of all physics steps since the previous control step, so that a touch or a knock shorter than a
-    control period is seen too. Contact names are
-    the names of bodies (a thing's own, or a moving part's), and `left_pad`, `right_pad`, `hand`,
-    `arm`, `bench`, `room`.
+    Everything handed out is a copy. Contacts, their forces and speeds, speeds of joints and falls
+    are the extremes of all physics steps since the previous control step, so that a touch or a
+    knock shorter than a control period is seen too. Contact names are the names of bodies (a
+    thing's own, or a moving part's), and `left_pad`, `right_pad`, `hand`, `arm`, `bench`, `room`.
     """
 
     @property
@@ -63,6 +62,16 @@ class World(Protocol):
         """Distance between the pads that is commanded [m]; less than measured in a grasp."""
         ...
 
+    @property
+    def movable(self) -> tuple[Thing, ...]:
+        """Everything that stands free, distractors included."""
+        ...
+
+    @property
+    def buttons(self) -> tuple[str, ...]:
+        """Names of all push-buttons."""
+        ...
+
     def pose(self, thing: Thing) -> Pose:
         """Return the frame of a thing: origin at the centre of its base, z up when it stands."""
         ...
@@ -95,7 +104,7 @@ class World(Protocol):
         ...
 
     def joint_speed(self, name: str) -> float:
-        """Return how fast a named hinge [rad/s] or slide [m/s] moves; never negative."""
+        """Return the greatest speed of a named hinge [rad/s] or slide [m/s]; never negative."""
         ...
 
     def sensor(self, name: str) -> float:

@@ -1,6 +1,7 @@
 """Recording, as LeRobot and as the user see it."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -61,6 +62,16 @@ def test_exactly_the_wanted_successes_are_stored(picked: Path) -> None:
 
 def test_the_number_of_workers_changes_nothing(picked: Path, tmp_path: Path) -> None:
     assert_same_dataset(picked, recording(tmp_path / "one", *PICK, workers=1))
+
+
+def test_the_same_command_makes_the_same_bytes_in_whatever_order_python_keeps_its_sets(
+    tmp_path: Path,
+) -> None:
+    program = [sys.executable, "-m", "labutopia_lerobot.cli.record", *PICK[:-1], "episodes=1"]
+    for seed in ("1", "2"):
+        environment = os.environ | {"PYTHONHASHSEED": seed}
+        subprocess.run([*program, f"root={tmp_path / seed}"], env=environment, check=True)
+    assert_same_dataset(tmp_path / "1", tmp_path / "2")
 
 
 def test_each_picture_shows_the_state_of_its_row(filmed: Path) -> None:

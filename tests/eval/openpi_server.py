@@ -8,7 +8,7 @@ import msgpack
 import numpy as np
 from websockets.sync.server import ServerConnection, serve
 
-from labutopia_lerobot.evaluation.remote.array_messages import unpack
+from labutopia_lerobot.evaluation.remote.openpi_server import unpack
 
 HOME = [0.0, -0.78, 0.0, -2.36, 0.0, 1.57, 0.78, 0.08]
 """Joint angles [rad] and the opening [m] of any position within the limits."""

@@ -20,7 +20,7 @@ from safetensors.torch import load_file, save_file
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint import Checkpoint, open_checkpoint
-from labutopia_lerobot.evaluation.harmless import FOREIGN_CODE, CheckpointError
+from labutopia_lerobot.evaluation.checkpoint_security import FOREIGN_CODE, CheckpointError
 from labutopia_lerobot.evaluation.policies import Action
 from labutopia_lerobot.setting import Setting
 
@@ -81,7 +81,7 @@ def test_vqbet_is_played(tmp_path: Path) -> None:
 def test_an_unknown_type_is_told(save_checkpoint: Saver) -> None:
     folder = save_checkpoint()
     edit(folder / "config.json", type="oracle")
-    from labutopia_lerobot.evaluation.learned import UnusableWeightsError
+    from labutopia_lerobot.evaluation.learned_policy import UnusableWeightsError
 
     with pytest.raises(UnusableWeightsError, match=r"'oracle'.*not registered"):
         open_checkpoint(folder, None, STATE)()
@@ -156,7 +156,7 @@ def test_policies_for_which_lerobot_trusts_foreign_code_are_known() -> None:
 def test_the_words_of_policies_that_go_on_without_their_weights_are_known() -> None:
     import lerobot.policies
 
-    from labutopia_lerobot.evaluation.learned import NOT_LOADED
+    from labutopia_lerobot.evaluation.learned_policy import NOT_LOADED
 
     folder = Path(lerobot.policies.__file__).parent
     silent = {f.parent.name for f in folder.rglob("*.py") if 'print(f"Warning:' in f.read_text()}

@@ -4,9 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from labutopia_lerobot.evaluation.causes import cause_of
-from labutopia_lerobot.evaluation.row import Row
-from labutopia_lerobot.evaluation.statistics import summarise
+from labutopia_lerobot.evaluation.failure_causes import cause_of
+from labutopia_lerobot.evaluation.rows import Row, summarise
 
 from .test_statistics import row
 

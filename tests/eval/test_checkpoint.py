@@ -6,8 +6,9 @@ from torch.nn import Module
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint import CheckpointError, open_checkpoint
-from labutopia_lerobot.evaluation.learned import LearnedPolicy, UnusableWeightsError
-from labutopia_lerobot.evaluation.rollout import Pairing, play
+from labutopia_lerobot.evaluation.jobs import EvaluationJob
+from labutopia_lerobot.evaluation.learned_policy import LearnedPolicy, UnusableWeightsError
+from labutopia_lerobot.evaluation.rollout import play
 from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
@@ -21,7 +22,7 @@ SETTING = Setting(TASK, obs="state")
 def test_a_checkpoint_plays_the_same_episode_twice(save_checkpoint: Saver) -> None:
     checkpoint = open_checkpoint(save_checkpoint(), "act", SETTING, device="cpu")
     first, second = (
-        play(Pairing(SETTING, "act", maker), 100_000)
+        play(EvaluationJob(SETTING, "act", maker), 100_000)
         for maker in (checkpoint, open_checkpoint(checkpoint.folder, "act", SETTING, device="cpu"))
     )
     assert first.row == second.row

@@ -7,8 +7,7 @@ import pytest
 
 from labutopia_lerobot.env import LabEnv, Observation
 from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
-from labutopia_lerobot.evaluation.evaluate import evaluate, in_order, make_pairings
-from labutopia_lerobot.evaluation.films import choose
+from labutopia_lerobot.evaluation.jobs import EvaluationJob, make_jobs
 from labutopia_lerobot.evaluation.policies import (
     REFERENCE_POLICIES,
     Action,
@@ -16,7 +15,7 @@ from labutopia_lerobot.evaluation.policies import (
     RandomPolicy,
     StillPolicy,
 )
-from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
+from labutopia_lerobot.evaluation.rollout import Episode, choose, evaluate, in_order, play
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.world import CONTROL_HZ
@@ -26,14 +25,12 @@ SEEDS = range(100_000, 100_003)
 
 def played(workers: int) -> list[Episode]:
     """Play the three reference policies; the slowest comes first, to mix up the order."""
-    pairings = [
-        pairing
+    jobs = [
+        job
         for name in ("still", "expert", "random")
-        for pairing in make_pairings(
-            EvaluationConfig(policy=PolicyConfig(name), task="level1/pick")
-        )
+        for job in make_jobs(EvaluationConfig(policy=PolicyConfig(name), task="level1/pick"))
     ]
-    return in_order(list(evaluate(pairings, SEEDS, workers)), pairings)
+    return in_order(list(evaluate(jobs, SEEDS, workers)), jobs)
 
 
 @pytest.fixture(scope="module")
@@ -51,6 +48,10 @@ def test_rows_do_not_depend_on_the_workers(episodes: list[Episode]) -> None:
     assert [episode.row for episode in alone] == [episode.row for episode in episodes]
     for one, other in zip(alone, episodes, strict=True):
         np.testing.assert_array_equal(one.actions, other.actions)
+
+
+def test_a_row_has_the_condition_that_was_to_be_played(episodes: list[Episode]) -> None:
+    assert all(episode.row.condition == episode.job.condition for episode in episodes)
 
 
 def test_rows_are_ordered_by_pairing_and_seed(episodes: list[Episode]) -> None:
@@ -77,9 +78,9 @@ class BrokenPolicy:
 
 def test_a_bug_in_a_policy_is_no_failed_episode() -> None:
     maker: PolicyMaker = BrokenPolicy
-    pairing = Pairing(Setting("level1/pick", obs="state"), "broken", maker)
+    job = EvaluationJob(Setting("level1/pick", obs="state"), "broken", maker)
     with pytest.raises(ZeroDivisionError, match="a bug"):
-        play(pairing, 0)
+        play(job, 0)
 
 
 def test_random_actions_reach_the_whole_box_within_the_limits() -> None:
@@ -113,36 +114,36 @@ def moody():
 
 
 @pytest.fixture
-def moody(tmp_path: Path) -> Callable[[str, float], Pairing]:
-    """Make a pairing of the expert and a task in which it sulks where the flask is to the left."""
+def moody(tmp_path: Path) -> Callable[[str, float], EvaluationJob]:
+    """Make a job of the expert and a task in which it sulks where the flask is to the left."""
 
-    def make(where: str, limit: float) -> Pairing:
+    def make(where: str, limit: float) -> EvaluationJob:
         (tmp_path / "level1").mkdir()
         text = MOODY_TASK.format(where=where, limit=limit)
         (tmp_path / "level1" / "moody.py").write_text(text)
         setting = Setting("level1/moody", obs="state", tasks_dir=str(tmp_path))
-        return Pairing(setting, "expert", REFERENCE_POLICIES["expert"])
+        return EvaluationJob(setting, "expert", REFERENCE_POLICIES["expert"])
 
     return make
 
 
 def test_a_row_tells_which_phase_the_expert_could_not_finish(
-    moody: Callable[[str, float], Pairing],
+    moody: Callable[[str, float], EvaluationJob],
 ) -> None:
-    pairing = moody("steps=(replace(step, skills=(Sulk(),)),), time_limit_s=1.0", -1.0)
-    row = play(pairing, 0).row
+    job = moody("steps=(replace(step, skills=(Sulk(),)),), time_limit_s=1.0", -1.0)
+    row = play(job, 0).row
     assert row.expert_failure == "sulk/sulk not done after 0.1 s"
     assert (row.outcome, row.cause) == ("timeout", "never reached")
-    assert play(Pairing(pairing.setting, "still", StillPolicy), 0).row.expert_failure is None
+    assert play(EvaluationJob(job.setting, "still", StillPolicy), 0).row.expert_failure is None
 
 
 def test_a_row_counts_the_starts_that_were_drawn_anew(
-    moody: Callable[[str, float], Pairing],
+    moody: Callable[[str, float], EvaluationJob],
 ) -> None:
-    pairing = moody("prelude=(Sulk(),), time_limit_s=0.5", 0.05)
-    env = LabEnv(pairing.setting)
+    job = moody("prelude=(Sulk(),), time_limit_s=0.5", 0.05)
+    env = LabEnv(job.setting)
     failures = {seed: env.reset(seed=seed)[1]["prelude_failures"] for seed in range(12)}
     assert 0 in failures.values()
     hard = max(failures, key=lambda seed: failures[seed])
     assert failures[hard] > 0
-    assert play(pairing, hard).row.prelude_failures == failures[hard]
+    assert play(job, hard).row.prelude_failures == failures[hard]

@@ -1,22 +1,22 @@
 """What the command line of the evaluator means."""
 
 from io import StringIO
-from typing import Any
 
 import pytest
 from rich.console import Console
 
 from labutopia_lerobot.cli.evaluate import parse
-from labutopia_lerobot.evaluation import live
 from labutopia_lerobot.evaluation.config import (
     EvaluationConfig,
     EvaluationOptionError,
     PolicyConfig,
 )
-from labutopia_lerobot.evaluation.evaluate import make_pairings
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.jobs import make_jobs
+from labutopia_lerobot.evaluation.run import LiveProgress
 from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.runtime import bars
+
+from .test_statistics import row
 
 
 def test_a_checkpoint_alone_names_the_policy() -> None:
@@ -50,11 +50,6 @@ def test_tasks_are_named_one_by_one_too_each_is_played_once() -> None:
         _ = parse(["task=[level1/pick,level1/pik]", "policy=expert"]).tasks
 
 
-def row(**columns: Any) -> Row:
-    every = dict.fromkeys(Row.__dataclass_fields__)
-    return Row(**(every | {"task": "level1/pick", "split": "id", "play": "single"} | columns))
-
-
 @pytest.fixture
 def lines(monkeypatch: pytest.MonkeyPatch) -> StringIO:
     monkeypatch.setattr(bars, "_LOG_S", 0.0)
@@ -62,12 +57,12 @@ def lines(monkeypatch: pytest.MonkeyPatch) -> StringIO:
 
 
 def test_a_log_file_tells_rate_time_left_and_running_success(lines: StringIO) -> None:
-    pairings = make_pairings(EvaluationConfig(policy=PolicyConfig("still"), task="level1/pick"))
+    jobs = make_jobs(EvaluationConfig(policy=PolicyConfig("still"), task="level1/pick"))
     console = Console(file=lines, width=200)
-    with live.LiveProgress(pairings, 4, console) as progress:
-        progress.known([row(success=True)])
-        progress.played(row(success=False))
-        progress.played(row(success=True))
+    with LiveProgress(jobs, 4, console) as progress:
+        progress.known([row(0, "success", ever=True, lifted=2.0)])
+        progress.played(row(1, "timeout", ever=False, lifted=None))
+        progress.played(row(2, "success", ever=True, lifted=2.0))
     first, second = lines.getvalue().splitlines()
     assert first.startswith("Playing 2/4, ")
     assert "episodes/min, 0.0 min left; level1/pick id: 1/2 succeeded, 50 %" in first
@@ -75,10 +70,10 @@ def test_a_log_file_tells_rate_time_left_and_running_success(lines: StringIO) ->
 
 
 def test_a_terminal_shows_a_bar_for_every_task(lines: StringIO) -> None:
-    pairings = make_pairings(EvaluationConfig(policy=PolicyConfig("still"), task="level1/pick"))
+    jobs = make_jobs(EvaluationConfig(policy=PolicyConfig("still"), task="level1/pick"))
     console = Console(file=lines, force_terminal=True, width=200)
-    with live.LiveProgress(pairings, 1, console) as progress:
-        progress.played(row(success=True))
+    with LiveProgress(jobs, 1, console) as progress:
+        progress.played(row(0, "success", ever=True, lifted=2.0))
     shown = lines.getvalue()
     assert "level1/pick id" in shown
     assert "1/1 succeeded, 100 %" in shown

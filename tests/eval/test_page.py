@@ -1,18 +1,26 @@
 """The page: self-contained, and shown by a real browser where one is installed."""
 
+import html
+import json
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
 
+import numpy as np
 import pytest
 
-from labutopia_lerobot.evaluation.found import find_results
+from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
+from labutopia_lerobot.evaluation.reporting import page as page_module
 from labutopia_lerobot.evaluation.reporting.page import page, write_page
-from labutopia_lerobot.evaluation.result import film_of
+from labutopia_lerobot.evaluation.result_folder import film_of
+from labutopia_lerobot.runtime.video import write_video
 
-from .written_rows import every_level, keep, written
+from .written_rows import every_level, in_drawn_order, keep, written
 
 BROWSER = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
@@ -22,27 +30,78 @@ needs_browser = pytest.mark.skipif(
     BROWSER is None, reason="no Chromium here: scripts/install_chromium.sh installs Debian's"
 )
 
-PROBE = """<script>
-addEventListener("load", () => {
-  const root = document.documentElement;
-  root.dataset.width = root.scrollWidth;
-  root.dataset.seen = innerWidth;
-  root.dataset.paper = getComputedStyle(document.body).backgroundColor;
-});
+WIDTHS = (480, 1400)
+"""A telephone's and a laptop's [pixels]."""
+
+PROBE = """<!doctype html>
+<style>body {{ margin: 0 }} iframe {{ border: 0; width: {width}px; height: 900px }}</style>
+<iframe srcdoc="{page}"></iframe>
+<script>
+addEventListener("load", () => setTimeout(() => {{
+  const frame = document.querySelector("iframe").contentDocument;
+  const whole = element => {{
+    const range = frame.createRange();
+    range.selectNodeContents(element);
+    return range.getClientRects().length;
+  }};
+  const cells = [...frame.querySelectorAll("th, td")].filter(cell => cell.offsetParent);
+  const told = cell => `${{cell.dataset.label}}: ${{cell.textContent.trim().slice(0, 40)}}`;
+  const found = {{
+    width: frame.documentElement.scrollWidth,
+    paper: frame.defaultView.getComputedStyle(frame.body).backgroundColor,
+    outside: cells.filter(cell => {{
+      const box = cell.getBoundingClientRect();
+      return box.left < 0 || box.right > {width} || !box.width;
+    }}).map(told),
+    clipped: [...frame.querySelectorAll("th, td, li, li span, h1, h2, h3, p, a, figcaption, dd")]
+      .filter(element => element.scrollWidth > element.clientWidth + 1 && element.clientWidth)
+      .map(told),
+    broken: [...frame.querySelectorAll("tbody th, td.words")]
+      .filter(cell => !/[ /]/.test(cell.textContent) && cell.offsetParent && whole(cell) > 1)
+      .map(told),
+    labels: [...new Set(cells.map(cell => cell.dataset.label || ""))],
+    films: [...frame.querySelectorAll("video")].map(film => [film.readyState, film.duration]),
+  }};
+  document.title = JSON.stringify(found);
+}}, 500));
 </script>"""
-"""Tells, in what the browser dumps, how the page came out; it is not part of the page."""
+"""Measures, beside the page and not in it, how it came out: the page itself runs no scripts."""
+
+
+def measured(page: Path, folder: Path, width: int) -> dict[str, Any]:
+    """Return how a browser shows a page in a frame of this width [pixels]."""
+    probe = page.with_name("probe.html")  # where the page lies, for its links
+    probe.write_text(PROBE.format(width=width, page=html.escape(page.read_text())))
+    assert BROWSER is not None
+    command = [
+        *(BROWSER, "--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1500,1000"),
+        *("--virtual-time-budget=10000", f"--user-data-dir={folder / 'profile'}", "--dump-dom"),
+        probe.as_uri(),
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
+    title = re.search("<title>(.*?)</title>", done.stdout, re.DOTALL)
+    assert title is not None
+    told: dict[str, Any] = json.loads(html.unescape(title[1]))
+    return told
 
 
 @pytest.fixture(scope="module")
 def written_page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("page")
-    results = [result for place in every_level(folder) for result in find_results(place)]
-    failed = next(row for row in results[1].rows if not row.success)
-    film = film_of(results[1].place, failed)
-    film.parent.mkdir()
-    film.write_bytes(b"no film, but bytes")
+    drawn = keep(folder / "drawn", in_drawn_order([1, 3, 3, 0, 6, 4]))
+    results = [r for place in [*every_level(folder), drawn] for r in load_results(place)]
+    film_first(results[1])
     write_page(folder / "report.html", results)
     return folder / "report.html"
+
+
+def film_first(result: LoadedResult) -> None:
+    """Film the first failure and the first success of a result, a second each."""
+    for success in (False, True):
+        row = next(row for row in result.rows if row.success == success)
+        film = film_of(result.place, row)
+        film.parent.mkdir(exist_ok=True)
+        write_video(film, [np.full((64, 64, 3), 8 * i, np.uint8) for i in range(30)])
 
 
 class Tags(HTMLParser):
@@ -55,7 +114,7 @@ class Tags(HTMLParser):
         self.ids: list[str] = []
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        if tag not in ("meta", "br"):
+        if tag not in ("meta", "br", "wbr"):
             self.open.append(tag)
         told = dict(attrs)
         self.addresses += [value for name in ("src", "href") if (value := told.get(name))]
@@ -80,11 +139,12 @@ def test_the_page_needs_nothing_from_elsewhere(written_page: Path) -> None:
 
 def test_the_page_shows_all_that_rows_tell(written_page: Path) -> None:
     text = written_page.read_text()
-    for heading in ("Level 1 and level 2", "Level 3", "Size test", "Level 4", "Under shift"):
+    for heading in ("Level 1 and level 2", "Level 3", "Size test", "Under shift"):
         assert f"<h2>{heading}</h2>" in text
-    for heading in ("Sub-steps", "Failures", "Failures on film", "Precision"):
+    for heading in ("Sub-steps", "Failures", "Films", "Precision", "Level 4: liquid_fusion"):
         assert f"<h2>{heading}</h2>" in text
-    assert "data:video/mp4;base64,bm8gZmlsbSwgYnV0IGJ5dGVz" in text
+    assert text.count('<video controls muted loop playsinline preload="metadata" src="data:') == 2
+    assert "success, after" in text
     assert "expert: not filmed" in text
     assert "0123456789abcdef" in text
     assert "python eval/run.py task=level1/pick policy=act" in text
@@ -92,34 +152,68 @@ def test_the_page_shows_all_that_rows_tell(written_page: Path) -> None:
     assert "@media print" in text
 
 
+def test_films_that_are_too_large_to_stand_in_the_page_are_linked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (result,) = load_results(keep(tmp_path / "an out", written("level1/pick", "act", 0.5, n=8)))
+    film_first(result)
+    monkeypatch.setattr(page_module, "MOST_EMBEDDED", 100)
+    text = page([result], tmp_path)
+    tags = Tags()
+    tags.feed(text)
+    linked = [address for address in tags.addresses if address[0] != "#"]
+    assert len(linked) == 2
+    assert all((tmp_path / unquote(address)).is_file() for address in linked)
+    assert "data:video" not in text
+    assert "take the folders <code>videos</code> along" in text
+    assert "media-src 'self' file:" in text
+
+
+def test_no_file_outside_the_films_of_a_result_is_shown(tmp_path: Path) -> None:
+    rows = written("level1/pick", "act", 0.0, n=2)
+    (tmp_path / "private.mp4").write_bytes(b"secret")
+    folder = tmp_path / "out"
+    keep(folder, [replace(rows[0], outcome="/../../../private"), rows[1]])
+    (folder / "videos" / "level1-pick_id_seed100000_").mkdir(parents=True)
+    film_of(folder, rows[1]).symlink_to(tmp_path / "private.mp4")
+    text = page(load_results(folder), tmp_path)
+    assert "<video" not in text
+    assert "c2VjcmV0" not in text
+
+
 def test_what_users_name_is_escaped(tmp_path: Path) -> None:
     rows = written("level1/pick", "<script>alert(1)</script>", 0.5, n=8)
-    text = page(find_results(keep(tmp_path / "out", rows)))
+    text = page(load_results(keep(tmp_path / "out", rows)), tmp_path)
     assert "<script" not in text
 
 
 def test_the_same_results_give_the_same_page(tmp_path: Path) -> None:
-    results = find_results(keep(tmp_path / "out", written("level1/pick", "act", 0.5, n=8)))
-    assert page(results) == page(find_results(tmp_path / "out"))
+    results = load_results(keep(tmp_path / "out", written("level1/pick", "act", 0.5, n=8)))
+    assert page(results, tmp_path) == page(load_results(tmp_path / "out"), tmp_path)
 
 
 @needs_browser
-@pytest.mark.parametrize("width", [500, 1200])
-def test_a_browser_shows_it_without_scrolling_aside(
+@pytest.mark.parametrize("width", WIDTHS)
+def test_a_browser_shows_every_column_whole_without_scrolling_aside(
     written_page: Path, tmp_path: Path, width: int
 ) -> None:
-    policy = re.compile(r'<meta http-equiv="Content-Security-Policy"[^>]*>')
-    probed = tmp_path / "probed.html"
-    probed.write_text(
-        policy.sub("", written_page.read_text()).replace("</body>", PROBE + "</body>")
-    )
-    assert BROWSER is not None
-    command = [
-        *(BROWSER, "--headless=new", "--no-sandbox", "--disable-gpu", f"--window-size={width},900"),
-        *(f"--user-data-dir={tmp_path / 'profile'}", "--dump-dom", probed.as_uri()),
-    ]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    told = dict(re.findall(r'data-(\w+)="([^"]*)"', done.stdout[:400]))
-    assert int(told["width"]) <= int(told["seen"]), told
+    told = measured(written_page, tmp_path, width)
+    assert told["width"] <= width
+    assert (told["outside"], told["clipped"], told["broken"]) == ([], [], [])
     assert told["paper"].startswith("rgb(")
-    assert "<h2>Level 4</h2>" in done.stdout
+    columns = {"SP", "1 pick", "7 place", "10 press", "6 close", "OOD", "paper ACT", "Condition"}
+    assert columns <= set(told["labels"])
+
+
+@needs_browser
+@pytest.mark.parametrize("most", [100, page_module.MOST_EMBEDDED])
+def test_a_browser_plays_the_films_in_the_page_and_beside_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, most: int
+) -> None:
+    monkeypatch.setattr(page_module, "MOST_EMBEDDED", most)
+    results = load_results(keep(tmp_path / "out", written("level1/pick", "act", 0.5, n=8)))
+    film_first(results[0])
+    write_page(tmp_path / "report.html", results)
+    films = measured(tmp_path / "report.html", tmp_path, 480)["films"]
+    assert len(films) == 2
+    assert all(ready >= 1 and duration == pytest.approx(1.0, abs=0.1) for ready, duration in films)

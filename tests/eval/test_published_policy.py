@@ -2,39 +2,45 @@
 
 import json
 import os
+import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from huggingface_hub import ModelCard, constants
 
-from labutopia_lerobot.evaluation.harmless import CheckpointError
-from labutopia_lerobot.evaluation.statistics import Summary
-from labutopia_lerobot.evaluation.uncertainty.proportion import wilson
+from labutopia_lerobot.evaluation.checkpoint_security import CheckpointError
+from labutopia_lerobot.evaluation.load_results import LoadedResult
+from labutopia_lerobot.evaluation.origin import weight_hashes
+from labutopia_lerobot.evaluation.rows import Row
+from labutopia_lerobot.hub.card import UnfinishedResultError
+from labutopia_lerobot.hub.dataset import dataset_repository
 from labutopia_lerobot.hub.policy import UnpublishablePolicyError, find_policy, policy_repository
 from labutopia_lerobot.hub.publish import publish
 from labutopia_lerobot.hub.repository import CARD, Repository
 from loopback_hub import TOKEN, LoopbackHub
 
+from .written_rows import written
 
-def summary(policy: str = "act") -> Summary:
-    return Summary(
-        task="level1/pick",
-        split="id",
-        policy=policy,
-        play="single",
-        obs="state",
-        liquid=None,
-        n=50,
-        successes=40,
-        rate=0.8,
-        wilson95=wilson(40, 50),
-        ever_rate=0.9,
-        substep_rates={},
-        mean_seconds_to_success=6.25,
-        outcomes={"success": 40, "timeout": 10},
-    )
+
+def played(folder: Path, *rows: Row, finished: bool = True, step: str = "") -> LoadedResult:
+    """Return a result that the weights in a folder played, or those of a step of its task."""
+    hashes, _ = weight_hashes(folder, None)
+    told = {"folder": str(folder), "type": "act", "step": 700, "sha256": hashes}
+    name = "/".join(filter(None, (rows[0].task, step)))
+    return LoadedResult(Path("out"), finished, rows, {"checkpoints": {name: told}, "config": {}})
+
+
+def won(policy: str = "act", **columns: object) -> list[Row]:
+    """Return 50 episodes of level1/pick, 40 of which are successes of 6.25 s."""
+    rows = written("level1/pick", policy, 1.0, n=50, obs="state")
+    times = {"gripped": 2.0, "lifted": 4.0}
+    return [
+        replace(row, success=index < 40, seconds=6.25, substeps=times, **columns)  # type: ignore[arg-type]
+        for index, row in enumerate(rows)
+    ]
 
 
 def card(repository: Repository) -> ModelCard:
@@ -53,17 +59,74 @@ def test_a_policy_is_sent_without_what_only_training_needs(save_checkpoint):
 
 
 def test_its_card_tells_what_it_achieved_to_people_and_to_the_hub(save_checkpoint):
-    told = card(policy_repository(save_checkpoint(), "me/pick", [summary(), summary("expert")]))
-    assert "| `level1/pick` | id | state | none | 40 of 50 (95 %: 67 to 89 %) | 6.2 |" in told.text
+    folder = save_checkpoint()
+    told = card(policy_repository(folder, "me/pick", [played(folder, *won())]))
+    assert "| `level1/pick` | ID, state | 40 of 50 (95 %: 67 to 89 %) | 6.2 |" in told.text
+    assert "confidence sequence" not in told.text
     (result,) = told.data.eval_results
     assert (result.metric_type, result.metric_value) == ("success_rate", 0.8)
-    assert result.dataset_name == "LabUtopia level1/pick"
-    assert "Not measured." in card(policy_repository(save_checkpoint(), "me/pick", ())).text
+    assert result.dataset_name == "LabUtopia level1/pick, state"
+    assert result.metric_config == (
+        "task=level1/pick split=id axes=[] play=single step=null after=null liquid=null "
+        "particles=null robot=panda room=laboratory obs=state renderer=null episodes=50"
+    )
+    assert "Not measured." in card(policy_repository(folder, "me/pick", ())).text
 
 
-def test_results_of_another_policy_are_refused(save_checkpoint):
-    with pytest.raises(UnpublishablePolicyError, match=r"of expert, and .* of type act"):
-        policy_repository(save_checkpoint(), "me/pick", [summary("expert")])
+def test_results_under_several_conditions_are_several_results(save_checkpoint):
+    folder = save_checkpoint()
+    rows = [*won(), *won(split="ood", axes=["light"]), *won(step="pick"), *won(robot="iiwa")]
+    result = played(folder, *rows)
+    result.provenance["checkpoints"]["level1/pick/pick"] = result.provenance["checkpoints"][
+        "level1/pick"
+    ]
+    told = card(policy_repository(folder, "me/pick", [result]))
+    of = {each.dataset_name: each.metric_config for each in told.data.eval_results}
+    assert of.keys() == {
+        "LabUtopia level1/pick, state",
+        "LabUtopia level1/pick, OOD light, state",
+        "LabUtopia level1/pick, pick alone, state",
+        "LabUtopia level1/pick, state, robot=iiwa",
+    }
+    assert "split=ood axes=[light]" in of["LabUtopia level1/pick, OOD light, state"]
+
+
+def test_a_run_that_could_stop_early_shows_its_confidence_sequence(save_checkpoint):
+    folder = save_checkpoint()
+    result = played(folder, *won())
+    result.provenance["config"]["until"] = 0.05
+    told = card(policy_repository(folder, "me/pick", [result])).text
+    assert "40 of 50 (95 %: 67 to 89 %)" not in told
+    assert "confidence sequences" in told
+
+
+def test_what_other_weights_achieved_is_left_out_or_refused(save_checkpoint, tmp_path: Path):
+    folder = save_checkpoint()
+    own, expert = played(folder, *won()), played(folder, *won("expert"))
+    expert.provenance["checkpoints"].clear()
+    others = Path(shutil.copytree(folder, tmp_path / "others"))
+    with (others / "model.safetensors").open("ab") as weights:
+        weights.write(b" ")
+    theirs = played(others, *won())
+    told = card(policy_repository(folder, "me/pick", [theirs, own, expert]))
+    assert len(told.data.eval_results) == 1
+    staged = played(folder, *(replace(row, play="staged") for row in won()))
+    with pytest.raises(UnpublishablePolicyError, match=r"nothing that the weights .* \(out: act;"):
+        policy_repository(folder, "me/pick", [theirs, staged, expert])
+
+
+def test_a_result_that_is_not_finished_is_on_no_card(save_checkpoint):
+    folder = save_checkpoint()
+    with pytest.raises(UnfinishedResultError, match=r"out is not finished \(50 episodes so far\)"):
+        policy_repository(folder, "me/pick", [played(folder, *won(), finished=False)])
+
+
+def test_a_result_that_is_not_finished_is_on_no_card_of_a_dataset_either(
+    save_checkpoint, tmp_path: Path
+):
+    unfinished = played(save_checkpoint(), *won("expert"), finished=False)
+    with pytest.raises(UnfinishedResultError, match="out is not finished"):
+        dataset_repository(tmp_path, "me/pick", [unfinished])
 
 
 def test_half_a_checkpoint_and_one_that_runs_code_are_refused(save_checkpoint):

@@ -16,11 +16,15 @@ import pytest
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint import open_checkpoint
 from labutopia_lerobot.evaluation.config import EvaluationOptionError, PolicyConfig
+from labutopia_lerobot.evaluation.jobs import EvaluationJob
 from labutopia_lerobot.evaluation.policies import PolicyUnreachable
-from labutopia_lerobot.evaluation.remote.array_messages import pack, unpack
-from labutopia_lerobot.evaluation.remote.reach import RemoteServer, reach
-from labutopia_lerobot.evaluation.remote.server import PolicyServerError
-from labutopia_lerobot.evaluation.rollout import Pairing, play
+from labutopia_lerobot.evaluation.remote.openpi_server import pack, unpack
+from labutopia_lerobot.evaluation.remote.remote_policy import (
+    PolicyServerError,
+    RemoteServer,
+    open_server,
+)
+from labutopia_lerobot.evaluation.rollout import play
 from labutopia_lerobot.setting import Setting
 
 from .conftest import Saver
@@ -39,7 +43,7 @@ def openpi() -> Iterator[OpenPi]:
 def reached(server: OpenPi, **options: Any) -> RemoteServer:
     setting = options.pop("setting", STATE)
     policy = PolicyConfig("remote", address=server.address, protocol="openpi", **options)
-    return reach(policy, setting, workers=2)
+    return open_server(policy, setting, workers=2)
 
 
 @pytest.fixture(scope="module")
@@ -130,7 +134,7 @@ def test_a_server_that_dies_and_comes_not_back_is_unreachable(openpi: OpenPi, en
 def test_an_episode_without_answers_is_a_failure_of_its_own_kind(openpi: OpenPi) -> None:
     remote = reached(openpi, patience=0.1, timeout=0.3)
     openpi.die()
-    row = play(Pairing(STATE, "remote", remote), 100_000).row
+    row = play(EvaluationJob(STATE, "remote", remote), 100_000).row
     assert (row.success, row.outcome, row.steps) == (False, "policy_unreachable", 0)
     assert row.cause == "policy unreachable"
 
@@ -140,7 +144,7 @@ def test_a_policy_that_raises_elsewhere_stops_the_run_and_the_episode_is_named(
 ) -> None:
     openpi.answer = lambda _: "Traceback: ZeroDivisionError"
     with pytest.raises(PolicyServerError, match="ZeroDivisionError") as told:
-        play(Pairing(STATE, "remote", reached(openpi)), 100_001)
+        play(EvaluationJob(STATE, "remote", reached(openpi)), 100_001)
     assert told.value.__notes__ == [
         "In the episode of level1/pick, split id, seed 100001, played by remote, single"
     ]
@@ -177,7 +181,7 @@ def test_other_answers_than_actions_are_told(
 def test_impossible_options_are_told(options: dict[str, Any], message: str) -> None:
     policy = PolicyConfig("remote", **{"address": "127.0.0.1:9", "protocol": "openpi"} | options)
     with pytest.raises(EvaluationOptionError, match=message):
-        reach(policy, STATE, workers=1)
+        open_server(policy, STATE, workers=1)
 
 
 def test_a_server_that_is_not_there_is_told_before_anything_is_played() -> None:
@@ -185,7 +189,7 @@ def test_a_server_that_is_not_there_is_told_before_anything_is_played() -> None:
     with pytest.raises(
         PolicyServerError, match=r"Nobody listens at policy\.address=127\.0\.0\.1:9"
     ):
-        reach(policy, STATE, workers=1)
+        open_server(policy, STATE, workers=1)
 
 
 Start = Callable[..., tuple[str, Any]]
@@ -222,7 +226,7 @@ def lerobot_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Start]:
 
 def over_lerobot(address: str, path: Path, **options: Any) -> RemoteServer:
     policy = PolicyConfig("remote", address=address, path=str(path), device="cpu", **options)
-    return reach(policy, PIXELS, workers=1)
+    return open_server(policy, PIXELS, workers=1)
 
 
 def test_over_lerobots_server_a_checkpoint_commands_what_it_commands_here(
@@ -272,11 +276,11 @@ def test_what_lerobots_server_cannot_load_is_told(lerobot_server: Start) -> None
 def test_lerobots_server_is_asked_by_one_worker_only() -> None:
     policy = PolicyConfig("remote", address="127.0.0.1:9", path="x", type="act")
     with pytest.raises(EvaluationOptionError, match="workers=2 is too many"):
-        reach(policy, replace(STATE, obs="pixels"), workers=2)
+        open_server(policy, replace(STATE, obs="pixels"), workers=2)
 
 
 def test_a_pickle_that_is_no_list_of_actions_runs_nothing(tmp_path: Path) -> None:
-    from labutopia_lerobot.evaluation.remote.tensor_pickle import read_actions
+    from labutopia_lerobot.evaluation.remote.lerobot_server import read_actions
 
     class Attack:
         def __reduce__(self) -> tuple[Any, ...]:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from labutopia_lerobot.evaluation.found import find_results
-from labutopia_lerobot.evaluation.row import UnreadableResultError
+from labutopia_lerobot.evaluation.load_results import load_results
+from labutopia_lerobot.evaluation.rows import UnreadableResultError
 
 from .test_statistics import row
 
@@ -36,7 +36,7 @@ def test_an_unfinished_result_is_shown_as_one(tmp_path: Path) -> None:
     write(tmp_path / "b", finished=False, rows=rows[1:])
     with (tmp_path / "b" / "rows.jsonl").open("a") as file:
         file.write('{"task": "level1/pi')
-    whole, part = find_results(tmp_path)
+    whole, part = load_results(tmp_path)
     assert (whole.finished, whole.summaries[0].n, whole.summaries[0].successes) == (True, 3, 2)
     assert (part.finished, part.summaries[0].n, part.summaries[0].successes) == (False, 2, 1)
     line = [sys.executable, str(REPORT), str(tmp_path)]
@@ -50,34 +50,47 @@ def test_an_unfinished_result_is_shown_as_one(tmp_path: Path) -> None:
     assert (tmp_path / "report.html").read_text().startswith("<!doctype html>")
 
 
+def test_an_evaluation_without_a_finished_episode_is_told_in_one_line(tmp_path: Path) -> None:
+    write(tmp_path / "a", finished=False, rows=[])
+    line = [sys.executable, str(REPORT), str(tmp_path)]
+    done = subprocess.run(line, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    (told,) = done.stderr.splitlines()
+    assert f"No episode is finished yet in {tmp_path / 'a'}." in told
+    assert not (tmp_path / "report.html").exists()
+    write(tmp_path / "b", finished=True, rows=[asdict(line) for line in ROWS])
+    done = subprocess.run(line, capture_output=True, text=True, check=True)
+    assert f"Unfinished: {tmp_path / 'a'}, 0 episodes so far" in done.stderr
+
+
 def test_columns_of_a_later_version_are_left_aside(tmp_path: Path) -> None:
     rows = [asdict(line) | {"mood": "fine"} for line in ROWS]
     write(tmp_path / "a", finished=False, rows=rows[:1])
     write(tmp_path / "b", finished=True, rows=rows)
-    assert [found.summaries[0].n for found in find_results(tmp_path)] == [1, 3]
+    assert [found.summaries[0].n for found in load_results(tmp_path)] == [1, 3]
 
 
 def test_rows_of_an_earlier_version_are_read(tmp_path: Path) -> None:
     later = ("prelude_failures", "expert_failure", "cause", "device", "renderer", "step_times")
     old = {k: v for k, v in asdict(ROWS[0]).items() if k not in later}
     write(tmp_path / "a", finished=False, rows=[old])
-    (found,) = find_results(tmp_path)
+    (found,) = load_results(tmp_path)
     assert found.summaries[0].n == 1
 
 
 def test_the_rows_that_the_repository_keeps_are_results() -> None:
-    found = find_results(ROOT / "eval" / "results")
+    found = load_results(ROOT / "eval" / "results")
     assert "level1/pick" in {result.rows[0].task for result in found}
-    (one,) = find_results(ROOT / "eval" / "results" / "level1-pick.json")
+    (one,) = load_results(ROOT / "eval" / "results" / "level1-pick.json")
     assert one.provenance["config"]["seed"] == one.rows[0].seed
 
 
 def test_what_is_no_result_is_told(tmp_path: Path) -> None:
     with pytest.raises(UnreadableResultError, match=r"python eval/run\.py"):
-        find_results(tmp_path)
+        load_results(tmp_path)
     write(tmp_path / "a", finished=False, rows=[{"task": "level1/pick"}])
     with pytest.raises(UnreadableResultError, match="lacks the columns split"):
-        find_results(tmp_path)
+        load_results(tmp_path)
     (tmp_path / "other.json").write_text("{}")
     with pytest.raises(UnreadableResultError, match="no `rows`"):
-        find_results(tmp_path / "other.json")
+        load_results(tmp_path / "other.json")

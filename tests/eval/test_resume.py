@@ -17,12 +17,11 @@ from rich.console import Console
 
 from killing import killed_at_any_moment
 from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
-from labutopia_lerobot.evaluation.evaluate import make_pairings
-from labutopia_lerobot.evaluation.films import film
+from labutopia_lerobot.evaluation.jobs import make_jobs
 from labutopia_lerobot.evaluation.origin import origin
-from labutopia_lerobot.evaluation.result import OccupiedFolderError, claim
-from labutopia_lerobot.evaluation.rollout import Episode
-from labutopia_lerobot.evaluation.row import UnreadableResultError
+from labutopia_lerobot.evaluation.result_folder import OccupiedFolderError, claim
+from labutopia_lerobot.evaluation.rollout import Episode, film
+from labutopia_lerobot.evaluation.rows import UnreadableResultError
 from labutopia_lerobot.evaluation.run import run
 
 from .conftest import RUN, Program, Saver
@@ -212,20 +211,20 @@ def test_weights_that_training_overwrote_do_not_go_on(
 ) -> None:
     folder = save_checkpoint()
     options = config(tmp_path, policy=PolicyConfig("act", str(folder), "cpu"))
-    began = origin(options, make_pairings(options))
+    began = origin(options, make_jobs(options))
     with claim(tmp_path / "out", began):
         pass
     with (folder / "model.safetensors").open("ab") as weights:
         weights.write(b" ")
     refused = pytest.raises(OccupiedFolderError, match=r"sha256\.model\.safetensors")
-    with refused, claim(tmp_path / "out", origin(options, make_pairings(options))):
+    with refused, claim(tmp_path / "out", origin(options, make_jobs(options))):
         pass
 
 
 def test_a_folder_in_use_is_refused(unfinished: Path) -> None:
     options = config(unfinished)
     refused = pytest.raises(OccupiedFolderError, match="in use by another process")
-    with claim(unfinished, origin(options, make_pairings(options))), refused:
+    with claim(unfinished, origin(options, make_jobs(options))), refused:
         evaluate_into(unfinished)
 
 
@@ -240,11 +239,11 @@ def test_the_actions_of_an_earlier_run_are_kept_and_filmed(
     unfinished: Path, tmp_path: Path
 ) -> None:
     options = config(unfinished)
-    (pairing,) = make_pairings(options)
-    with claim(unfinished, origin(options, [pairing])) as folder:
+    (job,) = make_jobs(options)
+    with claim(unfinished, origin(options, [job])) as folder:
         ((row,), (actions,)) = folder.rows, folder.actions()
     assert actions.shape == (row.steps, 8)
-    film(Episode(pairing, row, actions), tmp_path / "film.mp4")
+    film(Episode(job, row, actions), tmp_path / "film.mp4")
     assert (tmp_path / "film.mp4").stat().st_size > 1000
 
 

@@ -31,7 +31,11 @@ from .conftest import Program, Saver
         (["policy=still", "task=level1/pick", "policy.path=x"], ["policy=still", "policy.path"]),
         (
             ["policy=act", "task=level1/pick", "policy.path=x"],
-            ["policy.path=x", "lerobot-train --config_path=", "policies/act/train.json"],
+            [
+                "policy.path=x",
+                "$(labutopia-recipe act outputs/datasets/level1/pick --epochs 200 "
+                "--out x/level1/pick)",
+            ],
         ),
     ],
 )
@@ -129,3 +133,17 @@ def test_a_bug_in_a_worker_stops_the_run_with_its_traceback(
     assert "In the episode of level1/moody, split id, seed 1000" in done.stderr
     assert "What was finished before is intact. Go on: python " in done.stderr
     assert not list(tmp_path.glob("outputs/**/result.json"))
+
+
+@pytest.mark.slow
+def test_level_4_is_told_step_by_step_on_one_screen(
+    evaluate_program: Program, tmp_path: Path
+) -> None:
+    options = ["level=4", "play=both", "policy=expert", "episodes=1", "liquid=off"]
+    done = evaluate_program(*options, "videos=0")
+    assert done.returncode == 0, done.stderr
+    lines = done.stdout.splitlines()
+    assert len(lines) <= 30
+    assert max(map(len, lines[:-1])) <= 80
+    assert sum(line.startswith(("S ", "A ")) for line in lines) == 6
+    assert "press" in done.stdout

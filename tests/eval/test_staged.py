@@ -11,23 +11,28 @@ import pytest
 from rich.console import Console
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.evaluation.checkpoint_security import CheckpointError
 from labutopia_lerobot.evaluation.config import (
     EvaluationConfig,
     EvaluationOptionError,
     PolicyConfig,
 )
-from labutopia_lerobot.evaluation.evaluate import make_pairings
-from labutopia_lerobot.evaluation.found import find_results
-from labutopia_lerobot.evaluation.harmless import CheckpointError
+from labutopia_lerobot.evaluation.jobs import make_jobs
+from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.evaluation.origin import origin
-from labutopia_lerobot.evaluation.policies import ExpertOfStep, StillPolicy
-from labutopia_lerobot.evaluation.reporting.entry import entries
-from labutopia_lerobot.evaluation.reporting.levels import conditional_rates, level_tables
-from labutopia_lerobot.evaluation.result import OccupiedFolderError, claim
+from labutopia_lerobot.evaluation.policies import ExpertOfStep, StagedPolicyMaker, StillPolicy
+from labutopia_lerobot.evaluation.reporting.report_entry import report_entries
+from labutopia_lerobot.evaluation.reporting.result_tables import conditional_rates, level_tables
+from labutopia_lerobot.evaluation.result_folder import (
+    ACTIONS,
+    OccupiedFolderError,
+    claim,
+    key_in_run,
+    read_actions,
+)
 from labutopia_lerobot.evaluation.rollout import play
 from labutopia_lerobot.evaluation.run import run
-from labutopia_lerobot.evaluation.staged import Staged
-from labutopia_lerobot.evaluation.submission import pack, read, replayed
+from labutopia_lerobot.evaluation.submission import Submission, replayed
 from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.task import TaskError
 
@@ -71,14 +76,23 @@ def test_rows_of_both_ways_do_not_depend_on_the_workers(
 
 
 def test_the_steps_stand_in_the_tables_and_in_the_terminal(both: tuple[Path, dict, str]) -> None:
-    found = entries(find_results(both[0]))
-    assert [entry.played for entry in found] == ["ID", "ID, staged"]
+    found = report_entries(load_results(both[0]))
+    assert [entry.condition.played for entry in found] == ["ID", "ID, staged"]
     single, by_step = level_tables(found)
     assert len(single.lines) == 1
-    assert [line[2] for line in by_step.lines] == [
+    assert by_step.head == ("Policy", "Played", "SP", "1 open", "2 close")
+    assert [line[1] for line in by_step.lines] == [
         *("S", "S given the one before", "A", "A given the one before"),
     ]
-    assert "A given the one before" in both[2]
+    told = both[2].splitlines()
+    (heading,) = (line for line in told if line.startswith("operate_drawer: 2/2 [34, 100], "))
+    assert "; staged 2/2 [34, 100], " in heading
+    start = told.index(heading)
+    assert [line.split() for line in told[start + 1 : start + 4]] == [
+        ["SP", "1", "open", "2", "close"],
+        ["S", "100.0", "100.0", "100.0"],
+        ["A", "100.0", "100.0"],
+    ]
     assert all(rate is not None and rate.percent == 100.0 for rate in conditional_rates(found[1]))
 
 
@@ -98,17 +112,18 @@ def test_killed_between_the_ways_it_goes_on_with_what_is_missing(
         evaluated(out, play="staged")
 
 
-def test_a_submission_of_both_ways_is_played_again(
-    both: tuple[Path, dict, str], tmp_path: Path
+def test_episodes_of_both_ways_are_played_again_from_their_actions(
+    both: tuple[Path, dict, str],
 ) -> None:
-    pack(both[0], tmp_path / "file.json")
-    submission = read(tmp_path / "file.json")
+    (result,) = load_results(both[0])
+    kept = read_actions(both[0] / ACTIONS)
+    submission = Submission(result, [kept[key_in_run(row)] for row in result.rows])
     assert [wrong for _, wrong in replayed(submission, [1, 3])] == [[], []]
 
 
 def test_a_step_alone_begins_in_the_very_state_in_which_its_policy_takes_over() -> None:
-    (pairing,) = make_pairings(config(play="staged"))
-    env, policy = LabEnv(pairing.setting), pairing.make_policy()
+    (job,) = make_jobs(config(play="staged"))
+    env, policy = LabEnv(job.setting), job.make_policy()
     observation, _ = env.reset(seed=7)
     policy.start(env, 7)
     while (step := env.workcell.progress.step) is not None and step.name == "open":
@@ -127,22 +142,22 @@ def test_a_step_alone_is_counted_by_itself(tmp_path: Path) -> None:
     ]
     assert list(rows[0]["substeps"]) == ["gripped", "opened", "released"]
     assert rows[1]["step_times"].keys() == {"close"}
-    (table,) = level_tables(entries(find_results(tmp_path)))
+    (table,) = level_tables(report_entries(load_results(tmp_path)))
     assert table.title == "Steps played alone"
     assert [line[3] for line in table.lines] == ["close", "open"]
 
 
 def test_each_step_is_played_by_its_own_policy() -> None:
-    (pairing,) = make_pairings(config(play="staged"))
-    only_open = Staged((("open", ExpertOfStep("open")), ("close", StillPolicy)))
-    row = play(replace(pairing, make_policy=only_open), 100_000).row
+    (job,) = make_jobs(config(play="staged"))
+    only_open = StagedPolicyMaker((("open", ExpertOfStep("open")), ("close", StillPolicy)))
+    row = play(replace(job, make_policy=only_open), 100_000).row
     assert row.step_times["open"] is not None
     assert (row.outcome, row.step_times["close"]) == ("timeout", None)
 
 
 def test_who_opens_nothing_comes_to_no_second_step() -> None:
-    (pairing,) = make_pairings(config(policy=PolicyConfig("random"), play="staged"))
-    row = play(pairing, 100_000).row
+    (job,) = make_jobs(config(policy=PolicyConfig("random"), play="staged"))
+    row = play(job, 100_000).row
     assert (row.play, row.success, row.step_times["close"]) == ("staged", False, None)
 
 
@@ -153,9 +168,9 @@ def test_what_cannot_be_staged_is_told() -> None:
         ({"policy": PolicyConfig("remote")}, "needs a policy per step"),
     ):
         with pytest.raises(EvaluationOptionError, match=told):
-            make_pairings(config(**({"play": "staged"} | options)))
+            make_jobs(config(**({"play": "staged"} | options)))
     with pytest.raises(TaskError, match=r"no step 'shut'\. Steps of this task: open, close"):
-        make_pairings(config(step="shut"))
+        make_jobs(config(step="shut"))
     with pytest.raises(UnknownOptionError, match="single, staged, both"):
         config(play="step by step").check()
 
@@ -178,7 +193,7 @@ def test_a_policy_per_step_is_found_below_its_task_and_traced_to_its_weights(
     folder = pixels(save_checkpoint, tmp_path, open=("front",), close=("front",))
     shutil.copytree(folder / DRAWER / "open", folder / DRAWER, dirs_exist_ok=True)
     options = learned(folder, play="both")
-    single, staged = make_pairings(options)
+    single, staged = make_jobs(options)
     assert (single.policy, staged.policy) == ("act", "act")
     assert single.setting == staged.setting
     began = origin(options, [single, staged])
@@ -191,7 +206,7 @@ def test_a_policy_per_step_is_found_below_its_task_and_traced_to_its_weights(
         pass
     with (folder / DRAWER / "close" / "model.safetensors").open("ab") as weights:
         weights.write(b" ")
-    other = origin(options, make_pairings(options))
+    other = origin(options, make_jobs(options))
     refused = pytest.raises(OccupiedFolderError, match=r"operate_drawer/close\.sha256\.model")
     with refused, claim(tmp_path / "out", other):
         pass
@@ -199,8 +214,8 @@ def test_a_policy_per_step_is_found_below_its_task_and_traced_to_its_weights(
 
 def test_weights_per_step_are_loaded_and_play(save_checkpoint: Saver, tmp_path: Path) -> None:
     folder = pixels(save_checkpoint, tmp_path, open=("front",), close=("front",))
-    (pairing,) = make_pairings(learned(folder))
-    env, policy = LabEnv(pairing.setting), pairing.make_policy()
+    (job,) = make_jobs(learned(folder))
+    env, policy = LabEnv(job.setting), job.make_policy()
     observation, _ = env.reset(seed=7)
     policy.start(env, 7)
     assert policy.act(observation).shape == (8,)
@@ -214,14 +229,14 @@ def test_a_step_without_its_checkpoint_is_named_with_the_commands_that_make_it(
     folder = pixels(save_checkpoint, tmp_path, open=("front",))
     for given in (folder, folder / DRAWER):
         with pytest.raises(CheckpointError) as refusal:
-            make_pairings(learned(given))
+            make_jobs(learned(given))
         assert f"No checkpoint for {DRAWER} step=close" in str(refusal.value)
         assert f"labutopia-record task={DRAWER} step=close\n" in str(refusal.value)
     assert f"--dataset.root=outputs/datasets/{DRAWER}-close" in str(refusal.value)
     # One policy for everything is none per step, however often it could be loaded.
     with pytest.raises(CheckpointError, match="step=open"):
-        make_pairings(learned(folder / DRAWER / "open"))
-    (alone,) = make_pairings(learned(folder / DRAWER / "open", play="single", step="open"))
+        make_jobs(learned(folder / DRAWER / "open"))
+    (alone,) = make_jobs(learned(folder / DRAWER / "open", play="single", step="open"))
     assert alone.setting.step == "open"
 
 
@@ -230,4 +245,4 @@ def test_policies_that_observe_otherwise_cannot_take_over_from_each_other(
 ) -> None:
     folder = pixels(save_checkpoint, tmp_path, open=("front",), close=("top",))
     with pytest.raises(EvaluationOptionError, match="open: front at 64x64; close: top at 64x64"):
-        make_pairings(learned(folder))
+        make_jobs(learned(folder))

@@ -1,7 +1,6 @@
 from dataclasses import replace
 
-from labutopia_lerobot.evaluation.row import Row
-from labutopia_lerobot.evaluation.statistics import summarise
+from labutopia_lerobot.evaluation.rows import Row, summarise
 
 
 def row(seed: int, outcome: str, *, ever: bool, lifted: float | None, split: str = "id") -> Row:
@@ -47,7 +46,11 @@ def test_a_summary_counts_its_own_rows_only() -> None:
     assert drawn.substep_rates == {"gripped": 1.0, "lifted": 0.75}
     assert drawn.mean_seconds_to_success == 2.5
     assert drawn.outcomes == {"success": 2, "timeout": 1, "dropped": 1}
-    assert (trained.split, trained.n, trained.mean_seconds_to_success) == ("train", 1, None)
+    assert (trained.condition.split, trained.n, trained.mean_seconds_to_success) == (
+        "train",
+        1,
+        None,
+    )
 
 
 def test_a_summary_counts_steps_and_keeps_conditions_apart() -> None:
@@ -60,7 +63,7 @@ def test_a_summary_counts_steps_and_keeps_conditions_apart() -> None:
     ]
     plain, light, everything = summarise(rows)
     assert plain.step_rates == {"pick": 1.0, "pour": 0.5}
-    assert (light.axes, everything.axes) == (("light",), ("all",))
+    assert (light.condition.axes, everything.condition.axes) == (("light",), ("all",))
 
 
 def test_intervals_of_a_summary_are_wider_the_more_they_promise() -> None:

@@ -4,18 +4,19 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 from scipy.stats import binom, binomtest
-from statsmodels.stats.proportion import proportion_confint
 
+from labutopia_lerobot.evaluation.reporting.run_tables import cost_table
 from labutopia_lerobot.evaluation.stopping import StoppingRule
 from labutopia_lerobot.evaluation.uncertainty import anytime
-from labutopia_lerobot.evaluation.uncertainty.median import Median
-from labutopia_lerobot.evaluation.uncertainty.paired import Pairs, holm
-from labutopia_lerobot.evaluation.uncertainty.planning import (
+from labutopia_lerobot.evaluation.uncertainty.intervals import (
+    Median,
     PrecisionError,
     anytime_episodes_for,
     episodes_for,
+    exact,
+    wilson,
 )
-from labutopia_lerobot.evaluation.uncertainty.proportion import exact, wilson
+from labutopia_lerobot.evaluation.uncertainty.paired import PairedOutcomes, holm
 
 RUNS = 10_000
 
@@ -35,10 +36,14 @@ def test_wilson_intervals_are_the_published_ones(successes, n, low, high):
 
 
 @pytest.mark.parametrize(("successes", "n"), [(0, 1), (7, 7), (3, 20), (104, 120), (299, 300)])
-def test_intervals_of_a_rate_are_those_of_statsmodels(successes, n):
-    for ours, method in ((wilson, "wilson"), (exact, "beta")):
-        theirs = proportion_confint(successes, n, alpha=0.1, method=method)
-        assert ours(successes, n, confidence=0.9) == pytest.approx(theirs, abs=1e-9)
+def test_the_ends_of_an_exact_interval_are_the_rates_that_are_just_not_rejected(successes, n):
+    low, high = exact(successes, n, confidence=0.9)
+    assert (low == 0.0) == (successes == 0)
+    assert (high == 1.0) == (successes == n)
+    if successes > 0:
+        assert binomtest(successes, n, low, "greater").pvalue == pytest.approx(0.05)
+    if successes < n:
+        assert binomtest(successes, n, high, "less").pvalue == pytest.approx(0.05)
 
 
 @pytest.mark.parametrize(("successes", "n"), [(0, 0), (3, 2), (-1, 2)])
@@ -63,13 +68,13 @@ def test_the_exact_interval_covers_every_rate_and_wilsons_covers_on_average():
 
 @pytest.mark.parametrize(("first", "second"), [(0, 0), (1, 0), (5, 15), (30, 30), (3, 12)])
 def test_the_test_on_common_seeds_is_that_of_a_fair_coin(first, second):
-    pairs = Pairs(both=20, first=first, second=second, neither=7)
+    pairs = PairedOutcomes(both=20, first=first, second=second, neither=7)
     total = first + second
     expected = binomtest(first, total).pvalue if total else 1.0
     assert pairs.p_value == pytest.approx(expected)
 
 
-def most_likely(pairs: Pairs, difference: float) -> float:
+def most_likely(pairs: PairedOutcomes, difference: float) -> float:
     """Return how often only the second succeeds, by maximising the likelihood."""
 
     def loss(q: float) -> float:
@@ -85,7 +90,10 @@ def most_likely(pairs: Pairs, difference: float) -> float:
     return float(found.x)
 
 
-@pytest.mark.parametrize("pairs", [Pairs(20, 12, 5, 13), Pairs(80, 3, 9, 28), Pairs(1, 30, 2, 9)])
+@pytest.mark.parametrize(
+    "pairs",
+    [PairedOutcomes(20, 12, 5, 13), PairedOutcomes(80, 3, 9, 28), PairedOutcomes(1, 30, 2, 9)],
+)
 def test_the_ends_of_the_difference_are_where_its_score_is_the_quantile(pairs):
     for end in pairs.interval():
         q = most_likely(pairs, end)
@@ -95,7 +103,13 @@ def test_the_ends_of_the_difference_are_where_its_score_is_the_quantile(pairs):
 
 
 @pytest.mark.parametrize(
-    "pairs", [Pairs(0, 0, 0, 9), Pairs(9, 0, 0, 0), Pairs(0, 9, 0, 0), Pairs(0, 0, 9, 0)]
+    "pairs",
+    [
+        PairedOutcomes(0, 0, 0, 9),
+        PairedOutcomes(9, 0, 0, 0),
+        PairedOutcomes(0, 9, 0, 0),
+        PairedOutcomes(0, 0, 9, 0),
+    ],
 )
 def test_pairs_that_are_all_alike_have_an_interval(pairs):
     low, high = pairs.interval()
@@ -111,7 +125,7 @@ def test_the_interval_of_the_difference_covers_it_as_often_as_it_says(rates):
     true = rates[1] - rates[2]
     # Only what the two disagree on matters, so that few intervals have to be computed.
     intervals = {
-        (first, second): Pairs(80 - first - second, first, second, 0).interval()
+        (first, second): PairedOutcomes(80 - first - second, first, second, 0).interval()
         for first, second in {(int(f), int(s)) for f, s in drawn[:, 1:3]}
     }
     covered = [
@@ -123,6 +137,8 @@ def test_the_interval_of_the_difference_covers_it_as_often_as_it_says(rates):
 
 def test_holm_holds_the_chance_of_any_false_alarm():
     assert holm([0.01, 0.04, 0.03, 0.2]) == pytest.approx([0.04, 0.09, 0.09, 0.2])
+    assert holm([0.9, 0.6]) == pytest.approx([1.0, 1.0])
+    assert holm([]) == []
     # The smallest adjusted value is the smallest one times their number.
     smallest = np.random.default_rng(0).random((RUNS, 16)).min(axis=1) * 16
     assert (smallest <= 0.05).mean() == pytest.approx(0.05, abs=0.01)
@@ -156,6 +172,26 @@ def test_equal_policies_are_told_apart_in_no_more_runs_than_stated(discordant):
     assert alarms <= 0.05 + 3 * np.sqrt(0.05 * 0.95 / RUNS)
 
 
+@pytest.mark.parametrize("rates", [(0.1, 0.1), (0.4, 0.1), (0.02, 0.3)])
+def test_a_sequence_of_differences_misses_the_true_one_in_no_more_runs_than_it_says(rates):
+    draws = np.random.default_rng(5).random((RUNS, 200))
+    first = (draws < rates[0]).cumsum(axis=1)
+    second = (draws > 1 - rates[1]).cumsum(axis=1)
+    n = np.arange(1, 201)
+    wins = (n + first - second) / 2
+    true = (1 + rates[0] - rates[1]) / 2
+    missed = (anytime.log_evidence(wins, n - wins, true) >= np.log(20)).any(axis=1).mean()
+    assert missed <= 0.05 + 3 * np.sqrt(0.05 * 0.95 / RUNS)
+
+
+def test_the_ends_of_a_sequence_of_differences_are_where_the_evidence_reaches_its_bound():
+    for end in anytime.difference_sequence(12, 5, 40):
+        evidence = anytime.log_evidence(23.5, 16.5, (1 + end) / 2)
+        assert evidence == pytest.approx(np.log(20), abs=1e-6)
+    low, high = anytime.difference_sequence(0, 0, 0)
+    assert (low, high) == (-1.0, 1.0)
+
+
 def test_looking_every_time_at_a_fixed_test_would_raise_too_many_false_alarms():
     wins = (np.random.default_rng(3).random((RUNS, 300)) < 0.5).cumsum(axis=1)
     n = np.arange(1, 301)
@@ -165,25 +201,21 @@ def test_looking_every_time_at_a_fixed_test_would_raise_too_many_false_alarms():
 
 
 def test_a_run_stops_when_its_interval_is_narrow_enough():
-    rule = StoppingRule(0.1)
-    successes = [True] * 200
-    enough = rule.enough(successes)
-    assert enough is not None
-    for n, narrow in ((enough, True), (enough - 1, False)):
-        low, high = anytime.confidence_sequence(n, n)
-        assert (float(high - low) / 2 <= 0.1) == narrow
-    assert rule.enough(successes[: enough - 1]) is None
-    assert rule.enough(successes[:enough]) == enough
-    assert rule.enough([]) is None
+    rule, n = StoppingRule(0.1), np.arange(200)
+    low, high = anytime.confidence_sequence(n, n)
+    narrow = (high - low) / 2 <= 0.1
+    assert (rule.enough(n, n) == narrow).all()
+    assert narrow.any()
+    assert not narrow[0]
 
 
 def test_a_run_stops_when_two_policies_are_told_apart():
-    rule = StoppingRule(0.01)
-    enough = rule.enough([True] * 50, rival=[False] * 50)
-    assert enough is not None
-    assert anytime.p_value(enough, 0) <= 0.05 < anytime.p_value(enough - 1, 0)
-    assert rule.enough([True] * 50, rival=[True] * 50) is None
-    assert rule.enough([True] * 50, rival=[False] * (enough - 1)) is None
+    rule, better = StoppingRule(0.01), np.arange(50)
+    told_apart = [anytime.p_value(count, 0) <= 0.05 for count in range(50)]
+    assert rule.enough(better, better, better).tolist() == told_apart
+    assert rule.enough(better, better, 0, better).tolist() == told_apart
+    assert any(told_apart)
+    assert not rule.enough(50, 50, 0, 0)
 
 
 def test_a_wanted_precision_costs_episodes():
@@ -200,6 +232,22 @@ def test_an_impossible_precision_is_refused(half_width):
         episodes_for(half_width)
     with pytest.raises(PrecisionError, match=r"such as 0\.05"):
         StoppingRule(half_width)
+
+
+@pytest.mark.parametrize("half_width", [0.001, 0.002])
+def test_a_precision_that_nobody_can_pay_for_is_refused(half_width):
+    with pytest.raises(PrecisionError, match="more than 1,000,000 episodes"):
+        anytime_episodes_for(half_width)
+
+
+def test_a_precision_that_some_rates_can_have_is_told_for_these():
+    lines = cost_table(0.002, settings=2).lines
+    half, *_, most = lines
+    assert half[2] == half[4] == "> 1,000,000"
+    assert most[1] == episodes_for(0.002, 0.99)
+    assert most[3] == 2 * episodes_for(0.002, 0.99)
+    with pytest.raises(PrecisionError, match="half width"):
+        cost_table(0.6, settings=1)
 
 
 def test_the_interval_of_a_median_covers_it_at_least_as_often_as_it_says():

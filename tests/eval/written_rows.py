@@ -2,13 +2,13 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.rows import Row
 
 STEPS = {
     "level1/pick": {"pick": ("gripped", "lifted")},
@@ -20,14 +20,27 @@ STEPS = {
     "level3/pick": {"pick": ("gripped", "lifted")},
     "level3/heat_beaker": {"pick": ("gripped", "lifted"), "press": ("pressed",)},
     "level3/pick_sizes": {"pick": ("gripped", "lifted")},
-    "level4/clean_beaker": {
-        f"{number}_{name}": (f"{number}_{name}/done",)
-        for number, name in enumerate(
-            ("pick", "pour", "place", "pick", "shake", "pour", "place"), start=1
-        )
+    **{
+        f"level4/{task}": {
+            f"{number}_{name}": (f"{number}_{name}/done",)
+            for number, name in enumerate(names.split(), start=1)
+        }
+        for task, names in {
+            "clean_beaker": "pick pour place pick shake pour place",
+            "drying_beakers": "open pick place pick place close",
+            "liquid_fusion": "pick pour place pick pour place pick pour place press",
+        }.items()
     },
 }
 """Task -> its steps, each with its sub-steps."""
+
+LEVEL_4 = ("level4/clean_beaker", "level4/drying_beakers", "level4/liquid_fusion")
+
+DRAWN_ORDERS = (
+    ("open", "transport_pick", "transport_place", "pour_pick", "pour", "pour_place"),
+    ("pour_pick", "pour", "pour_place", "open", "transport_pick", "transport_place"),
+)
+"""Two of the orders in which level4/open_transport_pour may want its steps."""
 
 CAUSES = ("missed grasp", "dropped", "never reached", "too slow", "spilled")
 
@@ -119,6 +132,27 @@ def _episode(
         deg_off_place=round(float(rng.gamma(2, 0.5)), 3),
         unwanted_contacts={} if rng.random() < 0.8 else {"hand and bench": 3},
     )
+
+
+def in_drawn_order(done: Sequence[int], policy: str = "act") -> list[Row]:
+    """Return an episode of level4/open_transport_pour per number of steps that were done."""
+    like = written("level4/clean_beaker", policy, 1.0, n=len(done))
+    rows = []
+    for index, (row, count) in enumerate(zip(like, done, strict=True)):
+        order = DRAWN_ORDERS[index % len(DRAWN_ORDERS)]
+        times = {name: 2.0 * k if k < count else None for k, name in enumerate(order)}
+        success = count == len(order)
+        told = {
+            "task": "level4/open_transport_pour",
+            "drawn": {"order": ", ".join(order)},
+            "success": success,
+            "ever_success": success,
+            "outcome": "success" if success else "timeout",
+            "substeps": {f"{name}/done": time for name, time in times.items()},
+            "step_times": times,
+        }
+        rows.append(replace(row, **told))
+    return rows
 
 
 def keep(folder: Path, rows: Sequence[Row], **config: Any) -> Path:

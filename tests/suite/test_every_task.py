@@ -7,6 +7,7 @@ from labutopia_lerobot.checks.experts import the_expert_wins_at_least_nine_of_te
 from labutopia_lerobot.checks.motions import the_expert_does_so_in_ten_episodes
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import require_task, task_files
+from labutopia_lerobot.scenes.views import FIXED_CAMERAS
 
 SLOW = {the_expert_wins_at_least_nine_of_ten, the_expert_does_so_in_ten_episodes}
 """Ten whole episodes each: `make test-slow`."""
@@ -23,3 +24,16 @@ def test_it_is_so_that(env: LabEnv, check: Check):
 def test_files_are_short():
     for task_id in task_files():
         assert len(require_task(task_id).read_text().splitlines()) <= 120, task_id
+
+
+def test_both_fixed_cameras_show_the_vessels_that_are_picked_and_one_of_them_all_else(env: LabEnv):
+    env.reset(seed=0)
+    cell = env.workcell
+    model = cell.simulation.scene.model
+    pixels = {camera: cell.segmentation(camera).ravel() for camera in FIXED_CAMERAS}
+    for step in cell.task.steps:
+        for thing in step.touches:
+            seen = [int((each == model.body(thing.name).id).sum()) for each in pixels.values()]
+            assert max(seen) >= 20, (thing.name, seen)
+            if thing in cell.task.start and thing.movable:
+                assert min(seen) > 0, (thing.name, seen)

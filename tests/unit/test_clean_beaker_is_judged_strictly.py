@@ -38,7 +38,7 @@ def test_who_does_not_shake_has_not_cleaned():
     env = begun(TASK, liquid="off")
     skills = [skill for skill in skills_of(env) if not isinstance(skill, Shake)]
     info = play(env, *skills)
-    assert info["outcome"] == "running"
+    assert info["outcome"] in {"running", "interrupted"}
     assert np.isfinite(info["substeps"]["4_pick/lifted"])
     assert not np.isfinite(info["substeps"]["5_shake/shaken"])
     assert not np.isfinite(info["substeps"]["7_place/released"])
@@ -50,5 +50,5 @@ def test_where_a_beaker_stood_stays_while_it_is_carried():
     before = env.workcell.world.pose(full).position_w
     env.reset(seed=0, options={"after": "1_pick"})
     world = env.workcell.world
-    assert world.pose(full).position_w[2] > before[2] + 0.2
+    assert world.pose(full).position_w[2] > before[2] + 0.1
     assert np.abs(world.stood(full).position_w - before).max() < 1e-3

@@ -27,7 +27,7 @@ def let_fall(env: LabEnv, height: float) -> dict[str, float]:
             "fall": world.fall_speed(flask),
             "speed": world.approach_speed(flask.name, BENCH),
             "force": world.contact_force(flask.name, BENCH),
-            "broken": broken(flask).holds(world),
+            "broken": broken().holds(world),
             "falling": falling(flask, faster_than=0.4).holds(world),
         }
         told = {name: max(value, now[name]) for name, value in told.items()}

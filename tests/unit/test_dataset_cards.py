@@ -8,8 +8,9 @@ from huggingface_hub import DatasetCard
 import make_cards
 from labutopia_lerobot.datasets.declaration import dataset_features
 from labutopia_lerobot.datasets.tables import DRAWN, SEED
-from labutopia_lerobot.evaluation.statistics import Summary
-from labutopia_lerobot.evaluation.uncertainty.proportion import wilson
+from labutopia_lerobot.evaluation.condition import Condition
+from labutopia_lerobot.evaluation.rows import EvaluationSummary
+from labutopia_lerobot.evaluation.uncertainty.intervals import exact, wilson
 from labutopia_lerobot.hub.dataset_card import card_of_dataset, size_category
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts
 from labutopia_lerobot.hub.feature_meanings import meaning
@@ -59,22 +60,19 @@ def facts(**recorded: object) -> DatasetFacts:
     )
 
 
-def expert(task: str = "level1/press", policy: str = "expert") -> Summary:
-    return Summary(
-        task=task,
-        split="id",
+def expert(task: str = "level1/press", policy: str = "expert") -> EvaluationSummary:
+    return EvaluationSummary(
         policy=policy,
-        play="single",
-        obs="state",
-        liquid=None,
+        condition=Condition(task, obs="state", liquid=None),
+        sequential=False,
         n=100,
         successes=99,
         rate=0.99,
         wilson95=wilson(99, 100),
+        exact95=exact(99, 100),
+        anytime95=(0.9, 1.0),
         ever_rate=1.0,
-        substep_rates={},
         mean_seconds_to_success=6.7,
-        outcomes={},
     )
 
 

@@ -56,29 +56,24 @@ def test_a_hand_raised_by_twelve_centimetres_is_not_raised(env):
         return [Go((low, INSIDE), HEADING), skills[2]]
 
     info = play_on(env, SEED, "1_open", choose)
-    assert info["outcome"] == "running"
-    assert info["facts"]["large_beaker gripped"]
+    assert info["outcome"] == "collided"  # with the beaker, whose turn it is not
     assert not np.isfinite(info["substeps"]["2_raise/raised"])
     assert not np.isfinite(info["substeps"]["3_pick/gripped"])
 
 
-def test_an_oven_started_with_one_beaker_still_on_the_bench_has_to_be_started_anew(env):
+def test_an_oven_is_not_started_with_one_beaker_still_on_the_bench(env):
     info = play_on(env, SEED, "4_place", lambda skills: skills[-2:])
-    assert info["outcome"] == "running"
-    assert info["facts"]["oven_switch on"]
+    assert info["outcome"] == "pressed_out_of_turn"
     assert not np.isfinite(info["substeps"]["7_press/pressed"])
 
 
 @pytest.mark.slow
-def test_an_oven_started_before_it_is_loaded_is_stopped_by_the_press_that_counts(env):
+def test_an_oven_is_not_started_before_it_is_loaded(env):
     def choose(skills):
-        _, *loading, go, press = skills
-        return [go, press, *loading, go, press]
+        _, *_, go, press = skills
+        return [go, press]
 
-    info = play_on(env, SEED, "2_raise", choose)
-    assert info["outcome"] == "running"
-    assert np.isfinite(info["substeps"]["7_press/pressed"])
-    assert not info["facts"]["oven_switch on"]
+    assert play_on(env, SEED, "2_raise", choose)["outcome"] == "pressed_out_of_turn"
 
 
 def test_a_beaker_that_touches_the_wall_does_not_stand_free(env):
@@ -129,10 +124,10 @@ def test_a_button_may_be_pressed_with_two_fingers_and_for_long(env):
 
 
 @pytest.mark.slow
-def test_the_hand_may_be_raised_higher_and_further_back(env):
+def test_the_hand_may_be_raised_higher(env):
     def choose(skills):
         _, _, *rest = skills
-        higher = replace(HIGH, ahead=HIGH.ahead - 0.04, height=HIGH.height + 0.06)
+        higher = replace(HIGH, height=HIGH.height + 0.06)
         return [Go((higher, INSIDE), HEADING), rest[0]]
 
     info = play_on(env, SEED, "1_open", choose)

@@ -7,6 +7,7 @@ import pytest
 
 import expert_rows
 from expert_rows import OtherRowsError
+from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.registry import task_files
 from make_docs import failure_table, metres, start_table, task_table
 
@@ -108,6 +109,17 @@ def test_a_missing_task_is_refused_by_name(kept):
 def test_an_unfinished_result_is_refused(tmp_path):
     with pytest.raises(OtherRowsError, match=r"result\.json cannot be read"):
         expert_rows.keep(tmp_path, tmp_path / "kept")
+
+
+@pytest.mark.xfail(
+    strict=True, reason="the rows of several builds are played again, all by one, and kept anew"
+)
+def test_the_kept_rows_and_so_all_tables_of_the_documentation_are_of_one_build():
+    builds: dict[str, list[str]] = {}
+    for result in load_results(expert_rows.RESULTS):
+        told = {name: result.provenance[name] for name in ("sources", "versions")}
+        builds.setdefault(json.dumps(told, sort_keys=True), []).append(result.place.name)
+    assert len(builds) == 1, list(builds.values())
 
 
 @pytest.mark.parametrize(

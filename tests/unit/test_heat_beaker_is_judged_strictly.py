@@ -61,8 +61,7 @@ def test_a_beaker_carried_nineteen_centimetres_high_is_not_picked(env):
     beaker, heater = things(env)
     place, press = Place(beaker, OnTop(heater), hover=0.02), Press(heater.button, hold=0.3)
     info = play(env, Pick(beaker, lift=0.19), place, press)
-    assert info["outcome"] == "running"
-    assert env.workcell.world.switched_on(heater.switch.name)
+    assert info["outcome"] == "pressed_out_of_turn"
     assert info["substeps"]["lifted"] == np.inf
 
 
@@ -75,12 +74,10 @@ def test_a_button_that_is_half_way_in_switches_nothing_on(env):
     assert info["substeps"]["pressed"] == np.inf
 
 
-def test_a_heater_switched_on_before_the_beaker_comes_does_not_count(env):
-    _, heater = things(env)
+def test_a_heater_is_not_switched_on_before_the_beaker_comes(env):
     pick, place, press = env.workcell.task.skills
-    info = play(env, press, pick, place)
-    assert info["outcome"] == "running"
-    assert env.workcell.world.switched_on(heater.switch.name)
+    info = play(env, press, pick, place, press, press)
+    assert info["outcome"] == "pressed_out_of_turn"
     assert not info["ever_success"]
 
 
@@ -104,8 +101,7 @@ def test_a_beaker_that_overhangs_the_plate_is_not_on_it(env):
     beaker, heater = things(env)
     pick, _, press = env.workcell.task.skills
     info = play(env, pick, Place(beaker, OffCentre(heater, left=0.056)), press)
-    assert info["outcome"] == "running"
-    assert env.workcell.world.switched_on(heater.switch.name)
+    assert info["outcome"] == "pressed_out_of_turn"
     assert info["substeps"]["placed"] == np.inf
 
 

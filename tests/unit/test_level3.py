@@ -1,5 +1,6 @@
 """Level 3: what varies, that train and test values never meet, what is shifted, what is judged."""
 
+import itertools
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -110,6 +111,24 @@ def test_a_shifted_scene_holds_what_no_training_scene_holds(task, axis):
     trained = {x for s in ("train", "id") for c in scenarios(task, s, *axes) for x in shown(c)}
     for scenario in scenarios(task, "ood", axis):
         assert shown(scenario) - trained
+
+
+@pytest.mark.parametrize("task", [task for task in TASKS if task.endswith("_sizes")])
+def test_sizes_of_the_size_test_are_really_different_and_one_shape_is_held_out(task):
+    vessels = {
+        scenario.drawn["size"]: next(iter(scenario.task.start))
+        for split in ("id", "ood")
+        for scenario in scenarios(task, split)
+    }
+    trained = {scenario.drawn["size"] for scenario in scenarios(task, "id")}
+    kinds = {name: name.partition("ml ")[2] for name in vessels}
+    assert {kinds[name] for name in trained} < set(kinds.values())
+    alike = [vessels[name] for name in vessels if kinds[name] == kinds[min(trained)]]
+    capacities = sorted(vessel.capacity for vessel in alike)
+    assert len(capacities) >= 4
+    for small, large in itertools.pairwise(capacities):
+        assert large > 1.4 * small
+    assert capacities[-1] > 6 * capacities[0]
 
 
 @pytest.mark.parametrize("task", [task for task in TASKS if "position" in OWN[task]])

@@ -70,13 +70,16 @@ def test_less_than_four_fifths_of_a_liquid_is_not_poured(monkeypatch):
     assert not np.isfinite(info["substeps"]["2_pour/poured"])
 
 
+POURED = "80 % of what was in {0} poured out of {0} into large_beaker"
+
+
 def test_one_liquid_does_not_count_for_another(monkeypatch):
     env = shortened(monkeypatch, 50.0, particles=150)
     skills = env.workcell.task.skills[:6]
     info = play(env, *(skill for skill in skills if skill is not skills[4]))
     assert info["outcome"] == "running"
-    assert info["facts"]["80 % of blue_beaker poured into large_beaker"]
-    assert not info["facts"]["80 % of green_beaker poured into large_beaker"]
+    assert info["facts"][POURED.format("blue_beaker")]
+    assert not info["facts"][POURED.format("green_beaker")]
     assert np.isfinite(info["substeps"]["4_pick/lifted"])
     assert not np.isfinite(info["substeps"]["5_pour/poured"])
 

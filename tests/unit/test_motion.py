@@ -2,10 +2,14 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 import pytest
 
+from adversary import begun
+from attacks.arm import Arm
+from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.labware.glass.glassware import erlenmeyer_flask
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
@@ -158,3 +162,30 @@ class Into:
     def phases(self, world: World) -> Iterator[Phase]:
         goal = hand_at(world, world.pose(OBSTACLE).moved(z=0.1).position_w)
         yield Phase("into", lambda w: goal, 0.0, arrived(0.002))
+
+
+def played_out(env: LabEnv) -> str:
+    """Let the expert play from here to the end; return the outcome."""
+    expert = env.expert()
+    expert.start()
+    while not env.workcell.progress.over:
+        info = env.step(expert.act())[-1]
+    return info["outcome"]
+
+
+@pytest.mark.parametrize("seed", [3, 4])
+def test_an_arm_that_was_stretched_with_a_rod_in_the_hand_folds_again(seed: int):
+    env = begun("level1/stir", liquid="off")
+    env.reset(seed=seed)
+    arm = Arm(env)
+    for action in chain(arm.go(arm.pose.moved(z=0.08)), arm.stay(0.7)):
+        env.step(action)
+    assert abs(env.workcell.simulation.measured[3]) < 0.6  # the elbow is nearly straight
+    assert played_out(env) == "success"
+
+
+@pytest.mark.slow
+def test_an_arm_that_is_stretched_behind_an_open_door_folds_again():
+    env = begun("level4/device_operation", liquid="off")
+    env.reset(seed=100065)
+    assert played_out(env) == "success"

@@ -14,12 +14,19 @@ class Story:
         self.time = 0.0
         self.true: set[str] = set()
 
+    movable: tuple[object, ...] = ()
+    buttons: tuple[str, ...] = ()
+
     def touched_by(self, name: str) -> frozenset[str]:
         return frozenset()
 
 
+def is_true(world: Story, name: str) -> bool:
+    return name in world.true
+
+
 def fact(name: str) -> Predicate:
-    return Predicate(name, lambda world: name in world.true)
+    return Predicate(name, is_true, ((name,), {}))
 
 
 TASK = Task(

@@ -66,7 +66,7 @@ def test_a_beaker_let_go_after_one_and_a_half_seconds_is_dropped(env):
 
 def test_a_beaker_brought_elsewhere_is_not_back_at_the_start(env):
     honest = shake(env)
-    elsewhere = replace(honest.at, left=0.1)
+    elsewhere = replace(honest.at, left=0.25)
     info = play(env, honest, replace(honest, at=elsewhere, cycles=0))
     assert info["outcome"] == "running"
     assert np.isfinite(info["substeps"]["returned"])

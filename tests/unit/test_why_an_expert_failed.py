@@ -13,8 +13,8 @@ from labutopia_lerobot.task import Milestone, Step
 
 YES = Predicate("yes", lambda world: True)
 NO = Predicate("no", lambda world: False)
-NEARLY = Predicate("nearly", lambda world: False, off=lambda world: {"mm": 3.14159, "deg": 2})
-KNOWN = Predicate("bad", lambda world: True, because=lambda world: "jar met bench")
+NEARLY = Predicate("nearly", lambda world: False, measure=lambda world: {"mm": 3.14159, "deg": 2})
+KNOWN = Predicate("bad", lambda world: True, explain=lambda world: "jar met bench")
 
 
 @pytest.fixture(scope="module")

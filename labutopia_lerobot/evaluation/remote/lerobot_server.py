@@ -1,24 +1,66 @@
 """LeRobot's policy server (`python -m lerobot.async_inference.policy_server`), over gRPC.
 
 It loads the checkpoint that it is told, keeps one observation at a time, whoever sent it, and
-answers an observation with a chunk of actions; nothing where its policy raised.
+answers an observation with a chunk of actions; nothing where its policy raised. Its answers are
+pickles, and LeRobot unpickles whatever comes. Here only the names of which a list of `TimedAction`
+consists are looked up, and the numbers of tensors are read by the restricted loader of torch.
 """
 
+import io
 import pickle
 import time
+from collections import OrderedDict
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import grpc
 import numpy as np
-from lerobot.async_inference.helpers import RemotePolicyConfig, TimedObservation
+import torch
+from lerobot.async_inference.helpers import RemotePolicyConfig, TimedAction, TimedObservation
 from lerobot.transport import services_pb2, services_pb2_grpc
 from lerobot.transport.utils import grpc_channel_options, send_bytes_in_chunks
 from numpy.typing import NDArray
 
-from labutopia_lerobot.evaluation.remote.server import PolicyServerError
-from labutopia_lerobot.evaluation.remote.tensor_pickle import read_actions
+from labutopia_lerobot.evaluation.remote.remote_policy import PolicyServerError
+
+
+def _load_storage(content: bytes) -> Any:
+    return torch.load(io.BytesIO(content), map_location="cpu", weights_only=True)
+
+
+_KNOWN = {
+    (TimedAction.__module__, TimedAction.__name__): TimedAction,
+    ("torch._utils", "_rebuild_tensor_v2"): torch._utils._rebuild_tensor_v2,
+    ("torch.storage", "_load_from_bytes"): _load_storage,
+    ("collections", "OrderedDict"): OrderedDict,
+}
+
+
+class _ActionUnpickler(pickle.Unpickler):
+    def find_class(self, module_name: str, global_name: str) -> Any:
+        try:
+            return _KNOWN[module_name, global_name]
+        except KeyError:
+            raise PolicyServerError(
+                f"The server's answer is refused: it names {module_name}.{global_name}, which is "
+                "no part of a list of actions and could run any code"
+            ) from None
+
+
+def read_actions(content: bytes) -> NDArray[np.float32]:
+    """Return pickled actions, shape (actions, elements).
+
+    Raises:
+        PolicyServerError: If it is no list of `TimedAction`, or names anything else.
+    """
+    try:
+        answer = _ActionUnpickler(io.BytesIO(content)).load()
+        rows = [np.asarray(timed.action, np.float32) for timed in answer]
+        return np.stack(rows)
+    except (pickle.UnpicklingError, AttributeError, EOFError, RuntimeError, TypeError, ValueError):
+        raise PolicyServerError("The server's answer is no list of actions") from None
+
 
 _IMAGES = "observation.images."
 _MOST_ACTIONS = 10_000

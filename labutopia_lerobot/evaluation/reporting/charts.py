@@ -5,11 +5,10 @@ from collections.abc import Sequence
 from itertools import groupby
 from typing import Any
 
-from labutopia_lerobot.evaluation.reporting.entry import Entry, conditions
-from labutopia_lerobot.evaluation.reporting.levels import success
-from labutopia_lerobot.evaluation.reporting.outcomes import cause_told, failures
-from labutopia_lerobot.evaluation.reporting.paper import printed
-from labutopia_lerobot.evaluation.row import SINGLE
+from labutopia_lerobot.evaluation.condition import SINGLE
+from labutopia_lerobot.evaluation.reporting.paper import paper_number
+from labutopia_lerobot.evaluation.reporting.report_entry import ReportEntry, shifts
+from labutopia_lerobot.evaluation.reporting.result_tables import cause_in_words, failures, success
 
 _COLOURS = 8
 _LEFT, _RIGHT, _TOP, _BOTTOM = 40, 190, 10, 190
@@ -20,7 +19,7 @@ _SEEDS = 4
 """Failed seeds of a cause that are named; the rows have all."""
 
 
-def funnel(entry: Entry) -> dict[str, Any]:
+def funnel(entry: ReportEntry) -> dict[str, Any]:
     """Return how many episodes came to each sub-step."""
     summary = entry.summary
     return {
@@ -30,7 +29,7 @@ def funnel(entry: Entry) -> dict[str, Any]:
     }
 
 
-def failure_shares(entry: Entry, causes: Sequence[str]) -> dict[str, Any]:
+def failure_shares(entry: ReportEntry, causes: Sequence[str]) -> dict[str, Any]:
     """Return the shares of causes among the failures: in each step side by side, and in all.
 
     Args:
@@ -48,7 +47,7 @@ def failure_shares(entry: Entry, causes: Sequence[str]) -> dict[str, Any]:
     by_cause: dict[str, list[int]] = {}
     for row in entry.rows:
         if not row.success:
-            by_cause.setdefault(cause_told(row), []).append(row.seed)
+            by_cause.setdefault(cause_in_words(row), []).append(row.seed)
     return {
         **_named(entry),
         "failed": total,
@@ -72,22 +71,21 @@ def _colour(cause: str, causes: Sequence[str]) -> int:
     return causes.index(cause) % _COLOURS
 
 
-def slopes(entries: Sequence[Entry]) -> list[dict[str, Any]]:
+def slopes(entries: Sequence[ReportEntry]) -> list[dict[str, Any]]:
     """Return a chart per policy that was played under several conditions: a line per task."""
-    usual = (entry for entry in entries if entry.play == SINGLE and entry.step is None)
-    ordered = sorted(usual, key=lambda entry: entry.policy)
+    usual = (e for e in entries if e.condition.play == SINGLE and e.condition.step is None)
+    ordered = sorted(usual, key=lambda entry: entry.label)
     charts = []
-    for policy, group in groupby(ordered, key=lambda entry: entry.policy):
+    for label, group in groupby(ordered, key=lambda entry: entry.label):
         of_policy = list(group)
-        once = {(entry.task, entry.condition) for entry in of_policy}
-        times = Counter(task for task, _ in once)
+        times = Counter(entry.task for entry in of_policy)
         shifted = [entry for entry in of_policy if times[entry.task] > 1]
-        if len(conditions(shifted)) > 1:
-            charts.append(_slope(policy, shifted, conditions(shifted)))
+        if len(shifts(shifted)) > 1:
+            charts.append(_slope(label, shifted, shifts(shifted)))
     return charts
 
 
-def _slope(policy: str, entries: Sequence[Entry], shown: Sequence[str]) -> dict[str, Any]:
+def _slope(label: str, entries: Sequence[ReportEntry], shown: Sequence[str]) -> dict[str, Any]:
     x = {
         name: _LEFT + index * (_RIGHT - _LEFT) / (len(shown) - 1)
         for index, name in enumerate(shown)
@@ -95,9 +93,9 @@ def _slope(policy: str, entries: Sequence[Entry], shown: Sequence[str]) -> dict[
     lines: list[dict[str, Any]] = []
     for index, task in enumerate(dict.fromkeys(entry.task for entry in entries)):
         of_task = [entry for entry in entries if entry.task == task]
-        rates = {entry.condition: success(entry).percent for entry in of_task}
-        name = of_task[0].rows[0].policy
-        paper = {c: number.percent for c in shown if (number := printed(task, name, c))}
+        rates = {entry.condition.shift: success(entry).percent for entry in of_task}
+        theirs = {c: paper_number(task, of_task[0].policy, c) for c in shown}
+        paper = {c: number.percent for c, number in theirs.items() if number is not None}
         dots = [(round(x[c], 1), _y(rates[c])) for c in shown if c in rates]
         lines.append(
             {
@@ -114,7 +112,7 @@ def _slope(policy: str, entries: Sequence[Entry], shown: Sequence[str]) -> dict[
     for line, y in zip(lines, _spread([line["dots"][-1][1] for line in lines]), strict=True):
         line["label_y"] = y
     return {
-        "policy": policy,
+        "policy": label,
         "height": height,
         "right": _RIGHT,
         "marks": [{"percent": p, "y": _y(p)} for p in (0, 25, 50, 75, 100)],
@@ -143,9 +141,9 @@ def _spread(positions: Sequence[float]) -> list[float]:
     return placed
 
 
-def _named(entry: Entry) -> dict[str, Any]:
+def _named(entry: ReportEntry) -> dict[str, Any]:
     return {
         "task": entry.task,
-        "heading": f"{entry.policy}, {entry.played}",
+        "heading": f"{entry.label}, {entry.condition.played}",
         "n": len(entry.rows),
     }

@@ -1,33 +1,186 @@
-"""One self-contained HTML file of results: it needs no network, and no scripts."""
+"""One self-contained HTML file of results, with films: it needs no network, and no scripts."""
 
+import base64
 import json
+import os
+import shlex
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import MISSING, dataclass, fields
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from labutopia_lerobot.evaluation.found import FoundResult
+from labutopia_lerobot.evaluation.condition import EXPERT, SINGLE
+from labutopia_lerobot.evaluation.config import EvaluationConfig
+from labutopia_lerobot.evaluation.failure_causes import failed_in
+from labutopia_lerobot.evaluation.load_results import LoadedResult
 from labutopia_lerobot.evaluation.reporting.charts import failure_shares, funnel, slopes
-from labutopia_lerobot.evaluation.reporting.clips import clips
-from labutopia_lerobot.evaluation.reporting.commands import command
-from labutopia_lerobot.evaluation.reporting.entry import entries
-from labutopia_lerobot.evaluation.reporting.levels import level_tables
-from labutopia_lerobot.evaluation.reporting.outcomes import failures, precision_table
+from labutopia_lerobot.evaluation.reporting.report_entry import ReportEntry, report_entries
+from labutopia_lerobot.evaluation.reporting.result_tables import (
+    cause_in_words,
+    failures,
+    level_tables,
+    precision_table,
+)
+from labutopia_lerobot.evaluation.result_folder import VIDEOS, film_of, film_of_expert
+from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.task import HOLD_S
+
+_PROGRAM = ("python", "eval/run.py")
+_OF_THE_ROW = ("task", "level", "split", "play", "policy", "seed", "episodes", "axes", "obs")
+"""Options that the rows tell, and those that they make needless."""
+
+_OF_THE_RUN = ("out", "workers", "videos", "until", "versus", "episodes_for")
+"""Options on which no row depends, or whose work the number of episodes does."""
+
+
+def command(entry: ReportEntry) -> str:
+    """Return the command that plays exactly the rows of an entry."""
+    seeds = [row.seed for row in entry.rows]
+    return _command(entry, seeds[0], seeds[-1] - seeds[0] + 1)
+
+
+def episode_command(entry: ReportEntry, row: Row) -> str:
+    """Return the command that plays one episode, and films it."""
+    return _command(entry, row.seed, 1)
+
+
+def _command(entry: ReportEntry, seed: int, episodes: int) -> str:
+    row = entry.rows[0]
+    config = entry.result.config
+    words = {
+        "task": row.task,
+        "policy": row.policy,
+        **{f"policy.{name}": config.get("policy", {}).get(name) for name in ("path", "device")},
+        "split": row.split,
+        "play": None if row.play == SINGLE else row.play,
+        "axes": row.axes or None,
+        "obs": row.obs,
+        "seed": seed,
+        "episodes": episodes,
+        **dict(_unusual(config)),
+    }
+    options = [f"{name}={_value(value)}" for name, value in words.items() if value is not None]
+    return shlex.join([*_PROGRAM, *options])
+
+
+def _unusual(config: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """Yield the other options that were not left at their defaults."""
+    for option in fields(EvaluationConfig):
+        if option.name in config and option.name not in (*_OF_THE_ROW, *_OF_THE_RUN):
+            value = config[option.name]
+            usual = None if option.default is MISSING else option.default
+            if _value(value) != _value(usual):
+                yield option.name, value
+
+
+def _value(value: object) -> str:
+    """Return a value as Hydra reads it."""
+    if isinstance(value, list | tuple):
+        return f"[{','.join(map(str, value))}]"
+    return str(value)
+
 
 _TEMPLATES = Path(__file__).with_name("templates")
 
+MOST_EMBEDDED = 16_000_000
+"""Bytes of all films of a page up to which they stand in it; beyond, it would open too slowly."""
 
-def write_page(file: Path, results: Sequence[FoundResult]) -> None:
-    """Write the page of results; the same results give the same bytes."""
+
+@dataclass(frozen=True)
+class FilmedEpisode:
+    """An episode with a film.
+
+    Attributes:
+        entry: Which policy under which condition.
+        row: What became of the episode.
+        films: Who plays -> its film of the scene, or None where there is none.
+    """
+
+    entry: ReportEntry
+    row: Row
+    films: tuple[tuple[str, Path | None], ...]
+
+    @property
+    def outcome(self) -> str:
+        """How it ended, in words."""
+        how = (
+            "success"
+            if self.row.success
+            else f"{cause_in_words(self.row)} in {failed_in(self.row)}"
+        )
+        return f"{how}, after {self.row.seconds:.1f} s"
+
+    @property
+    def command(self) -> str:
+        """What plays it again."""
+        return episode_command(self.entry, self.row)
+
+
+def filmed_episodes(entries: Sequence[ReportEntry]) -> list[FilmedEpisode]:
+    """Return every filmed episode, the failures of an entry first."""
+    expert = {
+        row.scene: _film(entry, row)
+        for entry in entries
+        for row in entry.rows
+        if row.policy == EXPERT
+    }
+    found = []
+    for entry in entries:
+        for row in sorted(entry.rows, key=lambda row: row.success):
+            film = _film(entry, row)
+            if film is None:
+                continue
+            films: list[tuple[str, Path | None]] = [(entry.label, film)]
+            if not row.success and row.policy != EXPERT:
+                beside = film_of_expert(film)
+                films.append((EXPERT, beside if beside.is_file() else expert.get(row.scene)))
+            found.append(FilmedEpisode(entry, row, tuple(films)))
+    return found
+
+
+def addresses(episodes: Sequence[FilmedEpisode], folder: Path) -> dict[Path, str]:
+    """Return film -> its address in a page: the film itself if all are small, or else a link.
+
+    Args:
+        episodes: What the page shows.
+        folder: Where the page lies; links are relative to it.
+    """
+    films = {film for episode in episodes for _, film in episode.films if film is not None}
+    if sum(film.stat().st_size for film in films) > MOST_EMBEDDED:
+        return {film: quote(os.path.relpath(film, folder)) for film in films}
+    return {
+        film: f"data:video/mp4;base64,{base64.b64encode(film.read_bytes()).decode()}"
+        for film in films
+    }
+
+
+def _film(entry: ReportEntry, row: Row) -> Path | None:
+    """Return the film of an episode, or None if there is none.
+
+    Names of outcomes come from a file: whatever leads out of the folder of films is none.
+    """
+    film = film_of(entry.result.place, row)
+    inside = film.resolve().is_relative_to((entry.result.place / VIDEOS).resolve())
+    return film if inside and film.is_file() else None
+
+
+def write_page(file: Path, results: Sequence[LoadedResult]) -> None:
+    """Write the page of results; the same results in the same place give the same bytes."""
     file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(page(results))
+    file.write_text(page(results, file.parent))
 
 
-def page(results: Sequence[FoundResult]) -> str:
-    """Return the page of results as HTML."""
+def page(results: Sequence[LoadedResult], folder: Path) -> str:
+    """Return the page of results as HTML.
+
+    Args:
+        results: What it shows; at least one of them has a row.
+        folder: Where it will lie.
+    """
     environment = Environment(
         loader=FileSystemLoader(_TEMPLATES),
         autoescape=True,
@@ -37,13 +190,14 @@ def page(results: Sequence[FoundResult]) -> str:
     )
     style = environment.get_template("style.css").render()
     template = environment.get_template("page.html.j2")
-    return template.render(_content(results), style=environment.filters["safe"](style))
+    return template.render(_content(results, folder), style=environment.filters["safe"](style))
 
 
-def _content(results: Sequence[FoundResult]) -> dict[str, Any]:
-    found = entries(results)
+def _content(results: Sequence[LoadedResult], folder: Path) -> dict[str, Any]:
+    found = report_entries(results)
     tables = [(f"table{index}", table) for index, table in enumerate(level_tables(found))]
-    films = list(clips(found))
+    films = filmed_episodes(found)
+    address_of = addresses(films, folder)
     precision = precision_table(found)
     shifted = slopes(found)
     with_failures = [entry for entry in found if failures(entry)]
@@ -60,7 +214,7 @@ def _content(results: Sequence[FoundResult]) -> dict[str, Any]:
         ("again", "Commands"),
         ("origin", "Origin"),
     ]
-    names = list(dict.fromkeys(entry.policy for entry in found))
+    names = list(dict.fromkeys(entry.name for entry in found))
     tasks = list(dict.fromkeys(entry.task for entry in found))
     return {
         "title": f"{_joined(names, 'policies')} on {_joined(tasks, 'tasks')}",
@@ -81,17 +235,30 @@ def _content(results: Sequence[FoundResult]) -> dict[str, Any]:
         "slopes": shifted,
         "funnels": [funnel(entry) for entry in found],
         "failures": failed,
-        "films": films,
+        "films": [_filmed(episode, address_of) for episode in films],
+        "embedded": all(address.startswith("data:") for address in address_of.values()),
         "precision": precision,
         "commands": [
             {
                 "task": entry.task,
-                "heading": f"{entry.policy}, {entry.played}",
+                "heading": f"{entry.label}, {entry.condition.played}",
                 "command": command(entry),
             }
             for entry in found
         ],
         "origins": [_origin(result) for result in results],
+    }
+
+
+def _filmed(episode: FilmedEpisode, address_of: Mapping[Path, str]) -> dict[str, Any]:
+    entry, row = episode.entry, episode.row
+    return {
+        "task": row.task,
+        "seed": row.seed,
+        "heading": f"{entry.label}, {entry.condition.played}",
+        "outcome": episode.outcome,
+        "command": episode.command,
+        "clips": [(who, None if film is None else address_of[film]) for who, film in episode.films],
     }
 
 
@@ -102,11 +269,11 @@ def _joined(names: Sequence[str], kind: str) -> str:
     return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
-def _origin(result: FoundResult) -> dict[str, Any]:
-    return {"place": str(result.place), "told": list(_told(result.provenance.items()))}
+def _origin(result: LoadedResult) -> dict[str, Any]:
+    return {"place": str(result.place), "facts": list(_described(result.provenance.items()))}
 
 
-def _told(provenance: Any) -> Iterator[tuple[str, str]]:
+def _described(provenance: Any) -> Iterator[tuple[str, str]]:
     """Yield what is told of where rows come from, in words."""
     for name, value in provenance:
         if name == "versions":

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from labutopia_lerobot.evaluation.reporting.entry import ID, OOD
+from labutopia_lerobot.evaluation.condition import ID, OOD
 
 _PLACES = tuple(Path(__file__).parents[up] / "eval" / "paper_results.csv" for up in (2, 3))
 """Inside the package in a wheel, beside it in a checkout."""
@@ -15,7 +15,7 @@ NAMES = {"act": "ACT", "diffusion": "DP", "pi0": "π0"}
 
 
 @dataclass(frozen=True)
-class Printed:
+class PaperNumber:
     """A number of the paper.
 
     Attributes:
@@ -27,9 +27,16 @@ class Printed:
     n: int
 
 
+LEFT_OUT = (
+    "Left out: the paper's A4 to A7 of liquid_fusion, which repeat clean_beaker's, and its A7 of "
+    "drying_beakers, a seventh column of six actions."
+)
+"""Which of its numbers stand beside nothing; a note in the file marks them."""
+
+
 @cache
-def paper_results() -> dict[tuple[str, str, str, str, int], Printed]:
-    """Return every number of the result tables.
+def paper_results() -> dict[tuple[str, str, str, str, int], PaperNumber]:
+    """Return every number of the result tables that tells something of one of our tasks.
 
     Returns:
         (task, policy, condition, play, step) -> number; step 0 is the whole task.
@@ -43,13 +50,14 @@ def paper_results() -> dict[tuple[str, str, str, str, int], Printed]:
                 {"id": ID, "ood": OOD}[line["split"]],
                 line["play"],
                 int(line["step"] or 0),
-            ): Printed(float(line["percent"]), int(line["inferred_n"]))
+            ): PaperNumber(float(line["percent"]), int(line["inferred_n"]))
             for line in csv.DictReader(lines)
+            if not line["note"]
         }
 
 
-def printed(
+def paper_number(
     task: str, policy: str, condition: str = ID, play: str = "single", step: int = 0
-) -> Printed | None:
+) -> PaperNumber | None:
     """Return a number of the paper, or None if it has none."""
     return paper_results().get((task, policy, condition, play, step))

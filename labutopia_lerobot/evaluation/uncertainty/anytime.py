@@ -45,9 +45,32 @@ def log_evidence(successes: ArrayLike, losses: ArrayLike, rate: ArrayLike = 0.5)
     which only the one or only the other succeeded: a fair coin, if they are equally good.
     """
     wins, lost = np.asarray(successes, dtype=np.float64), np.asarray(losses, dtype=np.float64)
-    mixture = betaln(wins + 1.0, lost + 1.0)
+    return _against(rate, wins, lost, betaln(wins + 1.0, lost + 1.0))
+
+
+def _against(rate: ArrayLike, wins: Rates, lost: Rates, mixture: Rates) -> Rates:
+    """Return the logarithm of the likelihood of the mixture over that of one rate."""
     evidence: Rates = mixture - xlogy(wins, rate) - xlog1py(lost, -np.asarray(rate))
     return evidence
+
+
+def difference_sequence(
+    first: int, second: int, n: int, confidence: float = 0.95
+) -> tuple[float, float]:
+    """Return least and greatest difference of two rates on common seeds, valid at all times.
+
+    An episode counts 1 if only the first policy succeeds, -1 if only the second does, else 0.
+    Moved to 0 to 1, the mean of that is bounded as a rate is: the evidence is convex in a single
+    outcome, so that it grows no faster than that of successes and failures with the same mean.
+
+    Args:
+        first: Episodes in which only the first succeeded.
+        second: Episodes in which only the second did.
+        n: All common episodes so far.
+        confidence: Probability that no interval of a run misses the true difference.
+    """
+    low, high = confidence_sequence((n + first - second) / 2, n, confidence)
+    return 2.0 * float(low) - 1.0, 2.0 * float(high) - 1.0
 
 
 def p_value(successes: int, losses: int) -> float:
@@ -58,10 +81,11 @@ def p_value(successes: int, losses: int) -> float:
 def _edge(wins: Rates, losses: Rates, out: Rates, inside: Rates, confidence: float) -> Rates:
     """Return where the evidence reaches its bound, between a rate outside and one inside."""
     bound = -np.log1p(-confidence)
-    reached = log_evidence(wins, losses, out) < bound  # the end of the scale is inside
+    mixture = betaln(wins + 1.0, losses + 1.0)  # the same whatever the rate
+    reached = _against(out, wins, losses, mixture) < bound  # the end of the scale is inside
     for _ in range(_HALVINGS):
         middle = (out + inside) / 2
-        beyond = log_evidence(wins, losses, middle) >= bound
+        beyond = _against(middle, wins, losses, mixture) >= bound
         out, inside = np.where(beyond, middle, out), np.where(beyond, inside, middle)
     # Rounded outwards, so that the interval is never too narrow.
     return np.where(reached, np.round(out), out)

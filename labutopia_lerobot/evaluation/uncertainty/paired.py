@@ -4,16 +4,15 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import sqrt
 
+import numpy as np
 from scipy.optimize import brentq
-from scipy.stats import norm
-from statsmodels.stats.contingency_tables import mcnemar
-from statsmodels.stats.multitest import multipletests
+from scipy.stats import binomtest, norm
 
-from labutopia_lerobot.evaluation.uncertainty.proportion import Interval
+from labutopia_lerobot.evaluation.uncertainty.intervals import Interval
 
 
 @dataclass(frozen=True)
-class Pairs:
+class PairedOutcomes:
     """Common episodes of two policies, by who succeeded.
 
     Attributes:
@@ -29,14 +28,14 @@ class Pairs:
     neither: int
 
     @classmethod
-    def of(cls, outcomes: Iterable[tuple[bool, bool]]) -> "Pairs":
+    def of(cls, outcomes: Iterable[tuple[bool, bool]]) -> "PairedOutcomes":
         """Count pairs of successes, of the first policy and of the second."""
         pairs = list(outcomes)
         return cls(*(pairs.count(kind) for kind in _KINDS))
 
-    def __add__(self, other: "Pairs") -> "Pairs":
+    def __add__(self, other: "PairedOutcomes") -> "PairedOutcomes":
         """Return the counts of both, as for several tasks pooled."""
-        return Pairs(
+        return PairedOutcomes(
             self.both + other.both,
             self.first + other.first,
             self.second + other.second,
@@ -55,9 +54,12 @@ class Pairs:
 
     @property
     def p_value(self) -> float:
-        """Two-sided probability of this or more under equal rates (exact McNemar test)."""
-        table = [[self.both, self.first], [self.second, self.neither]]
-        return float(mcnemar(table, exact=True).pvalue)
+        """Two-sided probability of this or more under equal rates (exact McNemar test).
+
+        Of the episodes in which only one succeeded, each is then a fair coin.
+        """
+        discordant = self.first + self.second
+        return float(binomtest(self.first, discordant).pvalue) if discordant else 1.0
 
     def interval(self, confidence: float = 0.95) -> Interval:
         """Return the confidence interval of the difference (score interval of Tango 1998)."""
@@ -89,6 +91,12 @@ _KINDS = ((True, True), (True, False), (False, True), (False, False))
 def holm(p_values: Sequence[float]) -> list[float]:
     """Return p-values adjusted for how many there are (Holm 1979).
 
-    Those below a level then contain a false one at most with that probability.
+    Those below a level then contain a false one at most with that probability, whatever the tests
+    have to do with each other. The smallest is multiplied by the number of them, the next by one
+    less and so on, and none becomes smaller than the one before.
     """
-    return [float(p) for p in multipletests(p_values, method="holm")[1]]
+    order = np.argsort(p_values)
+    factors = np.arange(len(order), 0, -1)
+    adjusted = np.empty(len(order))
+    adjusted[order] = np.minimum(1.0, np.maximum.accumulate(np.asarray(p_values)[order] * factors))
+    return [float(p) for p in adjusted]

@@ -6,7 +6,6 @@ ISO 4788 (graduated cylinders) that fills at most 90 % of the brimful capacity.
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.glass.vessel import Vessel
@@ -88,18 +87,6 @@ def volumetric_flask(name: str) -> Vessel:
     outer = ((base - _HEEL, 0.0), (base, _BOTTOM), *pear, (neck, height))
     grip_height = (shoulder + height) / 2
     return Vessel(name, Profile(outer, _WALL, _BOTTOM), grip_height, one_mark=250e-6)
-
-
-def enlarged(vessel: Vessel, by: float) -> Vessel:
-    """Return a vessel whose outside is larger by a factor in all directions, its glass as thick.
-
-    Args:
-        vessel: What is enlarged; it has a scale, not one mark.
-        by: The factor; below 1 it is made smaller.
-    """
-    outer = tuple((by * radius, by * height) for radius, height in vessel.profile.outer)
-    profile = replace(vessel.profile, outer=outer)
-    return replace(vessel, profile=profile, grip_height=by * vessel.grip_height)
 
 
 def _look_up[Size](size: str, sizes: Mapping[str, Size], kind: str) -> Size:

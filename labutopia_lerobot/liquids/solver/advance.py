@@ -22,8 +22,8 @@ from labutopia_lerobot.liquids.solver.smoothing import BEHIND_WALL, look_up
 _WETTING = 10.0
 """Rate at which what lies on the bench comes to rest [1/s]: a puddle's rim sticks."""
 
-NOTHING, MOVING, FIXED = range(3)
-"""What a particle touches: nothing, a vessel or something that can move, something fixed."""
+NOTHING = -1
+"""What a particle touches that touches neither a vessel nor a shape."""
 
 
 @kernel
@@ -36,7 +36,7 @@ def advance(
     shapes: Shapes,
     flow: Flow,
     impulse: NDArray[np.float64],
-    touching: NDArray[np.int8],
+    touching: NDArray[np.int64],
 ) -> None:
     """Move the liquid on by one step.
 
@@ -51,7 +51,8 @@ def advance(
         impulse: Set to the sum over particles of the momentum per unit of relative mass [m/s] that
             every vessel and shape gave them, and of its moments about the world's origin [m^2/s],
             shape (owners, 6).
-        touching: Set to what each particle touches, shape (n,).
+        touching: Set to the owner that each particle touches, something fixed before all else, or
+            to `NOTHING`; shape (n,).
     """
     dt = 1.0 / flow.hertz
     reach = REACH * flow.spacing
@@ -102,7 +103,7 @@ def _drag(
     shapes: Shapes,
     flow: Flow,
     impulse: NDArray[np.float64],
-    touching: NDArray[np.int8],
+    touching: NDArray[np.int64],
 ) -> None:
     """Let walls carry liquid along, by its viscosity and on the bench by wetting; tell who touches.
 
@@ -121,7 +122,7 @@ def _drag(
             x, y, z = positions[a, 0], positions[a, 1], positions[a, 2]
             distance = gap(contacts, c, x, y, z)
             part = 2.0 * contacts.extent[c] * look_up(BEHIND_WALL, distance / reach)
-            rate, kind = viscous, MOVING
+            rate, fixed = viscous, False
             if owner < vessels:
                 into(glass.now, owner, positions[a], local)
                 out_of(glass.before, owner, local, before)
@@ -130,9 +131,9 @@ def _drag(
                 into(shapes.now, s, positions[a], local)
                 out_of(shapes.before, s, local, before)
                 rate = max(rate, _WETTING * dt)
-                kind = FIXED if shapes.fixed[s] else MOVING
-            if distance < flow.spacing:
-                touching[a] = max(touching[a], kind)
+                fixed = shapes.fixed[s]
+            if distance < flow.spacing and (fixed or touching[a] == NOTHING):
+                touching[a] = owner
             for k in range(3):
                 wall = (positions[a, k] - before[k]) / dt
                 change[k] = rate * part * (wall - velocities[a, k])

@@ -13,7 +13,7 @@ from labutopia_lerobot.scenes.space.extent import extent
 from labutopia_lerobot.world import FloatArray
 
 ROBOT_RADIUS = 0.3
-"""Half the width of a robot that drives [m]; the paper keeps 0.6 m ("Navigation Details")."""
+"""Half the width of a robot that drives [m]; half of the paper's radius ("Navigation Details")."""
 REACH = 0.855
 """How far the arm of levels 1 to 4 reaches [m] (its maker's data sheet)."""
 BENCH_SIDE = 0.5

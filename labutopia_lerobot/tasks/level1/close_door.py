@@ -11,7 +11,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, closed
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 
 # The original's expert pushes the door along an arc of 50 degrees. Ours starts 10 cm from the
 # handle; wider or turned further, the door would stand where the hand is.
@@ -26,19 +26,19 @@ def close_door() -> Task:
     oven = DryingOven("oven", ajar=AJAR)
     door = oven.door
     return Task(
-        instruction="Close the door of the drying oven.",
+        instruction="Close the door of the drying oven by its handle.",
         paraphrases=(
-            "Push the drying oven's door shut by its handle.",
-            "Take the open door by the handle and close it completely.",
+            "Push the drying oven's door shut at its handle.",
+            "Close the open door completely by its handle.",
         ),
         # Original: these x and y, no yaw.
         start={oven: OnBench(x=(0.77, 0.85), y=(-0.05, 0.0), yaw=(-YAW, YAW))},
-        steps=(actions.close_by_handle(door, begun=BEGUN, hasty=HASTY),),
+        steps=(actions.close_by_handle(door, begun=BEGUN),),
         goal=(
             closed(door),  # paper: "with no gaps"
             clear_of(door.handle, by=0.08),  # original: gripper to handle more than 0.08 m
         ),
-        never={},
+        never=mishaps.slamming(door, faster_than=HASTY),
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DOOR_VIEW,
     )

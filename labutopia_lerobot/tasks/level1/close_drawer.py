@@ -11,7 +11,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, closed
 from labutopia_lerobot.scenes.views import DRAWER_VIEW
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 
 AJAR = 0.15  # original: the handle travels by more than 0.13 m; pushed until 0.15 m
 BEGUN = AJAR - 0.005  # ours: further than a grip jolts a drawer
@@ -24,19 +24,19 @@ def close_drawer() -> Task:
     cabinet = Cabinet("cabinet", ajar=AJAR)
     drawer = cabinet.top_drawer
     return Task(
-        instruction="Close the top drawer of the cabinet.",
+        instruction="Close the top drawer of the cabinet by its handle.",
         paraphrases=(
-            "Take the open drawer by its handle and push it shut.",
+            "Push the open drawer shut at its handle.",
             "Push the uppermost drawer back into the cabinet.",
         ),
         # Original: these x and y, no yaw.
         start={cabinet: OnBench(x=(0.68, 0.78), y=(-0.05, 0.05), yaw=(-YAW, YAW))},
-        steps=(actions.close_by_handle(drawer, begun=BEGUN, hasty=HASTY),),
+        steps=(actions.close_by_handle(drawer, begun=BEGUN),),
         goal=(
             closed(drawer),  # paper: "with no gaps"
             clear_of(drawer.handle, by=0.04),  # original: gripper to handle more than 0.04 m
         ),
-        never={},
+        never=mishaps.slamming(drawer, faster_than=HASTY),
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DRAWER_VIEW,
     )

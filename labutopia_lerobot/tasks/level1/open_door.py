@@ -13,7 +13,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, faster, opened
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 
 OPEN_TO = math.radians(50)  # original: the arc that its expert pulls the door along
 BEGUN = math.radians(2)  # ours: further than a grip jolts a door
@@ -33,24 +33,20 @@ def open_oven(oven: Oven) -> Task:
     """Return the task with an oven, which level 3 varies."""
     door = oven.door
     return Task(
-        instruction="Open the door of the drying oven.",
+        instruction="Open the door of the drying oven by its handle, by 50 degrees, and let go.",
         paraphrases=(
-            "Pull the drying oven's door open by its handle.",
-            "Take the handle of the oven and swing its door open.",
+            "Pull the drying oven's door half open by its handle and let go of that.",
+            "Take the handle of the oven, swing its door open by 50 degrees and leave it so.",
         ),
         # Original: these x and y, no yaw.
         start={oven: OnBench(x=(0.70, 0.80), y=(0.05, 0.15), yaw=(-YAW, YAW))},
-        steps=(
-            actions.open_by_handle(
-                door, to=OPEN_TO, begun=BEGUN, pull=math.radians(53), hasty=HASTY
-            ),
-        ),
+        steps=(actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=math.radians(53)),),
         goal=(
             opened(door, to=OPEN_TO),  # paper: "remaining open at the target angle"
             ~faster(door, than=math.radians(2)),  # ours: at rest
             clear_of(door.handle, by=0.04),  # original: gripper to handle more than 0.04 m
         ),
-        never={},
+        never=mishaps.slamming(door, faster_than=HASTY),
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DOOR_VIEW,
     )

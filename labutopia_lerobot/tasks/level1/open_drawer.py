@@ -11,7 +11,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, faster, opened
 from labutopia_lerobot.scenes.views import DRAWER_VIEW
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.tasks import actions, mishaps
 
 OPEN_TO = 0.13  # original: handle moved by more than 0.13 m
 BEGUN = 0.005  # ours: further than a grip jolts a drawer
@@ -24,20 +24,20 @@ def open_drawer() -> Task:
     cabinet = Cabinet("cabinet")
     drawer = cabinet.top_drawer
     return Task(
-        instruction="Open the top drawer of the cabinet.",
+        instruction="Open the top drawer of the cabinet by its handle, by 13 cm, and let go.",
         paraphrases=(
-            "Pull the uppermost drawer out by its handle.",
-            "Take the handle of the top drawer and pull it open.",
+            "Pull the uppermost drawer 13 cm out by its handle and let go of that.",
+            "Take the handle of the top drawer, pull that open by 13 cm and leave it so.",
         ),
         # Original: these x and y, no yaw.
         start={cabinet: OnBench(x=(0.70, 0.77), y=(-0.05, 0.05), yaw=(-YAW, YAW))},
-        steps=(actions.open_by_handle(drawer, to=OPEN_TO, begun=BEGUN, pull=0.15, hasty=HASTY),),
+        steps=(actions.open_by_handle(drawer, to=OPEN_TO, begun=BEGUN, pull=0.15),),
         goal=(
             opened(drawer, to=OPEN_TO),
             ~faster(drawer, than=0.01),  # ours: at rest
             clear_of(drawer.handle, by=0.04),  # original: gripper to handle more than 0.04 m
         ),
-        never={},
+        never=mishaps.slamming(drawer, faster_than=HASTY),
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DRAWER_VIEW,
     )

@@ -19,10 +19,10 @@ def pick() -> Task:
 def pick_up(flask: Vessel) -> Task:
     """Return the task with a vessel, which level 3 varies."""
     return Task(
-        instruction="Pick up the conical flask from the bench.",
+        instruction="Pick up the conical flask and hold it still, 20 cm or more above the bench.",
         paraphrases=(
-            "Take the Erlenmeyer flask and lift it off the bench.",
-            "Grasp the conical flask by its neck and raise it.",
+            "Take the Erlenmeyer flask, lift it by more than 20 cm and hold it there.",
+            "Grasp the conical flask by its neck and raise it higher than 20 cm.",
         ),
         # Original: x 0.21 to 0.36, y -0.08 to 0.08; the paper's 15 cm x 15 cm.
         start={flask: OnBench(x=(0.21, 0.36), y=(-0.075, 0.075))},

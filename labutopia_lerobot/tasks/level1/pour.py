@@ -43,7 +43,7 @@ def pour_from(vessel: Vessel) -> Task:
         ),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            **mishaps.handling(vessel, spill=0.05, pouring=actions.aimed(vessel, target)),
+            **mishaps.handling(vessel, spill=0.05, into=target),
             "struck": struck(target),
         },
         time_limit_s=1500 / 60,  # original: 1500 steps at 60 Hz

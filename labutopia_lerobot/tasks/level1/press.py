@@ -54,5 +54,5 @@ def held_in(button: Button) -> tuple[Predicate, ...]:
         fingered(button),  # paper: "stable contact"
         # Paper: "precisely aligned", "without misalignment"; ours: nearer to the middle of the
         # button than to its edge.
-        aligned(button, within=0.009, within_deg=10),
+        aligned(button, within=0.009, within_deg=20),
     )

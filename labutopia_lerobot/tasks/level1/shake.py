@@ -19,10 +19,13 @@ def shake() -> Task:
     # Original: (0.25, 0, 1.0) in the world. The paper's "initial position above the workspace".
     start = OverBench("middle of the workspace", ahead=0.65, height=0.25)
     return Task(
-        instruction="Shake the beaker in the gripper from side to side three times.",
+        instruction=(
+            "Shake the beaker in the gripper from side to side three times, 20 cm or more above "
+            "the middle of the bench."
+        ),
         paraphrases=(
-            "Tip the beaker you are holding left and right three times, then hold it upright.",
-            "Tilt the beaker to the left and to the right, three times, to mix what is in it.",
+            "High above the bench, tip the beaker you are holding left and right three times.",
+            "Tilt the beaker to the left and to the right, three times, 20 cm above the bench.",
         ),
         # Original: the same range, which is the paper's 15 cm x 15 cm.
         start={vessel: OnBench(x=(0.19, 0.34), y=(-0.075, 0.075))},

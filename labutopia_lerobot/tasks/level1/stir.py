@@ -21,13 +21,13 @@ def stir() -> Task:
     filling = Filling(ml=60)  # ours: a good quarter of what it holds
     return Task(
         instruction=(
-            "Stir in the beaker with the glass rod in the gripper, five times round, and take the "
-            "rod out."
+            "Stir in the beaker with the glass rod in the gripper, five times round, and lift the "
+            "rod straight out."
         ),
         paraphrases=(
-            "Put the glass rod you are holding into the beaker, stir five circles, and lift it out "
-            "again.",
-            "Use the glass rod to stir the liquid: five turns, then withdraw it.",
+            "Put the glass rod you are holding into the beaker, stir five circles, and lift it "
+            "straight out.",
+            "Use the glass rod to stir the liquid: five turns, then hold it over the beaker.",
         ),
         # Original: the same range for the beaker, which is the paper's 15 cm x 15 cm; a fixed
         # rack at (0.284, 0.308).

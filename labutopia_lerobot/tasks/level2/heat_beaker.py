@@ -18,7 +18,7 @@ from labutopia_lerobot.predicates import (
     steady,
     switched_on,
 )
-from labutopia_lerobot.scenes.views import HEATER_VIEW
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions, mishaps
@@ -37,10 +37,12 @@ def heat_on(heater: Heater) -> Task:
     plate, button = OnTop(heater), heater.button
     within = 0.05  # original; further out the base would overhang
     return Task(
-        instruction="Put the beaker on the hot plate and switch the heating on.",
+        instruction=(
+            "Lift the beaker by 20 cm or more, put it on the hot plate and switch the heating on."
+        ),
         paraphrases=(
-            "Place the beaker on the heater, then press its button.",
-            "Heat the beaker: set it on the hot plate and turn that on with the button.",
+            "Raise the beaker by 20 cm, place it on the heater, then press its button.",
+            "Heat the beaker: carry it high, set it on the hot plate and turn that on.",
         ),
         start={
             # Original: these x and y for both, which are the paper's 15 cm x 15 cm; no yaw.
@@ -63,5 +65,5 @@ def heat_on(heater: Heater) -> Task:
         contents={vessel: Filling(ml=60)},  # ours: a good quarter of what it holds
         never=mishaps.handling(vessel, spill=0.01),
         time_limit_s=2500 / 60,  # original: 2500 steps at 60 Hz
-        view=HEATER_VIEW,
+        view=WIDE_VESSEL_VIEW,
     )

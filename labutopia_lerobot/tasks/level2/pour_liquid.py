@@ -7,7 +7,7 @@ controllers/pickpour_controller.py.
 from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.places import OverBench
+from labutopia_lerobot.places import WhereItStood
 from labutopia_lerobot.predicates import struck, upright
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
@@ -23,13 +23,15 @@ def pour_liquid() -> Task:
 def pour_from(vessel: Vessel) -> Task:
     """Return the task with a vessel, which level 3 varies."""
     target = beaker("target_beaker", "800 ml")
-    bench = OverBench("middle of the start region", ahead=0.695, left=0.075)
-    within = 0.15  # ours: the corners of that region, and 4 cm
+    home, within = WhereItStood(vessel), 0.04  # ours: as clean_beaker
     return Task(
-        instruction="Pour the small beaker into the large one and put it back where it stood.",
+        instruction=(
+            "Lift the small beaker by 20 cm or more, pour it into the large one and put it back "
+            "where it stood."
+        ),
         paraphrases=(
-            "Pick up the beaker, empty it into the big beaker and put it back in its place.",
-            "Transfer the contents of the 250 ml beaker to the 800 ml beaker, then put it down.",
+            "Raise the beaker by 20 cm, empty it into the big beaker and put it back in its place.",
+            "Lift the small beaker high, empty it into the large one, put it back in its place.",
         ),
         # Original: the same ranges, which are the paper's 15 cm x 15 cm.
         start={
@@ -39,12 +41,12 @@ def pour_from(vessel: Vessel) -> Task:
         steps=(
             actions.pick(vessel, also=(upright(vessel, within_deg=10),)),  # original: 30 deg
             actions.pour(vessel, target),
-            actions.place(vessel, bench, within=within),
+            actions.place(vessel, home, within=within),
         ),
-        goal=actions.left_standing(vessel, bench, within=within),
+        goal=actions.left_standing(vessel, home, within=within),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            **mishaps.handling(vessel, spill=0.05, pouring=actions.aimed(vessel, target)),
+            **mishaps.handling(vessel, spill=0.05, into=target),
             "struck": struck(target),
         },
         # The original's 1000 steps at 60 Hz have no setting down; ours: twice the expert's median.

@@ -19,10 +19,13 @@ def shake_beaker() -> Task:
     # Original: (0.25, 0, 1.0) in the world. The paper's "initial position above the workspace".
     start = OverBench("middle of the workspace", ahead=0.65, height=0.25)
     return Task(
-        instruction="Pick up the beaker and shake it from side to side three times.",
+        instruction=(
+            "Pick up the beaker and shake it from side to side three times, 20 cm or more above "
+            "the middle of the bench."
+        ),
         paraphrases=(
-            "Lift the beaker off the bench, tilt it left and right three times and hold it still.",
-            "Take the beaker and mix its contents with three swings to the left and to the right.",
+            "Lift the beaker by over 20 cm, tilt it left and right three times and hold it there.",
+            "Take the beaker and, 20 cm above the bench, swing it to left and right three times.",
         ),
         # Original: y -0.05 to 0.05; ours the paper's 15 cm x 15 cm.
         start={vessel: OnBench(x=(0.19, 0.34), y=(-0.075, 0.075))},

@@ -21,13 +21,13 @@ def stir_glassrod() -> Task:
     filling = Filling(ml=60)  # ours: a good quarter of what it holds
     return Task(
         instruction=(
-            "Take the glass rod from the rack, stir in the beaker with it, five times round, and "
-            "take it out."
+            "Lift the glass rod by 20 cm out of the rack, stir in the beaker with it, five times "
+            "round, and lift it straight out."
         ),
         paraphrases=(
-            "Pick the glass rod out of the rack, stir five circles in the beaker and lift it out "
-            "again.",
-            "Fetch the stirring rod and stir the beaker's contents: five turns, then withdraw it.",
+            "Pick the glass rod out of the rack, lift it 20 cm, stir five circles in the beaker "
+            "and lift it out.",
+            "Raise the rod by 20 cm, stir the contents of the beaker five turns, and lift it out.",
         ),
         # Original: the same range for the beaker, which is the paper's 15 cm x 15 cm; a fixed
         # rack at (0.284, 0.308).

@@ -25,10 +25,10 @@ def transport_to(plate: TargetPlate) -> Task:
     vessel = beaker("beaker")
     within = 0.04  # original: 0.05, where the base overhangs
     return Task(
-        instruction="Move the beaker onto the target plate.",
+        instruction="Lift the beaker by 20 cm or more and move it onto the target plate.",
         paraphrases=(
-            "Pick up the beaker and set it down on the white plate.",
-            "Carry the beaker over to the plate and leave it standing there.",
+            "Pick up the beaker, raise it by 20 cm and set it down on the white plate.",
+            "Carry the beaker, 20 cm above the bench, to the plate and leave it standing there.",
         ),
         # Original: the same ranges (the plate's 3 cm less in x), the paper's 15 cm x 15 cm.
         start={

@@ -32,10 +32,13 @@ def heat_beaker(draw: Draw) -> Task:
     vessel, _ = task.start
     return replace(
         task,
-        instruction=f"Put the beaker on the hot plate and press the {color} button.",
+        instruction=(
+            f"Lift the beaker by 20 cm or more, put it on the hot plate and press the {color} "
+            "button."
+        ),
         paraphrases=(
-            f"Place the beaker on the heater, then switch that on with its {color} button.",
-            f"Heat the beaker: set it on the hot plate and push the button that is {color}.",
+            f"Raise the beaker by 20 cm, place it on the heater, press that one's {color} button.",
+            f"Carry the beaker high, set it on the hot plate and push the button that is {color}.",
         ),
         start={**task.start, heater: where},
         contents={vessel: draw_filling(draw, ml=60)},  # as in level 2

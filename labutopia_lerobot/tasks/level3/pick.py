@@ -21,10 +21,10 @@ def pick(draw: Draw) -> Task:
     draw.vary("material", shifted=True)  # original: what its out-of-domain test shifts
     return replace(
         pick_up(VESSELS[name]("container")),
-        instruction=f"Pick up the {name} from the bench.",
+        instruction=f"Pick up the {name} and hold it still, 20 cm or more above the bench.",
         paraphrases=(
-            f"Take the {name} and lift it off the bench.",
-            f"Grasp the {name} and raise it.",
+            f"Take the {name}, lift it by more than 20 cm and hold it there.",
+            f"Grasp the {name} and raise it higher than 20 cm.",
         ),
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
     )

@@ -34,10 +34,13 @@ def pour_liquid(draw: Draw) -> Task:
     _, target = task.start
     return replace(
         task,
-        instruction=f"Pour the {name} into the large beaker and put it back where it stood.",
+        instruction=(
+            f"Lift the {name} by 20 cm or more, pour it into the large beaker and put it back "
+            "where it stood."
+        ),
         paraphrases=(
-            f"Pick up the {name}, empty it into the big beaker and put it back on the bench.",
-            f"Transfer the contents of the {name} to the 800 ml beaker, then put it down.",
+            f"Raise the {name} by 20 cm, empty it into the big beaker, put it back in its place.",
+            f"Lift the {name} high, empty it into the 800 ml beaker, put it back in its place.",
         ),
         start={**task.start, target: where},
         contents={vessel: draw_filling(draw, ml=100)},  # as in level 2

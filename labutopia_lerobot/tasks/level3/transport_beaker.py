@@ -32,10 +32,10 @@ def transport_beaker(draw: Draw) -> Task:
     vessel, _ = task.start
     return replace(
         task,
-        instruction=f"Move the beaker onto the {color} plate.",
+        instruction=f"Lift the beaker by 20 cm or more and move it onto the {color} plate.",
         paraphrases=(
-            f"Pick up the beaker and set it down on the plate that is {color}.",
-            f"Carry the beaker over to the {color} plate and leave it standing there.",
+            f"Pick up the beaker, raise it by 20 cm and set it down on the plate that is {color}.",
+            f"Carry the beaker, 20 cm above the bench, to the {color} plate and leave it there.",
         ),
         start={**task.start, plate: where},
         contents={vessel: draw_filling(draw, ml=100)},  # as in level 2

@@ -37,13 +37,13 @@ def clean_beaker() -> Task:
         steps=(
             *mishaps.sparing(
                 (dirty,),
-                actions.pick(full).named("1_pick"),
+                actions.pick(full, by=actions.OFF_THE_BENCH).named("1_pick"),
                 actions.pour(full, dirty).named("2_pour"),
                 actions.place(full, home, within=within).named("3_place"),
             ),
             *mishaps.sparing(
                 (full,),
-                actions.pick(dirty).named("4_pick"),
+                actions.pick(dirty, by=actions.OFF_THE_BENCH).named("4_pick"),
                 actions.shake(dirty, middle).named("5_shake"),
                 actions.pour(dirty, waste, share=rinsed, of=full).named("6_pour"),
                 actions.place(dirty, dirty_home, within=within).named("7_place"),
@@ -56,8 +56,8 @@ def clean_beaker() -> Task:
         contents={full: Filling(ml=80)},  # ours: a quarter of what a beaker holds
         never={
             **mishaps.of_any(
-                mishaps.handling(full, spill=0.05, pouring=actions.aimed(full, dirty)),
-                mishaps.handling(dirty, spill=0.05, pouring=actions.aimed(dirty, waste)),
+                mishaps.handling(full, spill=0.05, into=dirty),
+                mishaps.handling(dirty, spill=0.05, into=waste),
             ),
             "waste_struck": struck(waste),
         },

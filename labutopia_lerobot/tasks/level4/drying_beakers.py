@@ -44,6 +44,7 @@ LOADED = (
     CLEAR,
 )
 NEVER = {
+    **mishaps.slamming(OVEN.door, faster_than=HASTY),
     **mishaps.of_any(mishaps.handling(LARGE, spill=None), mishaps.handling(SMALL, spill=None)),
     # Paper: no "contact between the beakers or with the cabinet structure"
     "struck": touching(LARGE, SMALL, OVEN, OVEN.door, OVEN.door.handle)
@@ -54,7 +55,7 @@ NEVER = {
 def drying_beakers() -> Task:
     """Return the task."""
     door = OVEN.door
-    pick = actions.pick(LARGE)
+    pick = actions.pick(LARGE, by=actions.OFF_THE_BENCH)
     pick = replace(pick, skills=(Go((OUTSIDE, INSIDE), HEADING), *pick.skills))
     shut = Step(
         "close",
@@ -64,7 +65,6 @@ def drying_beakers() -> Task:
             Milestone("latched", (latched(door),)),
         ),
         (door, door.handle),  # ours: by the handle or not
-        {"slammed": faster(door, than=HASTY)},
     )
     return Task(
         instruction=(
@@ -76,7 +76,7 @@ def drying_beakers() -> Task:
             open_wide().named("1_open"),
             pick.named("2_pick"),
             actions.place(LARGE, RIGHT, within=WITHIN, through=MOUTH).named("3_place"),
-            actions.pick(SMALL).named("4_pick"),
+            actions.pick(SMALL, by=actions.OFF_THE_BENCH).named("4_pick"),
             actions.place(SMALL, MIDDLE, within=WITHIN, through=MOUTH).named("5_place"),
             shut.named("6_close"),
         ),
@@ -91,7 +91,7 @@ def open_wide() -> Step:
     """Open the door wide by its handle and let go of that; it is then at rest."""
     door = OVEN.door
     wide = (CLEAR, opened(door, to=WIDE), ~faster(door, than=math.radians(2)))
-    swing = actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=PULL, hasty=HASTY)
+    swing = actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=PULL)
     return replace(
         swing,
         skills=(Open(door, PULL, heading=HEADING),),

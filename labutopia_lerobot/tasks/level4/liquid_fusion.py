@@ -19,7 +19,7 @@ from labutopia_lerobot.predicates import (
     struck,
     switched_on,
 )
-from labutopia_lerobot.scenes.views import FUSION_VIEW
+from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Step, Task
 from labutopia_lerobot.tasks import actions, mishaps
@@ -41,7 +41,7 @@ def liquid_fusion() -> Task:
         home = WhereItStood(vessel)
         return mishaps.sparing(
             (other for other in sources if other is not vessel),
-            actions.pick(vessel).named(f"{first}_pick"),
+            actions.pick(vessel, by=actions.OFF_THE_BENCH).named(f"{first}_pick"),
             actions.pour(vessel, mixture).named(f"{first + 1}_pour"),
             # As high as it was lifted: the lip of the large beaker is in the way.
             actions.place(vessel, home, within=within, hover=0.25).named(f"{first + 2}_place"),
@@ -87,13 +87,10 @@ def liquid_fusion() -> Task:
         },
         never={
             **mishaps.of_any(
-                *(
-                    mishaps.handling(vessel, spill=0.05, pouring=actions.aimed(vessel, mixture))
-                    for vessel in sources
-                )
+                *(mishaps.handling(vessel, spill=0.05, into=mixture) for vessel in sources)
             ),
             "mixture_struck": struck(mixture, but_for=frozenset({heater.name})),
         },
         time_limit_s=6000 / 60,  # original: 6000 steps at 60 Hz
-        view=FUSION_VIEW,
+        view=WIDEST_VESSEL_VIEW,
     )

@@ -9,6 +9,7 @@ from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.predicates import (
+    Transfer,
     dispensed,
     gripped,
     released,
@@ -54,6 +55,7 @@ def squeeze() -> Task:
                     Milestone("released", (released(bottle),)),
                 ),
                 (bottle,),  # not its cap and spout, which are another body
+                transfers=(Transfer(bottle, target),),
             ),
         ),
         goal=(

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import above, fingers_clear_of, switched_on
-from labutopia_lerobot.scenes.views import OVEN_PANEL_VIEW
+from labutopia_lerobot.scenes.views import OVEN_VIEW
 from labutopia_lerobot.skills import Go
 from labutopia_lerobot.task import Milestone, Step, Task
 from labutopia_lerobot.tasks import actions
@@ -45,9 +45,14 @@ def device_operation() -> Task:
         (Milestone("raised", (above(oven.door.handle, by=0.15), CLEAR)),),  # original: 0.15 m
     )
     # Ours: round the free edge of the open door, and out of the oven before the hand turns aside.
-    pick, press = actions.pick(LARGE), actions.press(button, hold=0.3)
+    pick = actions.pick(LARGE, by=actions.OFF_THE_BENCH)
+    press = actions.press(button, hold=0.3)
     pick = replace(pick, skills=(Go((HIGH, INSIDE), HEADING), *pick.skills))
-    press = replace(press, skills=(Go((FRONT,), HEADING), *press.skills))
+    press = replace(
+        press,
+        skills=(Go((FRONT,), HEADING), *press.skills),
+        touches=(button, oven.door, oven.door.handle),  # the door may be shut before
+    )
     return Task(
         instruction=(
             "Open the drying oven wide, raise your hand 15 cm above its handle, put the large "
@@ -60,7 +65,7 @@ def device_operation() -> Task:
             lift.named("2_raise"),
             pick.named("3_pick"),
             actions.place(LARGE, RIGHT, within=WITHIN, through=MOUTH).named("4_place"),
-            actions.pick(SMALL).named("5_pick"),
+            actions.pick(SMALL, by=actions.OFF_THE_BENCH).named("5_pick"),
             actions.place(SMALL, MIDDLE, within=WITHIN, through=MOUTH).named("6_place"),
             press.named("7_press"),
         ),
@@ -71,5 +76,5 @@ def device_operation() -> Task:
         ),
         never=NEVER,
         time_limit_s=4000 / 60,  # original: 4000 steps at 60 Hz
-        view=OVEN_PANEL_VIEW,
+        view=OVEN_VIEW,
     )

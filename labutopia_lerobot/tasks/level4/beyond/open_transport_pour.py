@@ -44,18 +44,18 @@ def open_transport_pour(draw: Draw) -> Task:
     plates, within = frozenset({red.name, blue.name}), 0.04  # as transport_beaker
     # Ours: from the handle the elbow would meet the open door on the straight way to the flask.
     back = Go((OverBench("middle of the bench", ahead=0.40, height=0.35),), heading=0.0)
-    pick_flask = actions.pick(flask).named("pour_pick")
+    pick_flask = actions.pick(flask, by=actions.OFF_THE_BENCH).named("pour_pick")
     steps = {
         "open": mishaps.sparing(
             (vessel, flask),
-            actions.open_by_handle(
-                door, to=OPEN_TO, begun=BEGUN, pull=math.radians(33), hasty=HASTY
-            ).named("open"),
+            actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=math.radians(33)).named(
+                "open"
+            ),
             but_for=plates,
         ),
         "transport": mishaps.sparing(
             (flask,),
-            actions.pick(vessel).named("transport_pick"),
+            actions.pick(vessel, by=actions.OFF_THE_BENCH).named("transport_pick"),
             actions.place(vessel, OnTop(red), within=within).named("transport_place"),
             but_for=plates,
         ),
@@ -92,8 +92,9 @@ def open_transport_pour(draw: Draw) -> Task:
         never={
             **mishaps.of_any(
                 mishaps.handling(vessel, spill=0.01),  # as transport_beaker
-                mishaps.handling(flask, spill=0.05, pouring=actions.aimed(flask, target)),
+                mishaps.handling(flask, spill=0.05, into=target),
             ),
+            **mishaps.slamming(door, faster_than=HASTY),
             "target_struck": struck(target),
             "red_plate_struck": struck(red, but_for=frozenset({vessel.name})),
             "blue_plate_struck": struck(blue, but_for=frozenset({flask.name})),

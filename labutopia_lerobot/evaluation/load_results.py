@@ -6,14 +6,19 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.result import ORIGIN, RESULT, ROWS, read_rows
-from labutopia_lerobot.evaluation.row import Row, UnreadableResultError, from_columns
-from labutopia_lerobot.evaluation.statistics import Summary, summarise
+from labutopia_lerobot.evaluation.result_folder import ORIGIN, RESULT, ROWS, SCHEMA, read_rows
+from labutopia_lerobot.evaluation.rows import (
+    EvaluationSummary,
+    Row,
+    UnreadableResultError,
+    from_columns,
+    summarise,
+)
+from labutopia_lerobot.runtime.json_object import read_json_object
 
 
 @dataclass(frozen=True)
-class FoundResult:
+class LoadedResult:
     """A result.
 
     Attributes:
@@ -28,13 +33,24 @@ class FoundResult:
     rows: tuple[Row, ...]
     provenance: Mapping[str, Any]
 
+    @property
+    def config(self) -> Mapping[str, Any]:
+        """The options of the run, as far as they are told."""
+        config: Mapping[str, Any] = self.provenance.get("config", {})
+        return config
+
+    @property
+    def sequential(self) -> bool:
+        """Whether the run could stop by what it had seen (`until`)."""
+        return self.config.get("until") is not None
+
     @cached_property
-    def summaries(self) -> list[Summary]:
+    def summaries(self) -> list[EvaluationSummary]:
         """What it tells."""
-        return summarise(self.rows)
+        return summarise(self.rows, sequential=self.sequential)
 
 
-def find_results(place: Path) -> list[FoundResult]:
+def load_results(place: Path) -> list[LoadedResult]:
     """Return every result at or below a folder, or in a file, by path.
 
     Args:
@@ -56,7 +72,7 @@ def find_results(place: Path) -> list[FoundResult]:
     return found
 
 
-def _read_folder(folder: Path) -> FoundResult:
+def _read_folder(folder: Path) -> LoadedResult:
     if (folder / RESULT).exists():
         return _read_file(folder / RESULT, folder)
     rows = sorted(
@@ -66,16 +82,35 @@ def _read_folder(folder: Path) -> FoundResult:
     if (folder / ORIGIN).exists():
         origin = read_json_object(folder / ORIGIN, UnreadableResultError)
     code = origin.pop("code", {})
-    return FoundResult(folder, finished=False, rows=tuple(rows), provenance={**code, **origin})
+    return LoadedResult(folder, finished=False, rows=tuple(rows), provenance={**code, **origin})
 
 
-def _read_file(file: Path, place: Path) -> FoundResult:
-    content = read_json_object(file, UnreadableResultError)
+def _read_file(file: Path, place: Path) -> LoadedResult:
+    return result_in(read_json_object(file, UnreadableResultError), file, place)
+
+
+def result_in(content: Mapping[str, Any], file: Path, place: Path) -> LoadedResult:
+    """Return the finished result that a JSON object holds.
+
+    Args:
+        content: The object; one of an earlier version may lack its schema and some columns.
+        file: Where it came from.
+        place: What the result is to be called by.
+
+    Raises:
+        UnreadableResultError: If it holds none, or one of a later version.
+    """
+    schema = content.get("schema", SCHEMA)
+    if not isinstance(schema, int) or schema > SCHEMA:
+        raise UnreadableResultError(
+            f"{file} has the schema {schema!r}, and this version knows those up to {SCHEMA}: "
+            "install a newer one"
+        )
     provenance = content.get("provenance", {})
-    if not isinstance(provenance, dict):
+    if not isinstance(provenance, dict) or not isinstance(provenance.get("config", {}), dict):
         raise UnreadableResultError(f"The `provenance` of {file} is no JSON object")
     rows = tuple(_rows(content.get("rows"), file))
-    return FoundResult(place, finished=True, rows=rows, provenance=provenance)
+    return LoadedResult(place, finished=True, rows=rows, provenance=provenance)
 
 
 def _rows(rows: object, file: Path) -> Iterator[Row]:

@@ -15,7 +15,10 @@ from lerobot.utils.import_utils import register_third_party_plugins, require_pac
 
 from labutopia_lerobot.env import LabEnv, Observation
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.harmless import require_harmless, require_harmless_model
+from labutopia_lerobot.evaluation.checkpoint_security import (
+    require_safe_checkpoint,
+    require_safe_model,
+)
 from labutopia_lerobot.evaluation.policies import Action
 
 NOT_LOADED = "Could not load state dict"
@@ -55,9 +58,9 @@ class LearnedPolicy:
         base: Path | None = None,
         rename: Mapping[str, str] | None = None,
     ) -> None:
-        require_harmless(folder)  # here too: whoever loads a policy comes through here
+        require_safe_checkpoint(folder)  # here too: whoever loads a policy comes through here
         if base is not None:
-            require_harmless_model(base)
+            require_safe_model(base)
         torch.set_num_threads(1)
         config = _config(folder)
         self.device = config.device = _require_device(device)

@@ -1,6 +1,6 @@
 """Why an episode failed, in one phrase, told from the history of its facts."""
 
-from labutopia_lerobot.evaluation.row import Row
+from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.task import DIVERGED, INTERRUPTED
 
 NEVER_REACHED = "never reached"

@@ -19,7 +19,7 @@ def read_json_object(file: Path, refusal: type[UserError]) -> dict[str, Any]:
     """
     try:
         content = json.loads(file.read_text())
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise refusal(f"{file} cannot be read: {error}") from None
     if not isinstance(content, dict):
         raise refusal(f"{file} is no JSON object")

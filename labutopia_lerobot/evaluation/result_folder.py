@@ -1,13 +1,15 @@
-"""The folder of a result: rows as they come, then everything with its provenance.
+"""The folder of a result: rows and actions as they come, then everything with its provenance.
 
-`evaluation.json` tells what the rows come from, `rows.jsonl` holds them, `actions.jsonl` what was
-commanded, `result.json` says that it is finished. Killed at any moment, the same command goes on
-with the rows that are there.
+`evaluation.json` tells what the rows come from (see `origin`), `rows.jsonl` holds them,
+`actions.jsonl` what was commanded, `result.json` says that it is finished. Killed at any moment,
+the same command goes on with the rows that are there.
 """
 
+import base64
 import json
 import os
-from collections.abc import Iterator, Sequence
+import zlib
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
@@ -17,17 +19,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.json_object import read_json_object
-from labutopia_lerobot.evaluation.row import (
-    SINGLE,
+from labutopia_lerobot.evaluation.condition import SINGLE
+from labutopia_lerobot.evaluation.rows import (
+    EvaluationSummary,
     Row,
-    Series,
     UnreadableResultError,
     from_columns,
 )
-from labutopia_lerobot.evaluation.statistics import Summary
-from labutopia_lerobot.evaluation.stored_actions import decode, encode
 from labutopia_lerobot.runtime.claim import differences, locked, write_whole
+from labutopia_lerobot.runtime.json_object import read_json_object
 
 ROWS = "rows.jsonl"
 """One JSON row per finished episode, in the order in which they finished."""
@@ -38,6 +38,44 @@ ACTIONS = "actions.jsonl"
 ORIGIN = "evaluation.json"
 RESULT = "result.json"
 VIDEOS = "videos"
+
+SCHEMA = 1
+"""What the columns of a result mean. A column more changes nothing; another meaning raises it."""
+
+EpisodeKey = tuple[str, str, str, int]
+"""Task, split, way of playing and seed: all in which episodes of one run differ."""
+
+
+_FLOAT = np.dtype("<f4")
+_LARGEST = 100_000_000
+"""More bytes than the actions of any episode take."""
+
+
+def encode(actions: NDArray[np.float32]) -> dict[str, Any]:
+    """Return actions, shape (steps, elements), as JSON.
+
+    Bytes of the same significance stand together before they are compressed: those of neighbouring
+    actions are alike.
+    """
+    planes = np.ascontiguousarray(actions, _FLOAT).reshape(-1).view(np.uint8)
+    content = zlib.compress(planes.reshape(-1, _FLOAT.itemsize).T.tobytes(), 9)
+    return {"shape": list(actions.shape), "zlib": base64.b64encode(content).decode()}
+
+
+def decode(stored: Mapping[str, Any]) -> NDArray[np.float32]:
+    """Return the actions that `encode` wrote, shape (steps, elements), to the bit.
+
+    Raises:
+        ValueError: If it is nothing that `encode` writes.
+    """
+    try:
+        inflating = zlib.decompressobj()
+        content = inflating.decompress(base64.b64decode(stored["zlib"]), _LARGEST)
+        planes = np.frombuffer(content, np.uint8).reshape(_FLOAT.itemsize, -1).T
+        steps, elements = stored["shape"]
+        return planes.copy().view(_FLOAT).reshape(steps, elements)
+    except (KeyError, TypeError, zlib.error) as error:
+        raise ValueError(f"no stored actions: {error}") from None
 
 
 class OccupiedFolderError(UserError):
@@ -61,8 +99,8 @@ class ResultFolder:
 
     def add(self, row: Row, actions: NDArray[np.float32]) -> None:
         """Keep a row and its actions, shape (steps, elements), whatever happens next."""
-        named = {"task": row.task, "split": row.split, "play": row.play, "seed": row.seed}
-        _append(self.path / ACTIONS, named | encode(actions))
+        named = zip(("task", "split", "play", "seed"), key_in_run(row), strict=True)
+        _append(self.path / ACTIONS, dict(named) | encode(actions))
         _append(self.path / ROWS, asdict(row))
 
     def actions(self) -> list[NDArray[np.float32]]:
@@ -73,14 +111,17 @@ class ResultFolder:
         """
         kept = read_actions(self.path / ACTIONS)
         try:
-            return [decode(kept[row.series, row.seed]) for row in self.rows]
+            return [decode(kept[key_in_run(row)]) for row in self.rows]
         except (KeyError, ValueError) as error:
             raise UnreadableResultError(
                 f"{self.path / ACTIONS} lacks actions of a row: {error}. Choose another out="
             ) from None
 
     def finish(
-        self, rows: Sequence[Row], summaries: Sequence[Summary], provenance: dict[str, Any]
+        self,
+        rows: Sequence[Row],
+        summaries: Sequence[EvaluationSummary],
+        provenance: dict[str, Any],
     ) -> Path:
         """Write the result file, whole or not at all, and return it.
 
@@ -90,8 +131,9 @@ class ResultFolder:
             provenance: What they come from (see `origin`).
         """
         result = {
+            "schema": SCHEMA,
             "rows": [asdict(row) for row in rows],
-            "summary": [asdict(summary) for summary in summaries],
+            "summary": [summary.columns for summary in summaries],
             "provenance": provenance,
         }
         write_whole(self.path / RESULT, result)
@@ -148,15 +190,20 @@ def read_rows(file: Path) -> list[Row]:
     return [from_columns(Row, columns, file) for columns in _lines(file, "row")]
 
 
-def read_actions(file: Path) -> dict[tuple[Series, int], dict[str, Any]]:
-    """Return series and seed -> the actions of that episode, as JSON (see `stored_actions`).
+def key_in_run(row: Row) -> EpisodeKey:
+    """Return what tells an episode from the others of its run."""
+    return row.task, row.split, row.play, row.seed
+
+
+def read_actions(file: Path) -> dict[EpisodeKey, dict[str, Any]]:
+    """Return the actions of every episode, as JSON (see `stored_actions`).
 
     Raises:
         UnreadableResultError: If a line of the file holds none, or there is no such file.
     """
     try:
         return {
-            ((line["task"], line["split"], line.get("play", SINGLE)), line["seed"]): line
+            (line["task"], line["split"], line.get("play", SINGLE), line["seed"]): line
             for line in _lines(file, "action")
         }
     except (OSError, KeyError) as error:

@@ -1,16 +1,27 @@
-"""Where a checkpoint lies, and which files it must have."""
+"""Where a checkpoint lies, here or on the Hugging Face Hub, and which files it must have."""
 
+import re
+import shlex
 from pathlib import Path
 
-from labutopia_lerobot.evaluation.harmless import (
+from huggingface_hub import snapshot_download
+from huggingface_hub.errors import (
+    GatedRepoError,
+    HfHubHTTPError,
+    LocalEntryNotFoundError,
+    OfflineModeIsEnabled,
+    RepositoryNotFoundError,
+    RevisionNotFoundError,
+)
+
+from labutopia_lerobot.evaluation.checkpoint_security import (
     ADAPTER,
     CONFIG,
     POSTPROCESSOR,
     PREPROCESSOR,
     CheckpointError,
 )
-from labutopia_lerobot.evaluation.hub import download
-from labutopia_lerobot.evaluation.json_object import read_json_object
+from labutopia_lerobot.runtime.json_object import read_json_object
 from labutopia_lerobot.runtime.shipped import shipped
 
 WEIGHTS = "model.safetensors"
@@ -24,6 +35,10 @@ _INNER = tuple(
 )
 """What `lerobot-train` saves below its `output_dir`; where it averaged the weights over the
 training (`--ema.enable=true`), it evaluates the average itself, and so do we."""
+
+
+_EPOCHS = dict.fromkeys(("act", "diffusion"), " --epochs 200")
+"""Policy -> how long the paper trains it ("Training Details"); of others the recipe says it."""
 
 
 def find_checkpoint(
@@ -78,14 +93,19 @@ def _nothing_there(
     wanted = [CONFIG, "checkpoints/last/pretrained_model", place]
     looked = place if one_of_several else f"{', '.join(wanted[:-1])} nor {wanted[-1]}"
     recorded, recipe = (" obs=state", "train_state") if obs == "state" else ("", "train")
-    file = shipped("policies") / str(policy) / f"{recipe}.json"
-    settings = f"--config_path={file}" if file.is_file() else f"--policy.type={policy or 'act'}"
+    dataset, out = f"outputs/datasets/{named}", shlex.quote(str(path / place))
+    if (shipped("policies") / str(policy) / f"{recipe}.json").is_file():
+        epochs = "" if obs == "state" else _EPOCHS.get(str(policy), "")
+        training = f"$(labutopia-recipe {policy} {dataset}{epochs} --out {out})"
+    else:
+        training = (
+            f"lerobot-train --policy.type={policy or 'act'} "
+            f"--dataset.repo_id=local/{named.rpartition('/')[2]} "
+            f"--dataset.root={dataset} --output_dir={out}"
+        )
     return (
         f"No checkpoint for {task_id}{only} at policy.path={path}, which holds no {looked}. "
-        "Make one:\n"
-        f"  labutopia-record task={task_id}{only}{recorded}\n"
-        f"  lerobot-train {settings} --dataset.repo_id=local/{named.rpartition('/')[2]} "
-        f"--dataset.root=outputs/datasets/{named} --output_dir={path / place}"
+        f"Make one:\n  labutopia-record task={task_id}{only}{recorded}\n  {training}"
     )
 
 
@@ -138,3 +158,43 @@ def _require(folder: Path, *names: str) -> tuple[str, ...]:
         else " It must be whole, as lerobot-train saves it"
     )
     raise CheckpointError(f"{folder} lacks {', '.join(missing)}.{pickled}")
+
+
+_ID = re.compile(r"(?P<repo>[\w.-]+/[\w.-]+)(@(?P<revision>[\w./-]+))?")
+"""`org/name`, or `org/name@revision` with a branch, tag or commit."""
+
+_WANTED = ["*.json", "*.safetensors"]
+"""Pickles are not even downloaded."""
+
+
+def download(hub_id: str) -> Path | None:
+    """Return the folder of a checkpoint of the Hub, downloaded if it is not in the cache.
+
+    Args:
+        hub_id: `org/name` or `org/name@revision`.
+
+    Returns:
+        The folder, or None if `hub_id` is none.
+
+    Raises:
+        CheckpointError: If it cannot be had; the message says why.
+    """
+    named = _ID.fullmatch(hub_id)
+    if named is None or hub_id.startswith("."):
+        return None
+    try:
+        return Path(
+            snapshot_download(named["repo"], revision=named["revision"], allow_patterns=_WANTED)
+        )
+    except GatedRepoError:
+        reason = "its owner wants you to agree to terms: open its page, then run `hf auth login`"
+    except (RepositoryNotFoundError, RevisionNotFoundError):
+        reason = "the Hub has no such model or revision, or it is private (`hf auth login`)"
+    except (LocalEntryNotFoundError, OfflineModeIsEnabled, HfHubHTTPError, OSError) as error:
+        reason = (
+            f"the Hub cannot be reached ({type(error).__name__}) and it is not in the cache. On a "
+            f"machine with a network: hf download {named['repo']}"
+        )
+    raise CheckpointError(
+        f"policy.path={hub_id} is no folder here, and as a Hub id it cannot be had: {reason}"
+    )

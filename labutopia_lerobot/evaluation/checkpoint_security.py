@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.json_object import read_json_object
+from labutopia_lerobot.runtime.json_object import read_json_object
 
 PREPROCESSOR = "policy_preprocessor.json"
 POSTPROCESSOR = "policy_postprocessor.json"
@@ -34,7 +34,7 @@ class CheckpointError(UserError):
     """A checkpoint that is missing, or that cannot play the task; the message says the cure."""
 
 
-def require_harmless(folder: Path) -> None:
+def require_safe_checkpoint(folder: Path) -> None:
     """Make sure that loading a checkpoint runs no code but LeRobot's own.
 
     Args:
@@ -43,15 +43,15 @@ def require_harmless(folder: Path) -> None:
     Raises:
         CheckpointError: If a step of its processors is none of LeRobot's registered ones, wants
             code from elsewhere, names a path outside the folder, or keeps its state in another form
-            than safetensors; or as `require_harmless_model`.
+            than safetensors; or as `require_safe_model`.
     """
-    require_harmless_model(folder)
+    require_safe_model(folder)
     for name in (PREPROCESSOR, POSTPROCESSOR):
         for problem in _problems(folder, read_steps(folder / name)):
             raise CheckpointError(f"{folder / name} is refused: {problem}. {_CURE}")
 
 
-def require_harmless_model(folder: Path) -> None:
+def require_safe_model(folder: Path) -> None:
     """Make sure that loading the network of a checkpoint, without processors, runs no other code.
 
     Raises:

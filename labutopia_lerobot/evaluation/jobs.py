@@ -1,25 +1,62 @@
-"""An evaluation, from pairings of policies and tasks to episodes."""
+"""What an evaluation plays: one job per task, split and way of playing."""
 
-from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 
 from labutopia_lerobot.evaluation.checkpoint import Checkpoint, open_checkpoint
+from labutopia_lerobot.evaluation.condition import SINGLE, STAGED, Condition
 from labutopia_lerobot.evaluation.config import (
     EvaluationConfig,
     EvaluationOptionError,
     PolicyConfig,
 )
-from labutopia_lerobot.evaluation.policies import REFERENCE_POLICIES, reference_of_step
-from labutopia_lerobot.evaluation.remote.reach import REMOTE, reach
-from labutopia_lerobot.evaluation.rollout import Episode, Pairing, play
-from labutopia_lerobot.evaluation.row import STAGED, Series
-from labutopia_lerobot.evaluation.staged import Staged
-from labutopia_lerobot.runtime.workers import in_processes
+from labutopia_lerobot.evaluation.policies import (
+    REFERENCE_POLICIES,
+    PolicyMaker,
+    StagedPolicyMaker,
+    reference_of_step,
+)
+from labutopia_lerobot.evaluation.remote.remote_policy import REMOTE, open_server
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting, setting_of
 
 
-def make_pairings(config: EvaluationConfig) -> list[Pairing]:
+@dataclass(frozen=True)
+class EvaluationJob:
+    """One policy in one setting: whatever an episode depends on beside its seed.
+
+    Attributes:
+        setting: What is played and observed.
+        policy: What the policy is called.
+        make_policy: Makes it.
+        play: How it plays the steps, `single` or `staged`.
+    """
+
+    setting: Setting
+    policy: str
+    make_policy: PolicyMaker
+    play: str = SINGLE
+
+    @cached_property
+    def condition(self) -> Condition:
+        """Under which condition its episodes are played."""
+        setting = self.setting
+        return Condition(
+            task=setting.task,
+            split=setting.split,
+            axes=setting.axes,
+            play=self.play,
+            step=setting.step,
+            liquid=setting.liquid if _holds_liquid(setting) else None,
+            particles=setting.particles,
+            robot=setting.robot,
+            room=setting.room,
+            obs=setting.obs,
+            renderer=setting.renderer,
+        )
+
+
+def make_jobs(config: EvaluationConfig) -> list[EvaluationJob]:
     """Return what an evaluation plays, ordered by task, split and way of playing.
 
     Raises:
@@ -36,56 +73,22 @@ def make_pairings(config: EvaluationConfig) -> list[Pairing]:
     ]
 
 
-def evaluate(
-    pairings: Sequence[Pairing],
-    seeds: Sequence[int],
-    workers: int,
-    known: Collection[Episode] = (),
-    enough: Callable[[Series], bool] = lambda series: False,
-) -> Iterator[Episode]:
-    """Yield every episode as it is finished; what is in them does not depend on the workers.
-
-    Args:
-        pairings: What to play.
-        seeds: Which episodes of each.
-        workers: Number of processes.
-        known: Episodes that an earlier run played; they are not yielded.
-        enough: Whether a series needs no more episodes; asked before each of them.
-
-    Raises:
-        Exception: Whatever was raised in a worker; a bug is not a failed episode.
-    """
-    played = {(episode.pairing, episode.row.seed) for episode in known}
-    jobs = (
-        (pairing, seed)
-        for pairing in pairings
-        for seed in seeds
-        if (pairing, seed) not in played and not enough(pairing.series)
-    )
-    yield from in_processes(play, jobs, workers)
-
-
-def in_order(episodes: Sequence[Episode], pairings: Sequence[Pairing]) -> list[Episode]:
-    """Return episodes in the order of the pairings, and then of the seeds."""
-    return sorted(episodes, key=lambda episode: (pairings.index(episode.pairing), episode.row.seed))
-
-
-def _single(config: EvaluationConfig, task: str, split: str) -> Pairing:
+def _single(config: EvaluationConfig, task: str, split: str) -> EvaluationJob:
     policy = config.policy
     setting = setting_of(config, task=task, split=split, obs=config.obs or "state")
     canonical_task(setting)  # so that impossible axes and steps are told at once
     if policy.name == REMOTE:
-        remote = reach(policy, replace(setting, obs=config.obs or "pixels"), config.workers)
-        return Pairing(remote.setting, REMOTE, remote)
+        remote = open_server(policy, replace(setting, obs=config.obs or "pixels"), config.workers)
+        return EvaluationJob(remote.setting, REMOTE, remote)
     if policy.name not in REFERENCE_POLICIES:
         checkpoint = _checkpoint(config, setting)
-        return Pairing(checkpoint.setting, checkpoint.type, checkpoint)
+        return EvaluationJob(checkpoint.setting, checkpoint.type, checkpoint)
     _require_no_options(policy)
-    return Pairing(setting, policy.name, REFERENCE_POLICIES[policy.name])
+    return EvaluationJob(setting, policy.name, REFERENCE_POLICIES[policy.name])
 
 
-def _staged(config: EvaluationConfig, task: str, split: str) -> Pairing:
-    """Return the pairing of a task and one policy per step of it."""
+def _staged(config: EvaluationConfig, task: str, split: str) -> EvaluationJob:
+    """Return the job of a task and one policy per step of it."""
     policy = config.policy
     setting = setting_of(config, task=task, split=split, obs=config.obs or "state")
     steps = [step.name for step in canonical_task(setting).steps]
@@ -103,17 +106,17 @@ def _staged(config: EvaluationConfig, task: str, split: str) -> Pairing:
     if policy.name in REFERENCE_POLICIES:
         _require_no_options(policy)
         makers = tuple((step, reference_of_step(policy.name, step)) for step in steps)
-        return Pairing(setting, policy.name, Staged(makers), STAGED)
+        return EvaluationJob(setting, policy.name, StagedPolicyMaker(makers), STAGED)
     opened = {step: _checkpoint(config, replace(setting, step=step), True) for step in steps}
     observed = {replace(checkpoint.setting, step=None) for checkpoint in opened.values()}
     if len(observed) > 1:
-        told = (f"{step}: {_observed(each.setting)}" for step, each in opened.items())
+        observations = (f"{step}: {_observed(each.setting)}" for step, each in opened.items())
         raise EvaluationOptionError(
             f"The policies of the steps of {task} must observe the same, but they were trained on "
-            f"{'; '.join(told)}. Train them alike"
+            f"{'; '.join(observations)}. Train them alike"
         )
     kinds = "+".join(dict.fromkeys(checkpoint.type for checkpoint in opened.values()))
-    return Pairing(observed.pop(), kinds, Staged(tuple(opened.items())), STAGED)
+    return EvaluationJob(observed.pop(), kinds, StagedPolicyMaker(tuple(opened.items())), STAGED)
 
 
 def _checkpoint(
@@ -143,3 +146,9 @@ def _require_no_options(policy: PolicyConfig) -> None:
         raise EvaluationOptionError(
             f"policy={policy.name} takes no option of its own, such as policy.path"
         )
+
+
+@lru_cache(maxsize=1)
+def _holds_liquid(setting: Setting) -> bool:
+    """Tell whether the vessels of the task hold something, also where it is left out."""
+    return bool(canonical_task(replace(setting, liquid="on")).contents)

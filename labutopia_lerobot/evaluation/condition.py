@@ -1,0 +1,132 @@
+"""Under which condition an episode is played: the key of rows, summaries, tables and comparisons.
+
+Episodes of one condition differ in their seeds only, and only they are counted together.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+
+from labutopia_lerobot.robots import DEFAULT_ROBOT
+from labutopia_lerobot.scenes import DEFAULT_ROOM
+from labutopia_lerobot.setting import ALL, CLASSIC, PARTICLES, canonical_axes
+
+SINGLE = "single"
+"""One policy plays all steps (the paper's SP and, step by step, S1 to Sk)."""
+
+STAGED = "staged"
+"""One policy per step, switched on the milestones of the steps (the paper's A1 to Ak)."""
+
+EXPERT, RANDOM, STILL = "expert", "random", "still"
+REFERENCES = (EXPERT, RANDOM, STILL)
+"""Policies that need no training, and look at no observation."""
+
+ID, OOD, ALL_AXES = "ID", "OOD", "all axes"
+"""How tables call the usual shifts, the first two as the paper does."""
+
+_MARKED = ("liquid", "particles", "robot", "room", "after")
+"""What tables mark where it is not as published; shifts and steps have names of their own."""
+
+
+@dataclass(frozen=True)
+class Condition:
+    """All that decides an episode, beside its seed and the policy. The defaults are published.
+
+    What decides nothing under the rest of a condition is None: particles where no liquid is
+    simulated, the renderer where no picture is drawn.
+
+    Attributes:
+        task: Task id.
+        split: `train`, `id` or `ood`.
+        axes: Axes that vary, or with `ood` are shifted, beside the task's own; by name, each once.
+        play: How steps are played, `single` or `staged`.
+        step: The step that is played alone, or None for the whole task.
+        after: Step behind which the whole task begins, or None for its start.
+        liquid: `on` or `off`; None for a task whose vessels are empty anyway.
+        particles: In how many particles the liquid is divided.
+        robot: Which robot plays.
+        room: Where.
+        obs: `pixels` or `state`; None in a `scene`.
+        renderer: What draws the pictures, `classic` or `filament`.
+    """
+
+    task: str
+    split: str = "id"
+    axes: tuple[str, ...] = ()
+    play: str = SINGLE
+    step: str | None = None
+    after: str | None = None
+    liquid: str | None = "on"
+    particles: int | None = PARTICLES
+    robot: str = DEFAULT_ROBOT
+    room: str = DEFAULT_ROOM
+    obs: str | None = "pixels"
+    renderer: str | None = CLASSIC
+
+    def __post_init__(self) -> None:
+        canonical = {
+            "axes": canonical_axes(self.axes),
+            # A step played alone begins where the one before it is done, in whatever order.
+            "after": self.after if self.step is None else None,
+            "particles": self.particles if self.liquid == "on" else None,
+            "renderer": (self.renderer or CLASSIC) if self.obs == "pixels" else None,
+        }
+        for name, value in canonical.items():
+            object.__setattr__(self, name, value)
+
+    @property
+    def scene(self) -> "Condition":
+        """The same without what only the observer sees: equal for policies that met one scene."""
+        return replace(self, obs=None)
+
+    @property
+    def shift(self) -> str:
+        """What is drawn otherwise than in training: `ID`, `OOD` (what the task shifts), ..."""
+        if self.axes == (ALL,) and self.split == "ood":
+            return ALL_AXES
+        name = {"id": ID, "ood": OOD}.get(self.split, self.split)
+        return f"{name} {'+'.join(self.axes)}".rstrip()
+
+    @property
+    def played(self) -> str:
+        """The shift, and what is unusual about how the steps are played."""
+        staged = [] if self.play == SINGLE else [self.play]
+        alone = [] if self.step is None else [f"{self.step} alone"]
+        return ", ".join([self.shift, *staged, *alone])
+
+    def without_task(self, policy: str | None = None) -> str:
+        """Return everything that tells it from others of its task, in words; see `marks`."""
+        return ", ".join([self.played, *self.marks(policy)])
+
+    @property
+    def description(self) -> str:
+        """All of it, in words."""
+        return f"{self.task} {self.without_task()}"
+
+    def marks(self, policy: str | None = None) -> list[str]:
+        """Return what differs from the published condition beside shift and steps, in words.
+
+        Args:
+            policy: Who plays; a reference policy looks at nothing, so that no renderer matters.
+        """
+        published = Condition(self.task)
+        looks = policy not in REFERENCES
+        values = {name: getattr(self, name) for name in (*_MARKED, *["renderer"] * looks)}
+        unusual = {n: v for n, v in values.items() if v not in (None, getattr(published, n))}
+        state = ["state"] * (looks and self.obs == "state")
+        return [*state, *(f"{name}={value}" for name, value in unusual.items())]
+
+    def label(self, policy: str) -> str:
+        """Return a policy's name with its marks."""
+        return ", ".join([policy, *self.marks(policy)])
+
+
+def differ_in_task_only(conditions: Sequence[Condition]) -> bool:
+    """Tell whether a mean over conditions is one over tasks: a task may have no liquid."""
+    values = {
+        field.name: {getattr(condition, field.name) for condition in conditions}
+        for field in fields(Condition)
+        if field.name != "task"
+    }
+    for name in ("liquid", "particles"):
+        values[name].discard(None)
+    return all(len(found) <= 1 for found in values.values())
