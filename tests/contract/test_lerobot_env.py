@@ -99,6 +99,9 @@ def test_a_level_names_all_of_its_tasks() -> None:
     assert all(envs.num_envs == 1 for envs in suites["level1"].values())
 
 
+INSTRUCTION = "Pick up the conical flask and hold it still, 20 cm or more above the bench."
+
+
 class Script(torch.nn.Module):
     """A policy that plays one list of actions per environment, then repeats the last."""
 
@@ -111,7 +114,7 @@ class Script(torch.nn.Module):
 
     def select_action(self, observation: dict[str, Any]) -> torch.Tensor:
         assert observation["observation.state"].shape == (len(self._scripts), 8)
-        assert observation["task"] == ["Pick up the conical flask from the bench."] * 2
+        assert observation["task"] == [INSTRUCTION] * 2
         actions = [script[min(self._step, len(script) - 1)] for script in self._scripts]
         self._step += 1
         return torch.from_numpy(np.stack(actions))

@@ -232,7 +232,8 @@ def test_a_step_without_its_checkpoint_is_named_with_the_commands_that_make_it(
             make_jobs(learned(given))
         assert f"No checkpoint for {DRAWER} step=close" in str(refusal.value)
         assert f"labutopia-record task={DRAWER} step=close\n" in str(refusal.value)
-    assert f"--dataset.root=outputs/datasets/{DRAWER}-close" in str(refusal.value)
+        recipe = f"$(labutopia-recipe act outputs/datasets/{DRAWER}-close --epochs 200 --out "
+        assert recipe in str(refusal.value)
     # One policy for everything is none per step, however often it could be loaded.
     with pytest.raises(CheckpointError, match="step=open"):
         make_jobs(learned(folder / DRAWER / "open"))
