@@ -92,7 +92,7 @@ def test_a_button_pressed_at_its_edge_is_misaligned(env):
 
 
 def test_a_button_pressed_at_an_angle_is_misaligned(env):
-    info = play(env, Askew(buttons(env)[0], hold=20.0, tilt_deg=14.0))
+    info = play(env, Askew(buttons(env)[0], hold=20.0, tilt_deg=24.0))
     assert info["facts"]["panel_red pressed"]
     assert info["outcome"] == "running"
     assert not info["ever_success"]

@@ -31,7 +31,7 @@ def open_door(draw: Draw) -> Task:
     oven, where = OVENS[name]
     return replace(
         open_oven(oven),
-        instruction=f"Open the door of the {name} by its handle, by 50 degrees, and let go.",
+        instruction=f"By its handle, open the door of the {name} by 50 degrees, and let go.",
         paraphrases=(
             f"Pull the {name}'s door half open by its handle and let go of that.",
             f"Take the handle of the {name}, swing its door open by 50 degrees and leave it so.",
