@@ -155,7 +155,7 @@ def left_standing(thing: Standing, on: Destination, *, within: float) -> tuple[P
 
 def shake(vessel: Graspable, at: Destination) -> Step:
     """Shake: from the start position, tilt left and right three times (paper), and return."""
-    in_hand = (gripped(vessel), lifted(vessel, by=0.05))  # original: z > z0 + 0.05
+    in_hand = (gripped(vessel), lifted(vessel, by=0.20))  # as where it starts; original: 0.05
     three = swings(vessel, needed=3, beyond_deg=15)  # ours: the paper has no angle
     return Step(
         "shake",

@@ -33,10 +33,12 @@ def open_oven(oven: Oven) -> Task:
     """Return the task with an oven, which level 3 varies."""
     door = oven.door
     return Task(
-        instruction="Open the door of the drying oven by its handle, by 50 degrees, and let go.",
+        instruction=(
+            "Open the door of the drying oven by its handle, by 50 degrees or more, and let go."
+        ),
         paraphrases=(
             "Pull the drying oven's door half open by its handle and let go of that.",
-            "Take the handle of the oven, swing its door open by 50 degrees and leave it so.",
+            "Take the handle of the oven, swing its door open by 50 degrees or more, let go.",
         ),
         # Original: these x and y, no yaw.
         start={oven: OnBench(x=(0.70, 0.80), y=(0.05, 0.15), yaw=(-YAW, YAW))},

@@ -24,10 +24,12 @@ def open_drawer() -> Task:
     cabinet = Cabinet("cabinet")
     drawer = cabinet.top_drawer
     return Task(
-        instruction="Open the top drawer of the cabinet by its handle, by 13 cm, and let go.",
+        instruction=(
+            "Open the top drawer of the cabinet by its handle, by 13 cm or more, and let go."
+        ),
         paraphrases=(
-            "Pull the uppermost drawer 13 cm out by its handle and let go of that.",
-            "Take the handle of the top drawer, pull that open by 13 cm and leave it so.",
+            "Pull the uppermost drawer 13 cm or more out by its handle and let go of that.",
+            "Take the handle of the top drawer, pull that open by 13 cm or more and leave it so.",
         ),
         # Original: these x and y, no yaw.
         start={cabinet: OnBench(x=(0.70, 0.77), y=(-0.05, 0.05), yaw=(-YAW, YAW))},

@@ -28,12 +28,12 @@ def operate_drawer() -> Task:
     let_go = Milestone("released", (clear, opened(drawer, to=OPEN_TO), ~faster(drawer, than=0.01)))
     return Task(
         instruction=(
-            "Open the top drawer of the cabinet by its handle, by 13 cm, let go of it, then close "
-            "it by its handle."
+            "Open the top drawer of the cabinet by its handle, by 13 cm or more, let go, then "
+            "close it by its handle."
         ),
         paraphrases=(
-            "Pull the uppermost drawer 13 cm out by its handle, release it and push it back shut.",
-            "Open the cabinet's top drawer by 13 cm, let go, and afterwards close it.",
+            "Pull the uppermost drawer 13 cm or more out by its handle, let go, push it back shut.",
+            "Open the cabinet's top drawer by 13 cm or more, let go, and afterwards close it.",
         ),
         # Original: these x and y, no yaw.
         start={cabinet: OnBench(x=(0.69, 0.79), y=(-0.05, 0.05), yaw=(-YAW, YAW))},

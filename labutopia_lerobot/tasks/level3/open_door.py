@@ -31,10 +31,12 @@ def open_door(draw: Draw) -> Task:
     oven, where = OVENS[name]
     return replace(
         open_oven(oven),
-        instruction=f"By its handle, open the door of the {name} by 50 degrees, and let go.",
+        instruction=(
+            f"By its handle, open the door of the {name} by 50 degrees or more, and let go."
+        ),
         paraphrases=(
             f"Pull the {name}'s door half open by its handle and let go of that.",
-            f"Take the handle of the {name}, swing its door open by 50 degrees and leave it so.",
+            f"Take the handle of the {name}, swing its door open by 50 degrees or more, let go.",
         ),
         start={oven: where},
     )
