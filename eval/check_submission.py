@@ -6,7 +6,6 @@ What was not played as published (docs/leaderboard.md) is refused with 2. Nothin
 actions are the policy's, and not the expert's or a copy.
 """
 
-import argparse
 import sys
 from pathlib import Path
 
@@ -14,13 +13,14 @@ import numpy as np
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.evaluation.submission import other_build, read, replayed
 
 
 @clear_errors
 def main() -> None:
     """Check the submission."""
-    parser = argparse.ArgumentParser(prog="python eval/check_submission.py", description=__doc__)
+    parser = OptionParser(prog="python eval/check_submission.py", description=__doc__)
     parser.add_argument("file", type=Path, metavar="FILE")
     parser.add_argument("--episodes", type=int, default=20, help="how many to play (default: 20)")
     parser.add_argument("--seed", type=int, help="of the draw; another one each time if not given")

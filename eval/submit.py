@@ -1,18 +1,18 @@
 """`python eval/submit.py DIR`: pack a finished result into one file for the leaderboard."""
 
-import argparse
 from pathlib import Path
 
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.evaluation.submission import pack
 
 
 @clear_errors
 def main() -> None:
     """Write the submission."""
-    parser = argparse.ArgumentParser(prog="python eval/submit.py", description=__doc__)
+    parser = OptionParser(prog="python eval/submit.py", description=__doc__)
     parser.add_argument("folder", type=Path, metavar="DIR", help="a folder of `eval/run.py`")
     parser.add_argument("--out", type=Path, metavar="FILE", help="default: DIR/submission.json")
     arguments = parser.parse_args()

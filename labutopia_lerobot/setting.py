@@ -218,17 +218,6 @@ def setting_from(options: Mapping[str, Any]) -> Setting:
     return Setting(**options)
 
 
-def as_lists(overrides: Iterable[str]) -> list[str]:
-    """Return overrides (`name=value`) with one value for what takes several as a list of one."""
-    several = [option.name for option in fields(Setting) if isinstance(option.default, tuple)]
-    parts = (override.partition("=") for override in overrides)
-    return [
-        f"{name}=[{value}]" if name in several and value and not value.startswith("[") else whole
-        for name, equals, value in parts
-        for whole in [f"{name}{equals}{value}"]
-    ]
-
-
 def option_help(options: type) -> dict[str, str]:
     """Return what the docstrings of a class `with_setting` and of `Setting` say of each option."""
     documented = [*reversed(Setting.__mro__), options]

@@ -1,6 +1,5 @@
 """`labutopia-bench`: how fast it runs on this machine."""
 
-import argparse
 import json
 import sys
 from functools import partial
@@ -10,6 +9,7 @@ from rich.table import Table
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.setting_flags import add_setting_flags, setting_of_flags
 from labutopia_lerobot.cli.speed import RIGID, all_tasks, measure
 from labutopia_lerobot.registry import require_task
@@ -29,7 +29,7 @@ _TARGETS = {  # on two cores without a GPU
 @clear_errors
 def main() -> None:
     """Measure and print, as a table or as one JSON object."""
-    parser = argparse.ArgumentParser(prog="labutopia-bench", description=__doc__)
+    parser = OptionParser(prog="labutopia-bench", description=__doc__)
     parser.add_argument("tasks", nargs="*", help="tasks for demonstrations per hour; default all")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument(

@@ -15,6 +15,7 @@ from rich.markup import escape
 
 from labutopia_lerobot.checks import CHECKS, Check, CheckFailed
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import UnknownTaskError, require_task, task_files
@@ -27,7 +28,7 @@ _PARTICLES = 300
 @clear_errors
 def main() -> None:
     """Check every task of the folder that the command line names; exit with 1 if any fails."""
-    parser = argparse.ArgumentParser(
+    parser = OptionParser(
         prog="labutopia-check",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,

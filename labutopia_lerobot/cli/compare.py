@@ -1,11 +1,11 @@
 """`labutopia-compare DIR_A DIR_B`: which of two policies is better, on common seeds."""
 
-import argparse
 import json
 import sys
 from pathlib import Path
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.printing_tables import print_tables
 from labutopia_lerobot.evaluation.compare import compare, comparison_table
 from labutopia_lerobot.evaluation.load_results import load_results
@@ -15,7 +15,7 @@ from labutopia_lerobot.evaluation.reporting.table import FORMATS
 @clear_errors
 def main() -> None:
     """Compare the results that the command line names."""
-    parser = argparse.ArgumentParser(prog="labutopia-compare", description=__doc__)
+    parser = OptionParser(prog="labutopia-compare", description=__doc__)
     for name in ("first", "second"):
         parser.add_argument(name, type=Path, help="folder of results of one policy")
     parser.add_argument(

@@ -12,12 +12,13 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.cli.grammar import OptionParser
 
 
 @clear_errors
 def main() -> None:
     """Convert what the command line names."""
-    parser = argparse.ArgumentParser(
+    parser = OptionParser(
         prog="labutopia-convert",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -17,18 +17,17 @@ from omegaconf.errors import OmegaConfBaseException
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.grammar import ABOUT, overrides, types_of
 from labutopia_lerobot.cli.option_list import option_list
 from labutopia_lerobot.evaluation.config import (
     EvaluationConfig,
     EvaluationOptionError,
     PolicyConfig,
-    require_known_options,
 )
 from labutopia_lerobot.evaluation.result_folder import RESULT, ROWS, OccupiedFolderError
 from labutopia_lerobot.evaluation.run import run
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.runtime.shipped import shipped
-from labutopia_lerobot.setting import as_lists
 
 
 @clear_errors
@@ -52,23 +51,23 @@ def main() -> None:
         raise
 
 
-def parse(overrides: Sequence[str]) -> EvaluationConfig:
-    """Return the configuration that Hydra overrides (`name=value`) describe; nothing is written.
+def parse(words: Sequence[str]) -> EvaluationConfig:
+    """Return the configuration that a command line describes; nothing is written.
 
     Raises:
         EvaluationOptionError: If a name is unknown, a value has the wrong type, or no policy is
             named.
     """
-    require_known_options(overrides)
+    chosen = _overrides(words)
     ConfigStore.instance().store(name="evaluation", node=EvaluationConfig)
     try:
         # The compose API makes neither an output folder nor a log file, as hydra.main would.
         with initialize_config_dir(version_base=None, config_dir=str(shipped("configs"))):
-            composed = compose("eval", [*_policy(overrides), *as_lists(overrides)])
+            composed = compose("eval", [*_policy(chosen), *chosen])
         config = OmegaConf.to_object(composed)
     except (HydraException, OmegaConfBaseException) as error:
         reason = str(error.__cause__ or error).strip().splitlines()[0]
-        raise EvaluationOptionError(f"{reason} (in: {' '.join(overrides)})") from None
+        raise EvaluationOptionError(f"{reason} (in: {' '.join(words)})") from None
     assert isinstance(config, EvaluationConfig)
     return config
 
@@ -77,22 +76,28 @@ def _same_command(out: str) -> str:
     """Return the command that goes on in a folder, which has a time stamp by default."""
     program = Path(sys.argv[0])
     called = ["python", sys.argv[0]] if program.suffix == ".py" else [program.name]
-    options = [option for option in sys.argv[1:] if not option.startswith("out=")]
+    options = [option for option in _overrides(sys.argv[1:]) if not option.startswith("out=")]
     return shlex.join([*called, *options, f"out={out}"])
+
+
+def _overrides(words: Sequence[str]) -> list[str]:
+    options = types_of(EvaluationConfig)
+    options |= {f"policy.{name}": kind for name, kind in types_of(PolicyConfig).items()}
+    return overrides(words, options, EvaluationOptionError)
 
 
 def _policies() -> list[str]:
     return sorted(file.stem for file in (shipped("configs") / "policy").glob("*.yaml"))
 
 
-def _policy(overrides: Sequence[str]) -> list[str]:
+def _policy(chosen: Sequence[str]) -> list[str]:
     """Return the override that names the policy where only its checkpoint is named.
 
     Raises:
         EvaluationOptionError: If neither is, or there is no such policy; the message lists them.
     """
     policies = _policies()
-    values = dict(override.split("=", 1) for override in overrides)
+    values = dict(override.split("=", 1) for override in chosen)
     if "policy" not in values:
         if "policy.path" in values:
             return ["policy=lerobot"]
@@ -112,12 +117,12 @@ def _policy(overrides: Sequence[str]) -> list[str]:
 
 def _help() -> str:
     return (
-        "Usage: labutopia-eval policy=NAME task=level1/pick [name=value ...]\n"
-        "       labutopia-eval policy.path=CHECKPOINT task=level1/pick [name=value ...]\n\n"
+        "Usage: labutopia-eval level1/pick policy=NAME [name=value ...]\n"
+        "       labutopia-eval level1/pick policy.path=CHECKPOINT [name=value ...]\n\n"
         "Play a policy, count its successes per task and sub-step, film a few episodes. In a\n"
         "checkout, `python eval/run.py` is the same. Interrupted, the same command goes on.\n\n"
         f"Policies: {', '.join(_policies())}\n\n"
-        "Options, with their defaults:\n"
+        f"{ABOUT}\nWith their defaults:\n"
         f"{option_list(EvaluationConfig, but=('policy',))}\n"
         f"{option_list(PolicyConfig, prefix='policy.')}\n\n"
         f"Tasks: {', '.join(task_files())}"

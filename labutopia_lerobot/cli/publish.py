@@ -1,6 +1,5 @@
 """`labutopia-publish DATASET --repo-id me/pick`: a dataset, policy or environment to the Hub."""
 
-import argparse
 from pathlib import Path
 
 from rich.console import Console
@@ -8,6 +7,7 @@ from rich.filesize import decimal
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.datasets.tables import INFO
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
@@ -27,7 +27,7 @@ class UnpublishableError(UserError):
 @clear_errors
 def main() -> None:
     """Publish what the command line names."""
-    parser = argparse.ArgumentParser(prog="labutopia-publish", description=__doc__)
+    parser = OptionParser(prog="labutopia-publish", description=__doc__)
     parser.add_argument(
         "what", help=f"folder of a dataset or of a trained policy, or the word `{ENVIRONMENT}`"
     )

@@ -1,6 +1,5 @@
 """`labutopia-recipe act DATASET --epochs 200`: the training command, with steps computed."""
 
-import argparse
 import json
 import math
 import shlex
@@ -11,6 +10,7 @@ from typing import Any
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.json_object import read_json_object
 from labutopia_lerobot.runtime.shipped import shipped
@@ -23,7 +23,7 @@ class RecipeError(UserError):
 @clear_errors
 def main() -> None:
     """Print the command."""
-    parser = argparse.ArgumentParser(prog="labutopia-recipe", description=__doc__)
+    parser = OptionParser(prog="labutopia-recipe", description=__doc__)
     parser.add_argument("policy", help=f"what to train: {', '.join(_policies())}")
     parser.add_argument("dataset", type=Path, metavar="DATASET", help="folder of a LeRobotDataset")
     parser.add_argument(

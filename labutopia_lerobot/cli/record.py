@@ -1,9 +1,7 @@
 """`labutopia-record task=level1/pick episodes=100`: demonstrations as LeRobotDatasets."""
 
-import difflib
 import sys
 from collections.abc import Sequence
-from dataclasses import fields
 
 from hydra import compose, initialize
 from hydra.core.config_store import ConfigStore
@@ -13,6 +11,7 @@ from omegaconf.errors import OmegaConfBaseException
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.grammar import ABOUT, overrides, types_of
 from labutopia_lerobot.cli.option_list import option_list
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
@@ -21,11 +20,10 @@ from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import FinishedError
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import task_files
-from labutopia_lerobot.setting import as_lists
 
 
 class OverrideError(UserError):
-    """An argument that is no valid `name=value`; the message lists the names."""
+    """A word that is no option, or a value of the wrong type; the message lists the options."""
 
 
 @clear_errors
@@ -55,26 +53,18 @@ def _record(config: RecordingConfig, one_of_several: bool, console: Console) -> 
         console.print(_summary(config, candidates), markup=False)
 
 
-def parse(overrides: Sequence[str]) -> RecordingConfig:
-    """Return the configuration that Hydra overrides (`name=value`) describe.
+def parse(words: Sequence[str]) -> RecordingConfig:
+    """Return the configuration that a command line describes.
 
     Raises:
         OverrideError: If a name is unknown, a value has the wrong type, or no task is named.
     """
-    names = [field.name for field in fields(RecordingConfig)]
-    for override in overrides:
-        name, equals, _ = override.partition("=")
-        if not equals or name not in names:
-            near = difflib.get_close_matches(name, names, n=1)
-            hint = f" Did you mean '{near[0]}='?" if near else ""
-            raise OverrideError(
-                f"'{override}' is no option.{hint} Options (name=value): {', '.join(names)}"
-            )
+    chosen = overrides(words, types_of(RecordingConfig), OverrideError)
     ConfigStore.instance().store(name="record", node=RecordingConfig)
     try:
         # The compose API makes neither an output folder nor a log file, as hydra.main would.
         with initialize(version_base=None, config_path=None):
-            composed = compose("record", as_lists(overrides))
+            composed = compose("record", chosen)
         if composed.task is None and composed.level is None:
             raise OverrideError(
                 "Name a task, such as task=level1/pick, or a level, such as level=1. Tasks: "
@@ -83,19 +73,19 @@ def parse(overrides: Sequence[str]) -> RecordingConfig:
         config = OmegaConf.to_object(composed)
     except (HydraException, OmegaConfBaseException) as error:
         reason = str(error.__cause__ or error).strip().splitlines()[0]
-        raise OverrideError(f"{reason} (in: {' '.join(overrides)})") from None
+        raise OverrideError(f"{reason} (in: {' '.join(words)})") from None
     assert isinstance(config, RecordingConfig)
     return config
 
 
 def _help() -> str:
     return (
-        "Usage: labutopia-record task=level1/pick [name=value ...]\n"
+        "Usage: labutopia-record level1/pick [name=value ...]\n"
         "       labutopia-record level=1 [name=value ...]\n\n"
         "Record demonstrations of the tasks' experts, one LeRobotDataset for each task. A\n"
         "recording that was interrupted goes on when the same command is given again; one that is\n"
         "finished is extended by the same command with more episodes.\n\n"
-        f"Options, with their defaults:\n{option_list(RecordingConfig)}\n\n"
+        f"{ABOUT}\nWith their defaults:\n{option_list(RecordingConfig)}\n\n"
         f"Tasks: {', '.join(task_files())}"
     )
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.cli.setting_flags import add_setting_flags
 from labutopia_lerobot.datasets.rendering import render
@@ -24,7 +25,7 @@ _DRAWING = ("cameras", "extras", "width", "height", "renderer")
 @clear_errors
 def main() -> None:
     """Render what the command line names."""
-    parser = argparse.ArgumentParser(
+    parser = OptionParser(
         prog="labutopia-render",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,

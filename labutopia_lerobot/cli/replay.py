@@ -17,6 +17,7 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.datasets.looking import Film, Look, find_episode, look_at
 from labutopia_lerobot.datasets.playback import Playback
 from labutopia_lerobot.datasets.replay import Replay, replay
@@ -38,7 +39,7 @@ class ReplayOptionError(UserError):
 @clear_errors
 def main() -> None:
     """Show an episode, or compare them all; exit with 1 if anything differs."""
-    parser = argparse.ArgumentParser(
+    parser = OptionParser(
         prog="labutopia-replay",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -1,11 +1,11 @@
 """`labutopia-report DIR...`: tables and a page of results, of unfinished ones too."""
 
-import argparse
 from pathlib import Path
 
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.printing_tables import print_tables
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.load_results import load_results
@@ -26,7 +26,7 @@ class NothingToReportError(UserError):
 @clear_errors
 def main() -> None:
     """Print the tables of all results below the folders, and write the page."""
-    parser = argparse.ArgumentParser(prog="labutopia-report", description=__doc__)
+    parser = OptionParser(prog="labutopia-report", description=__doc__)
     parser.add_argument(
         "places", type=Path, nargs="+", metavar="DIR", help="folder of results, or file of rows"
     )

@@ -12,6 +12,7 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.datasets.tables import INFO, read_json
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import PICTURES, verify
@@ -20,7 +21,7 @@ from labutopia_lerobot.datasets.verify import PICTURES, verify
 @clear_errors
 def main() -> None:
     """Verify the dataset that the command line names."""
-    parser = argparse.ArgumentParser(prog="labutopia-verify", description=__doc__)
+    parser = OptionParser(prog="labutopia-verify", description=__doc__)
     parser.add_argument("dataset", type=Path, help="folder of a LeRobotDataset v3")
     parser.add_argument(
         "--pictures",

@@ -1,6 +1,5 @@
 """`labutopia-view TASK`: look at the expert doing a task, in MuJoCo's viewer or as files."""
 
-import argparse
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +9,7 @@ from rich.console import Console
 from labutopia_lerobot.checks.why import why_failed
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.setting_flags import add_setting_flags, setting_of_flags
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
@@ -28,7 +28,7 @@ class ViewOptionError(UserError):
 @clear_errors
 def main() -> None:
     """Open the viewer where there is a display, else write `TASK.png` and `TASK.mp4`."""
-    parser = argparse.ArgumentParser(prog="labutopia-view", description=__doc__)
+    parser = OptionParser(prog="labutopia-view", description=__doc__)
     parser.add_argument("task", help="task id, such as level1/pick")
     parser.add_argument("--seed", type=int, default=0, help="of the first episode (default: 0)")
     parser.add_argument(

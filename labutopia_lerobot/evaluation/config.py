@@ -1,9 +1,7 @@
 """What to evaluate: the schema and the defaults of `eval/run.py`."""
 
-import difflib
 import os
-from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import Any
 
 from omegaconf import MISSING
@@ -139,24 +137,4 @@ class EvaluationConfig:
             raise EvaluationOptionError(
                 f"policy.rename={rename} is no map of keys, such as "
                 "'policy.rename={observation.images.front: observation.images.camera1}'"
-            )
-
-
-def require_known_options(arguments: Sequence[str]) -> None:
-    """Make sure that every argument is an override (`name=value`) that names an option.
-
-    Hydra refuses unknown names too, but does not say which there are.
-
-    Raises:
-        EvaluationOptionError: If one does not; the message lists the options.
-    """
-    options = [option.name for option in fields(EvaluationConfig)]
-    options += [f"policy.{option.name}" for option in fields(PolicyConfig)]
-    for argument in arguments:
-        name, equals, _ = argument.partition("=")
-        if not equals or name not in options:
-            near = difflib.get_close_matches(name, options, n=1)
-            hint = f" Did you mean '{near[0]}='?" if near else ""
-            raise EvaluationOptionError(
-                f"'{argument}' is no option.{hint} Options (name=value): {', '.join(options)}"
             )

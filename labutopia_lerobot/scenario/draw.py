@@ -1,7 +1,7 @@
 """What an episode draws: one value per axis, with train and test values that never meet."""
 
 import zlib
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -128,24 +128,33 @@ class Draw:
         """Tell whether an axis that every task has varies, for the user or for the task."""
         return axis in self._asked or axis in self._axes or ALL in self._axes
 
-    def require_axes(self, task_id: str) -> None:
+    @property
+    def axes(self) -> dict[str, bool]:
+        """Axis that was drawn -> whether `ood` can shift it."""
+        return dict(self._testable)
+
+    def require_axes(self, task_id: str, every: Callable[[], Mapping[str, bool]]) -> None:
         """Make sure, once everything is drawn, that the user's choice of axes meant something.
+
+        Args:
+            task_id: The task.
+            every: Returns all axes that the task has, drawn or not, as `axes`; asked for a message.
 
         Raises:
             UnknownOptionError: If the task has no such axis, or `ood` nothing to shift.
         """
-        offered = ", ".join(self._testable) or "none"
         for axis in self._axes:
             if axis != ALL and axis not in self._testable:
-                raise UnknownOptionError(f"axes={axis} is no axis of {task_id}. It has: {offered}")
+                raise UnknownOptionError(f"axes={axis} is no axis of {task_id}. {_listed(every())}")
             if self._split == "ood" and not self._testable.get(axis, any(self._testable.values())):
                 raise UnknownOptionError(
-                    f"split=ood cannot shift {axis} in {task_id}, which has no test value on it"
+                    f"split=ood cannot shift {axis} in {task_id}, which has no test value on it. "
+                    f"{_listed(every())}"
                 )
         if self._split == "ood" and not self._shifted:
             raise UnknownOptionError(
                 f"split=ood shifts nothing in {task_id} by itself: name what to shift, such as "
-                f"'axes=[{ALL}]'"
+                f"axes={ALL}. {_listed(every())}"
             )
 
     def _values_of[Item](
@@ -179,3 +188,10 @@ class Draw:
         if self._seeds is None:
             return None
         return np.random.default_rng([*self._seeds, zlib.crc32(f"{axis}{part}".encode())])
+
+
+def _listed(axes: Mapping[str, bool]) -> str:
+    """Return in words which axes there are, and which of them can be shifted."""
+    fixed = [axis for axis, testable in axes.items() if not testable]
+    but = f" but {', '.join(fixed)}" if fixed else ""
+    return f"It has: {', '.join(axes)} (or {ALL}). split=ood can shift each{but}"

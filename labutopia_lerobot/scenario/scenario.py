@@ -8,7 +8,7 @@ from labutopia_lerobot.registry import task_function
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario.draw import Draw, Value
 from labutopia_lerobot.scenario.variation import Variation, draw_instruction, draw_variation
-from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.setting import ALL, Setting
 from labutopia_lerobot.task import Task
 
 
@@ -66,12 +66,24 @@ def canonical_task(setting: Setting) -> Task:
 
 
 def _scenario(setting: Setting, draw: Draw) -> Scenario:
+    task, variation = _drawn(setting, draw)
+    if setting.liquid == "off":
+        task = task.without_liquid()
+    draw.require_axes(setting.task, lambda: _axes(setting))
+    return Scenario(task, variation, draw.values)
+
+
+def _drawn(setting: Setting, draw: Draw) -> tuple[Task, Variation]:
     task = task_function(setting.task, setting.tasks_dir)(draw)
     variation = draw_variation(draw, len(load_robot(setting.robot).joints))
     instruction = draw_instruction(draw, task)
     if instruction != task.instruction:
         task = replace(task, instruction=instruction)
-    if setting.liquid == "off":
-        task = task.without_liquid()
-    draw.require_axes(setting.task)
-    return Scenario(task, variation, draw.values)
+    return task, variation
+
+
+def _axes(setting: Setting) -> Mapping[str, bool]:
+    """Return every axis of a task, and whether `ood` can shift it."""
+    everything = Draw(axes=(ALL,))
+    _drawn(setting, everything)
+    return everything.axes

@@ -33,7 +33,7 @@ def test_ood_without_axes_shifts_what_the_task_says():
     draw = Draw("ood", (), SEEDS[0])
     assert draw.choice("size", train=("small",), test=("large",)) == "small"
     assert draw.choice("color", train=("red",), test=("blue",), shifted=True) == "blue"
-    draw.require_axes("a task")
+    draw.require_axes("a task", lambda: {"size": True, "colour": False})
 
 
 def test_overlapping_train_and_test_values_are_refused():
@@ -93,15 +93,15 @@ def test_an_axis_that_the_task_does_not_have_is_an_error_that_lists_those_it_has
     draw = Draw("id", ("colour",))
     sizes(draw)
     with pytest.raises(UnknownOptionError, match=r"axes=colour.*It has: size"):
-        draw.require_axes("level3/pick")
+        draw.require_axes("level3/pick", lambda: {"size": True, "colour": False})
 
 
 def test_ood_without_a_test_value_is_refused():
     draw = Draw("ood", ("size",))
     draw.choice("size", train=("small",))
     with pytest.raises(UnknownOptionError, match="no test value"):
-        draw.require_axes("level3/pick")
+        draw.require_axes("level3/pick", lambda: {"size": True, "colour": False})
     nothing = Draw("ood")
     sizes(nothing)
     with pytest.raises(UnknownOptionError, match="shifts nothing"):
-        nothing.require_axes("level3/pick")
+        nothing.require_axes("level3/pick", lambda: {"size": True, "colour": False})

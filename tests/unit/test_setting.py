@@ -12,7 +12,6 @@ from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.setting import (
     Setting,
     UnknownOptionError,
-    as_lists,
     option_help,
     setting_from,
     setting_of,
@@ -108,8 +107,3 @@ def test_every_program_declares_every_field():
 
 def test_every_field_has_its_help():
     assert {option.name for option in dataclasses.fields(Setting)} == option_help(Setting).keys()
-
-
-def test_a_single_value_of_what_takes_several_becomes_a_list():
-    given = ["axes=all", "cameras=[front]", "obs=state", "policy=act"]
-    assert as_lists(given) == ["axes=[all]", "cameras=[front]", "obs=state", "policy=act"]

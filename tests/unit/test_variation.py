@@ -115,7 +115,21 @@ def test_the_expert_copes(split, axes):
 
 
 def test_an_axis_that_does_not_exist_is_refused_before_anything_is_compiled():
-    with pytest.raises(UnknownOptionError, match=r"axes=colour is no axis of level1/pick"):
+    every = "material, wall, light, camera, robot_start, layout, room, instruction"
+    told = rf"axes=colour is no axis of level1/pick. It has: {every} \(or all\). split=ood can"
+    with pytest.raises(UnknownOptionError, match=told):
         LabEnv(Setting(PICK, axes=("colour",)))
     with pytest.raises(UnknownOptionError, match="split=ood shifts nothing in level1/pick"):
         LabEnv(Setting(PICK, split="ood"))
+
+
+def test_each_axis_that_a_message_lists_works():
+    with pytest.raises(UnknownOptionError) as told:
+        LabEnv(Setting("level3/pick", axes=("colour",), split="ood"))
+    listed, _, shifted = str(told.value).partition("It has: ")[2].partition(" (or all). ")
+    assert listed.startswith("object, material, ")
+    fixed = shifted.partition(" but ")[2].split(", ")
+    for axis in listed.split(", "):
+        LabEnv(Setting("level3/pick", axes=(axis,)))
+        if axis not in fixed:
+            LabEnv(Setting("level3/pick", axes=(axis,), split="ood"))
