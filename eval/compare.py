@@ -1,6 +1,6 @@
 """`python eval/compare.py DIR_A DIR_B`: which of two policies is better, on common seeds."""
 
-from labutopia_lerobot.cli.compare import main
+from labutopia_lerobot.cli.launch import launch
 
 if __name__ == "__main__":
-    main()
+    launch("compare")

@@ -8,10 +8,11 @@ from functools import wraps
 from rich.console import Console
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.runtime.termination import Terminated, terminated_like_interrupted
 
 
 def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
-    """Wrap a program: user errors exit with 2, a full disk with 1, Ctrl-C with 130.
+    """Wrap a program: user errors exit with 2, a full disk with 1, Ctrl-C with 130, SIGTERM 143.
 
     What a `KeyboardInterrupt` says, such as how to go on, is told. Anything else is a bug of ours
     and keeps its traceback.
@@ -20,7 +21,8 @@ def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
     @wraps(main)
     def wrapped(*args: P.args, **kwargs: P.kwargs) -> None:
         try:
-            main(*args, **kwargs)
+            with terminated_like_interrupted():
+                main(*args, **kwargs)
         except UserError as error:
             notes = getattr(error, "__notes__", ())
             _tell("\n".join((f"Error: {error}", *notes)), status=2)
@@ -30,7 +32,7 @@ def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
             _tell("Error: the disk is full. What was finished before is intact.", status=1)
         except KeyboardInterrupt as interrupt:
             told = f"Interrupted. What was finished before is intact. {interrupt}"
-            _tell(told.rstrip(), status=130)
+            _tell(told.rstrip(), status=143 if isinstance(interrupt, Terminated) else 130)
 
     return wrapped
 

@@ -40,10 +40,10 @@ def main() -> None:
     config = parse(arguments)
     try:
         run(config, Console())
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as interrupt:
         if (Path(config.out) / RESULT).exists():
             raise  # only films are missing
-        raise KeyboardInterrupt(f"Go on: {_same_command(config.out)}") from None
+        raise type(interrupt)(f"Go on: {_same_command(config.out)}") from None
     except Exception as error:
         if (Path(config.out) / ROWS).exists() and not isinstance(error, OccupiedFolderError):
             note = f"What was finished before is intact. Go on: {_same_command(config.out)}"

@@ -25,6 +25,7 @@ from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.runtime.termination import interrupts_held
 from labutopia_lerobot.runtime.workers import become_worker
 from labutopia_lerobot.setting import CAMERAS, Setting
 from labutopia_lerobot.sim.renderers import renderer_name
@@ -112,7 +113,8 @@ def _fps(setting: Setting, processes: int, seconds: float) -> float:
     with context.Manager() as manager:
         gate = manager.Barrier(processes)
         with ProcessPoolExecutor(processes, mp_context=context) as pool:
-            rates = [pool.submit(_replay, setting, seconds, gate) for _ in range(processes)]
+            with interrupts_held():  # it starts processes
+                rates = [pool.submit(_replay, setting, seconds, gate) for _ in range(processes)]
             return round(sum(rate.result() for rate in rates), 1)
 
 

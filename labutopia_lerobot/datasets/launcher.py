@@ -5,10 +5,12 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from labutopia_lerobot.datasets.candidate import Candidate, play_candidate, start_worker
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
+from labutopia_lerobot.runtime.termination import interrupts_held
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,11 @@ def launcher(config: RecordingConfig, work: Path) -> Iterator[Launcher]:
         initializer=start_worker,
     )
     with pool:
-        yield Launcher(
-            config.workers,
-            lambda task, index: pool.submit(play_candidate, config, work, task, index),
-        )
+        yield Launcher(config.workers, partial(_submit, pool, config, work))
+
+
+def _submit(
+    pool: ProcessPoolExecutor, config: RecordingConfig, work: Path, task: str, index: int
+) -> Future[Candidate]:
+    with interrupts_held():  # it starts processes
+        return pool.submit(play_candidate, config, work, task, index)

@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from itertools import islice
 
+from labutopia_lerobot.runtime.termination import interrupts_held, let_interrupts_through
+
 _AHEAD = 2
 """Jobs per process that are handed out: one in play and one that waits, so that none is idle."""
 
@@ -37,7 +39,9 @@ def in_processes[*Job, Result](
         pending: set[Future[Result]] = set()
         while True:
             ahead = _AHEAD * workers - len(pending)
-            pending |= {pool.submit(function, *job) for job in islice(remaining, ahead)}
+            for job in islice(remaining, ahead):
+                with interrupts_held():  # it starts processes
+                    pending.add(pool.submit(function, *job))
             if not pending:
                 return
             done, pending = wait(pending, return_when=FIRST_COMPLETED)
@@ -56,6 +60,7 @@ def become_worker(on_interrupt: signal.Handlers) -> None:
     """
     if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
         signal.signal(signal.SIGINT, on_interrupt)
+    let_interrupts_through()
     threading.Thread(target=_end_with_parent, daemon=True).start()
     os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software renderer: a process per core
 

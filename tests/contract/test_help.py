@@ -3,7 +3,6 @@
 import re
 import subprocess
 import sys
-import tomllib
 from dataclasses import fields
 from importlib import import_module
 from io import StringIO
@@ -98,30 +97,6 @@ def test_help_of_the_other_programs_explains_every_option(monkeypatch, capsys, p
     told = capsys.readouterr().out
     for option in options:
         assert re.search(rf"^  {option}\b.* \S+", told, re.MULTILINE), option
-
-
-def test_every_installed_program_is_there():
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    names = {entry.partition(":")[0].rpartition(".")[2] for entry in project["scripts"].values()}
-    assert names == {
-        "bench",
-        "check",
-        "compare",
-        "convert",
-        "evaluate",
-        "publish",
-        "recipe",
-        "record",
-        "render",
-        "replay",
-        "report",
-        "scene",
-        "verify",
-        "view",
-    }
-    for entry in project["scripts"].values():
-        module, _, function = entry.partition(":")
-        assert callable(getattr(import_module(module), function))
 
 
 def test_replaying_no_episode_is_a_mistake(monkeypatch, capsys):
