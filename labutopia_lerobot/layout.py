@@ -21,6 +21,10 @@ CLEARANCE = 0.01
 _TRIES = 1000
 
 
+class ImpossibleStartError(UserError, ValueError):
+    """A start that cannot be; the message names the things and their regions."""
+
+
 class Switch(Protocol):
     """A push-button that toggles a lamp each time it clicks in."""
 
@@ -109,6 +113,9 @@ class OnBench:
             post.
         shuffled: Bodies of the thing that are dealt out to each other's places, every order being
             equally likely; each has a frame of its name.
+
+    Raises:
+        ImpossibleStartError: If a range is none, or its greatest value comes first.
     """
 
     x: tuple[float, float]
@@ -116,6 +123,14 @@ class OnBench:
     yaw: tuple[float, float] = (-math.pi, math.pi)
     height: tuple[float, float] = (0.0, 0.0)
     shuffled: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name in ("x", "y", "yaw", "height"):
+            bounds = getattr(self, name)
+            if not isinstance(bounds, tuple) or len(bounds) != 2 or not bounds[0] <= bounds[1]:
+                raise ImpossibleStartError(
+                    f"OnBench: {name}={bounds} is no range: write {name}=(least, greatest)"
+                )
 
     def sample(self, rng: np.random.Generator, placed: Mapping[Piece, Placement]) -> Placement:
         """Draw one placement, wherever other things are."""
@@ -186,10 +201,6 @@ class Workspace:
     def of(cls, room: Room, robot: Robot) -> "Workspace":
         """Return the bench of a room and what a robot on its stand reaches."""
         return cls(room.bench.x, room.bench.y, room.robot_stand[:2], robot.reach)
-
-
-class ImpossibleStartError(UserError, ValueError):
-    """A start that cannot be; the message names the things and their regions."""
 
 
 def require_possible(start: Mapping[Piece, Start], workspace: Workspace) -> None:

@@ -16,12 +16,13 @@ import inspect
 import sys
 import warnings
 from collections.abc import Callable, Iterable
+from contextlib import nullcontext
 from functools import cache
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.errors import UserError, mistakes_located
 
 if TYPE_CHECKING:
     from labutopia_lerobot.scenario.draw import Draw
@@ -163,15 +164,24 @@ def task_function(task_id: str, tasks_dir: str | Path | None = None) -> "Callabl
     A function without an argument, whose task is always the same, is called once.
 
     Raises:
+        FileMistakeError: If the file, or what it calls, raises one of Python's own errors.
         UnknownTaskError: If there is no such task, or its file defines no such function.
     """
     path = require_task(task_id, tasks_dir)
-    function = getattr(_import(task_id, path), path.stem, None)
+    located = nullcontext if path.is_relative_to(_PACKAGED) else mistakes_located  # ours are bugs
+    folder = path.parents[2 if path.parent.name == BEYOND else 1]
+    with located(folder):
+        function = getattr(_import(task_id, path), path.stem, None)
     if not callable(function):
         raise UnknownTaskError(f"{path} must define the function `{path.stem}() -> Task`")
+
+    def made(*draw: "Draw") -> "Task":
+        with located(folder):
+            return _require_task_value(function(*draw), path)
+
     if inspect.signature(function).parameters:
-        return lambda draw: _require_task_value(function(draw), path)
-    task = _require_task_value(function(), path)
+        return made
+    task = made()
     return lambda draw: task
 
 

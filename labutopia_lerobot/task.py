@@ -1,5 +1,6 @@
 """A task is a value: what stands where, what is done step by step, what counts as success."""
 
+import reprlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import chain
@@ -268,10 +269,16 @@ def _require_all(kind: type, items: object, where: str) -> None:
     """Make sure that something is a tuple of one kind of thing."""
     if not isinstance(items, tuple):
         cure = " (is a comma missing?)" if isinstance(items, kind) else ""
-        raise TaskError(f"{where} must be a tuple, not {items!r}{cure}")
+        raise TaskError(f"{where} must be a tuple, not {_in_short(items)}{cure}")
     for item in items:
         if not isinstance(item, kind):
-            raise TaskError(f"{where} holds {item!r}, which is no {kind.__name__}")
+            raise TaskError(f"{where} holds {_in_short(item)}, which is no {kind.__name__}")
+
+
+def _in_short(item: object) -> str:
+    """Return what something is: a thing or fact by its name, else as Python shows it."""
+    name = getattr(item, "name", None)
+    return reprlib.repr(item) if name is None else f"the {type(item).__name__} '{name}'"
 
 
 def _require_outcomes(never: Mapping[str, Predicate], where: str) -> None:

@@ -17,6 +17,9 @@ from labutopia_lerobot.registry import require_task
 
 _PACKAGE = Path(__file__).parents[1]
 
+_SHIPPED = ("configs", "eval", "policies")
+"""Folders that only a wheel has in the package: no code."""
+
 _COMPUTING = (
     "lerobot_env_labutopia",
     "mujoco",
@@ -52,9 +55,9 @@ def code(tasks: Iterable[str], tasks_dir: str | None = None) -> dict[str, Any]:
 
     Returns:
         `commit` and `uncommitted_changes`, both None where the package lies in no repository that
-        tracks it, such as a wheel's; `sources`, the sha256 over every file of the package; `tasks`,
-        task id -> sha256 of its file. Of a task outside the package, what its file imports from
-        beside it is not covered.
+        tracks it, such as a wheel's; `sources`, the sha256 over every file of the package, which a
+        wheel has in common with its checkout; `tasks`, task id -> sha256 of its file. Of a task
+        outside the package, what its file imports from beside it is not covered.
 
     Raises:
         UnknownTaskError: If there is no such task.
@@ -87,8 +90,10 @@ def sha256(file: Path) -> str:
 def _sources() -> str:
     digest = hashlib.sha256()
     for file in sorted(_PACKAGE.rglob("*")):
-        if file.is_file() and "__pycache__" not in file.parts:
-            digest.update(f"{file.relative_to(_PACKAGE).as_posix()} {sha256(file)}\n".encode())
+        inside = file.relative_to(_PACKAGE)
+        if inside.parts[0] in _SHIPPED or "__pycache__" in inside.parts or not file.is_file():
+            continue
+        digest.update(f"{inside.as_posix()} {sha256(file)}\n".encode())
     return digest.hexdigest()
 
 

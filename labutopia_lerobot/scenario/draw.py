@@ -172,6 +172,9 @@ class Draw:
         return train
 
     def _number(self, axis: str, train: Span, test: Sequence[Span], shifted: bool) -> float:
+        for low, high in (train, *test):
+            if low > high:
+                raise AxisError(f"Axis '{axis}' has the range {(low, high)}: least value first")
         for low, high in test:
             if low < train[1] and train[0] < high:
                 raise AxisError(

@@ -4,10 +4,12 @@ import importlib.metadata
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.gymnasium_ids import register_tasks
 from labutopia_lerobot.registry import UnknownTaskError, task_files, task_function
 from labutopia_lerobot.setting import Setting
@@ -85,3 +87,49 @@ def test_tasks_that_clash_do_not_break_the_import(tasks_dir, monkeypatch):
     monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [entry])
     with pytest.warns(UserWarning, match=r"No Gymnasium id is registered.*exists twice"):
         register_tasks()
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "line", "told"),
+    [
+        ("import falling, gripped", "import falling, is_gripped", 5, "Did you mean 'gripped'?"),
+        ("(gripped(glass),))", "(griped(glass),))", 13, "Did you mean 'gripped'?"),
+        ("time_limit_s=15.0", "time_limit=15.0", 14, "Did you mean 'time_limit_s'?"),
+        ("y=(-0.07, 0.07)", "y=(0.07, -0.07)", 16, "write y=(least, greatest)"),
+        ("y=(-0.07, 0.07)", "y=0.07", 16, "y=0.07 is no range"),
+        ("500 ml", "501 ml", 12, "choose one of: 300 ml, 500 ml, 1000 ml"),
+        ("faster_than=0.4", "", 19, "missing a required keyword-only argument: 'faster_than'"),
+        ("    return Task(", "    return Task((", 14, "was never closed"),
+        (
+            "(held,), touches=(glass,)",
+            "held, touches=(glass,)",
+            17,
+            "not the Milestone 'gripped' (is a comma missing?)",
+        ),
+        ("    glass =", "    {}['a']\n    glass =", 12, "KeyError: 'a'"),
+    ],
+)
+def test_a_mistake_in_ones_own_file_is_told_with_its_line(tasks_dir, right, wrong, line, told):
+    file = tasks_dir / "level1" / "raise_flask.py"
+    assert right in file.read_text()
+    file.write_text(file.read_text().replace(right, wrong))
+    with pytest.raises(UserError) as raised:
+        task_function("level1/raise_flask", str(tasks_dir))
+    assert str(raised.value).startswith(f"{file}, line {line}: ")
+    assert told in str(raised.value)
+    assert len(str(raised.value).splitlines()) == 1
+
+
+def test_a_file_below_the_working_directory_is_told_as_it_is_typed(tasks_dir, monkeypatch):
+    (tasks_dir / "level1" / "raise_flask.py").write_text("import nothing_of_this_name")
+    monkeypatch.chdir(tasks_dir.parent)
+    told = "^my_tasks/level1/raise_flask.py, line 1: ModuleNotFoundError"
+    with pytest.raises(UserError, match=told):
+        task_function("level1/raise_flask", "my_tasks")
+
+
+def test_a_mistake_of_ours_is_no_mistake_of_the_user(monkeypatch):
+    broken = SimpleNamespace(pick=lambda: {}["a"])
+    monkeypatch.setattr("labutopia_lerobot.registry._import", lambda task, path: broken)
+    with pytest.raises(KeyError):
+        task_function.__wrapped__("level1/pick")

@@ -54,6 +54,13 @@ def test_without_a_repository_the_sources_tell_which_code_it_is(copy):
     assert task["tasks"] != whole["tasks"]
 
 
+def test_a_wheel_has_the_sources_of_the_checkout_it_is_built_of(copy):
+    checkout = told(copy)
+    for folder in ("configs", "policies", "eval"):  # a wheel carries these inside the package
+        shutil.copytree(PACKAGE.parent / folder, copy / "labutopia_lerobot" / folder)
+    assert told(copy)["sources"] == checkout["sources"]
+
+
 def test_in_a_repository_the_commit_and_its_changes_are_told(copy):
     clean = told(copy, "git init -q", "git add .", COMMIT)
     assert len(clean["commit"]) == 40
