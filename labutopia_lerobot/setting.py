@@ -9,13 +9,13 @@ import difflib
 import inspect
 import re
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import MISSING, dataclass, fields, replace
+from dataclasses import MISSING, asdict, dataclass, fields, replace
 from typing import Any, dataclass_transform
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import require_task
 from labutopia_lerobot.robots import DEFAULT_ROBOT, ROBOTS
-from labutopia_lerobot.scenes import DEFAULT_ROOM, load_room
+from labutopia_lerobot.scenes import DEFAULT_ROOM, load_room, room_label
 
 SPLITS = ("train", "id", "ood")
 """`train`: demonstrations. `id`: the same values, other seeds. `ood`: values never trained on."""
@@ -72,8 +72,9 @@ class Setting:
         tasks_dir: A further folder of tasks.
         liquid: `on`; with `off` vessels are empty, pouring and spilling are judged by tilts.
         particles: In how many particles the liquid of a task is divided.
-        robot: What plays, an arm of `robots.ROBOTS`.
-        room: Where: `laboratory`, or a furnished room such as `organic_7` that has a work place.
+        robot: Which arm plays, one of `robots.ROBOTS`.
+        room: Where: `laboratory`, a furnished room such as `organic_7` that has a work place, or
+            FILE.json of one that `labutopia-scene generate` made.
         renderer: `classic` (OpenGL) or `filament` (physically based, needs Vulkan; colours only).
         step: A step of the task, such as 3_place, to be played alone: the expert plays those
             before it, and the episode is over when it is done; null for the whole task.
@@ -106,6 +107,7 @@ class Setting:
         object.__setattr__(self, "axes", canonical_axes(self.axes))
         if self.tasks_dir is not None:
             object.__setattr__(self, "tasks_dir", str(self.tasks_dir))
+        object.__setattr__(self, "room", str(self.room))
         require_choices("obs", [self.obs], OBSERVATION_KINDS)
         require_choices("split", [self.split], SPLITS)
         require_choices("liquid", [self.liquid], LIQUID)
@@ -133,6 +135,11 @@ class Setting:
         require_between("width", self.width, 1, LARGEST_PICTURE[0])
         require_between("height", self.height, 1, LARGEST_PICTURE[1])
         require_task(self.task, self.tasks_dir)
+
+    @property
+    def described(self) -> dict[str, Any]:
+        """Every field by name, as datasets have it: a room in a file by its content, no path."""
+        return asdict(self) | {"room": room_label(self.room)}
 
     def without_pictures(self) -> "Setting":
         """Return the same with no pictures drawn: `obs=state`, and of the extras the numbers."""
@@ -221,7 +228,8 @@ def setting_from(options: Mapping[str, Any]) -> Setting:
 def option_help(options: type) -> dict[str, str]:
     """Return what the docstrings of a class `with_setting` and of `Setting` say of each option."""
     documented = [*reversed(Setting.__mro__), options]
-    return {name: text for kind in documented for name, text in _attributes(kind).items()}
+    told = {name: text for kind in documented for name, text in _attributes(kind).items()}
+    return told | {"robot": told["robot"].replace("`robots.ROBOTS`", ", ".join(ROBOTS))}
 
 
 def _attributes(documented: type) -> dict[str, str]:

@@ -13,7 +13,7 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.recording_bars import RecordingBars
-from labutopia_lerobot.cli.setting_flags import add_setting_flags
+from labutopia_lerobot.cli.setting_flags import add_room_file, add_setting_flags
 from labutopia_lerobot.datasets.rendering import render
 from labutopia_lerobot.datasets.tables import INFO, read_json
 from labutopia_lerobot.setting import Setting
@@ -33,6 +33,7 @@ def main() -> None:
     parser.add_argument("dataset", type=Path, help="folder that labutopia-record made")
     parser.add_argument("out", type=Path, help="folder of the new dataset")
     add_setting_flags(parser, but=[o.name for o in fields(Setting) if o.name not in _DRAWING])
+    add_room_file(parser)
     arguments = parser.parse_args()
     chosen = {name: getattr(arguments, name) for name in _DRAWING}
     episodes = read_json(arguments.dataset, INFO)["total_episodes"]

@@ -18,6 +18,7 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
+from labutopia_lerobot.cli.setting_flags import add_room_file
 from labutopia_lerobot.datasets.looking import Film, Look, find_episode, look_at
 from labutopia_lerobot.datasets.playback import Playback
 from labutopia_lerobot.datasets.replay import Replay, replay
@@ -55,6 +56,7 @@ def main() -> None:
     parser.add_argument(
         "--episodes", type=int, metavar="N", help="compare only the first N (default: all)"
     )
+    add_room_file(parser)
     arguments = parser.parse_args()
     if arguments.episode is not None:
         _show(arguments)

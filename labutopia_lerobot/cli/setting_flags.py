@@ -5,6 +5,8 @@ from collections.abc import Collection
 from dataclasses import fields
 from typing import Any
 
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import Setting, option_help, setting_from
 
 
@@ -32,6 +34,24 @@ def add_setting_flags(
             default=default,
             help=f"{helps[option.name]} (default: {shown})".replace("%", "%%"),
         )
+
+
+def add_room_file(parser: argparse.ArgumentParser) -> None:
+    """Give a program that plays datasets a flag for the file of the room they were recorded in."""
+    parser.add_argument(
+        "--room",
+        type=_known_room,
+        metavar="FILE.json",
+        help="the room of a dataset that was recorded in one of somebody's own",
+    )
+
+
+def _known_room(file: str) -> str:
+    try:
+        load_room(file)
+    except UserError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    return file
 
 
 def setting_of_flags(arguments: argparse.Namespace, task: str, **chosen: Any) -> Setting:

@@ -13,6 +13,7 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
+from labutopia_lerobot.cli.setting_flags import add_room_file
 from labutopia_lerobot.datasets.tables import INFO, read_json
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import PICTURES, verify
@@ -31,6 +32,7 @@ def main() -> None:
         help="how many frames of each episode to draw again and compare, or 'all' "
         f"(default: {PICTURES})",
     )
+    add_room_file(parser)
     arguments = parser.parse_args()
     root: Path = arguments.dataset
     with doing(Console(stderr=True), f"Verifying {root}"):

@@ -43,7 +43,7 @@ def annotations(candidate: Candidate, setting: Setting) -> dict[str, int | str]:
     values = asdict(candidate)
     segmented = SEGMENTATION in setting.extras
     return {
-        SETTING: json.dumps(asdict(setting)),
+        SETTING: json.dumps(setting.described),
         **{column: values[name] for column, name in _PLAIN.items()},
         **{column: json.dumps(values[name]) for column, name in _JSON.items()},
         **({SEGMENTS: json.dumps(segment_names(canonical_task(setting)))} if segmented else {}),

@@ -12,6 +12,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import choose_tasks, listed
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.video import require_filmable
+from labutopia_lerobot.scenes import room_label
 from labutopia_lerobot.setting import Setting, require_choices, setting_of, with_setting
 
 KEEP = ("successes", "failures")
@@ -31,7 +32,7 @@ class RecordingConfig:
 
     Attributes:
         task: Task id such as `level1/pick`, the bare name of a task of the level, or a list.
-        level: 1 to 5, a list of these, or `all`.
+        level: 1 to 4, a list of these, or `all`.
         together: Whether several tasks become one dataset, for which obs=pixels is needed.
         split: `train`, from which policies are to learn, or another for measurements.
         episodes: How many successful demonstrations of each task to store; more than a finished
@@ -146,6 +147,7 @@ class RecordingConfig:
         options = asdict(self)
         for name in _UNRECORDED:
             del options[name]
+        options["room"] = room_label(options["room"])
         return {
             "config": options,
             "code": provenance.code(self.tasks, getattr(self, "tasks_dir", None)),

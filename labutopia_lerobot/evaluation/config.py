@@ -64,7 +64,7 @@ class EvaluationConfig:
     Attributes:
         policy: Which policy plays.
         task: Task id, the bare name of a task of the level, or a list of these.
-        level: 1 to 5, a list of these, or `all`.
+        level: 1 to 4, a list of these, or `all`.
         split: `id`, `train`, `ood`, or a list.
         play: `single`: one policy plays all steps of a task. `staged`: one policy per step, each
             from the moment in which the step before it is done. Or `both`, one after the other.

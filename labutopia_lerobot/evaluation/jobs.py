@@ -18,6 +18,7 @@ from labutopia_lerobot.evaluation.policies import (
 )
 from labutopia_lerobot.evaluation.remote.remote_policy import REMOTE, open_server
 from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenes import room_label
 from labutopia_lerobot.setting import Setting, setting_of
 
 
@@ -50,7 +51,7 @@ class EvaluationJob:
             liquid=setting.liquid if _holds_liquid(setting) else None,
             particles=setting.particles,
             robot=setting.robot,
-            room=setting.room,
+            room=room_label(setting.room),
             obs=setting.obs,
             renderer=setting.renderer,
         )

@@ -15,6 +15,7 @@ from labutopia_lerobot.evaluation.policies import StagedPolicyMaker
 from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.json_object import read_json_object
+from labutopia_lerobot.scenes import room_label
 
 _FREE = ("out", "workers", "videos")
 """Options on which no row depends."""
@@ -38,7 +39,7 @@ def origin(
     # Of each once, whatever its splits: weights may be large.
     checkpoints = {name: each for job in jobs for name, each in _checkpoints(job)}
     return {
-        "config": {name: value for name, value in asdict(config).items() if name not in _FREE},
+        "config": {name: value for name, value in _options(config).items() if name not in _FREE},
         "code": provenance.code(tasks, tasks_dir),
         "versions": provenance.versions(),
         "checkpoints": {name: _weights(checkpoint) for name, checkpoint in checkpoints.items()},
@@ -64,8 +65,13 @@ def full_provenance(
         "device": _several(row.device for row in rows),
         "renderer": _several(row.renderer for row in rows),
         "machine": provenance.machine(),
-        "config": asdict(config),
+        "config": _options(config),
     }
+
+
+def _options(config: EvaluationConfig) -> dict[str, Any]:
+    options = asdict(config)
+    return options | {"room": room_label(options["room"])}
 
 
 def _checkpoints(job: EvaluationJob) -> Iterator[tuple[str, Checkpoint]]:

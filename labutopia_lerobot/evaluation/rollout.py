@@ -24,6 +24,7 @@ from labutopia_lerobot.evaluation.result_folder import film_of, film_of_expert
 from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.runtime.video import write_video
 from labutopia_lerobot.runtime.workers import in_processes
+from labutopia_lerobot.scenes import room_label
 from labutopia_lerobot.setting import IMAGE_SIZE, Setting
 from labutopia_lerobot.sim.classic_renderer import NoOpenGLError
 from labutopia_lerobot.sim.renderers import renderer_name, require_renderer
@@ -152,7 +153,7 @@ def _row(job: EvaluationJob, seed: int, steps: int, info: Info, workcell: Workce
         play=job.play,
         obs=setting.obs,
         robot=setting.robot,
-        room=setting.room,
+        room=room_label(setting.room),
         step=setting.step,
         after=info.get("after"),
         seed=seed,

@@ -9,6 +9,7 @@ from labutopia_lerobot.scenes.furnished_room import furnished_room
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.scenes.room import Room, Surface, UnknownRoomError
+from labutopia_lerobot.scenes.room_files import is_of_file, read_before, room_label
 
 ROOMS = {room.name: room for room in (LABORATORY,)}
 """Rooms that are no plans, by name."""
@@ -25,19 +26,34 @@ class NoWorkPlaceError(UserError, ValueError):
 
 
 def load_room(name: str) -> Room:
-    """Return the room of a name, such as `laboratory` or `organic_7`.
+    """Return the room of a name, such as `laboratory` or `organic_7`, or of a file.
+
+    Args:
+        name: Its name, a file that `labutopia-scene generate` made, or what a dataset calls that.
 
     Raises:
         UnknownRoomError: If there is none; the message names what is spelt alike.
         NoWorkPlaceError: If no robot can work in it.
+        PlanError: If the file cannot be read or is no plan.
     """
     if name in ROOMS:
         return ROOMS[name]
+    label = room_label(name)
+    if read_before(label) is not None:
+        return _planned_room(label)
+    if is_of_file(name):
+        raise UnknownRoomError(
+            f"room={name!r} is a room of somebody's own: without its file, "
+            f"{name.partition('@')[0]}.json, nothing can be played in it. Give that to "
+            "labutopia-replay, labutopia-verify or labutopia-render: --room FILE.json"
+        )
     known = (*ROOMS, *plan_names())
     if name not in known:
         near = difflib.get_close_matches(name, known, n=3, cutoff=0.5)
         choices = f"Did you mean: {', '.join(near)}?" if near else f"Choose from: {_some(known)}"
-        raise UnknownRoomError(f"room={name!r} is unknown. {choices}")
+        raise UnknownRoomError(
+            f"room={name!r} is unknown. {choices} A room of your own: room=FILE.json"
+        )
     return _planned_room(name)
 
 
@@ -57,7 +73,7 @@ def rooms_to_draw() -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 @cache
 def _planned_room(name: str) -> Room:
-    plan = load_plan(name)
+    plan = read_before(name) or load_plan(name)
     if not plan.work_places:
         train, test = rooms_to_draw()
         fit = sorted((*train, *test))
@@ -83,5 +99,6 @@ __all__ = [
     "Surface",
     "UnknownRoomError",
     "load_room",
+    "room_label",
     "rooms_to_draw",
 ]

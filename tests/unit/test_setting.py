@@ -9,6 +9,7 @@ import pytest
 from labutopia_lerobot import setting as settings
 from labutopia_lerobot.cli.setting_flags import add_setting_flags, setting_of_flags
 from labutopia_lerobot.registry import UnknownTaskError
+from labutopia_lerobot.robots import ROBOTS
 from labutopia_lerobot.setting import (
     Setting,
     UnknownOptionError,
@@ -107,3 +108,7 @@ def test_every_program_declares_every_field():
 
 def test_every_field_has_its_help():
     assert {option.name for option in dataclasses.fields(Setting)} == option_help(Setting).keys()
+
+
+def test_help_names_the_robots_that_can_be_typed():
+    assert option_help(Setting)["robot"].endswith(f"one of {', '.join(ROBOTS)}.")
