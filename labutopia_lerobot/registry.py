@@ -146,15 +146,27 @@ def require_task(task_id: str, tasks_dir: str | Path | None = None) -> Path:
     """Return the file of a task.
 
     Raises:
-        UnknownTaskError: If there is none; the message lists the tasks and the nearest match.
+        UnknownTaskError: If there is none; the message names the nearest, and what lists all.
     """
     files = task_files(tasks_dir)
     if task_id not in files:
-        near = difflib.get_close_matches(task_id, files, n=1, cutoff=0.5)
-        hint = f" Did you mean '{near[0]}'?" if near else ""
+        near = _nearest(task_id, list(files))
+        hint = f" Did you mean {' or '.join(repr(task) for task in near)}?" if near else ""
         own = "" if tasks_dir else ". A task of your own is found with tasks_dir="
-        raise UnknownTaskError(f"Unknown task '{task_id}'.{hint} Tasks: {', '.join(files)}{own}")
+        raise UnknownTaskError(
+            f"Unknown task '{task_id}'.{hint} `labutopia-record --help` lists all {len(files)}{own}"
+        )
     return files[task_id]
+
+
+def _nearest(task_id: str, tasks: list[str]) -> list[str]:
+    """Return the tasks of a bare name, of the lowest level first, or else those spelt alike."""
+    named = [task for task in tasks if task.split("/")[1] == task_id]
+    if named or "/" in task_id:
+        return named or difflib.get_close_matches(task_id, tasks, n=3, cutoff=0.7)
+    names = dict.fromkeys(task.split("/")[1] for task in tasks)
+    near = difflib.get_close_matches(task_id, names, n=2, cutoff=0.7)
+    return [task for name in near for task in tasks if task.split("/")[1] == name][:3]
 
 
 @cache

@@ -59,3 +59,7 @@ def main() -> None:
     for task, rate in figures["demos_per_hour"].items():
         table.add_row(f"demonstrations per hour, {task}", str(rate), "-")
     Console().print(table)
+
+
+if __name__ == "__main__":
+    main()

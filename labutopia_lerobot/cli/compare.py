@@ -2,6 +2,7 @@
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
@@ -32,10 +33,11 @@ def main() -> None:
         json.dump(content, sys.stdout, indent=1)
         sys.stdout.write("\n")
         return
-    names = (places[0].name, places[1].name)
-    if names[0] == names[1]:
-        names = (str(places[0]), str(places[1]))
-    print_tables([comparison_table(found, names)], arguments.tables)
+    names, note = (places[0].name, places[1].name), ""
+    if names[0] == names[1]:  # paths are too long for a head
+        names, note = ("A", "B"), f"A: {places[0]}, B: {places[1]}. "
+    table = comparison_table(found, names)
+    print_tables([replace(table, note=note + table.note)], arguments.tables)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ from typing import Any
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.dataset_folder import INFO, require_dataset
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.json_object import read_json_object
@@ -17,7 +18,7 @@ from labutopia_lerobot.runtime.shipped import shipped
 
 
 class RecipeError(UserError):
-    """No such recipe or dataset; the message lists the recipes, or says how to make one."""
+    """No such recipe, or an impossible number; the message lists the recipes."""
 
 
 @clear_errors
@@ -34,7 +35,11 @@ def main() -> None:
     parser.add_argument(
         "--batch-size", type=int, help="frames per step (default: the recipe's)", metavar="FRAMES"
     )
-    parser.add_argument("--out", type=Path, help="default: outputs/train/POLICY/LEVEL/TASK[/STEP]")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        help="default, where policy=POLICY looks: outputs/train/POLICY/LEVEL/TASK[/STEP]",
+    )
     arguments = parser.parse_args()
     command = training_command(
         arguments.policy, arguments.dataset, arguments.epochs, arguments.batch_size, arguments.out
@@ -55,7 +60,8 @@ def training_command(
         out: Where the training goes; None for where `policy=` looks for it.
 
     Raises:
-        RecipeError: If there is no such recipe or dataset, or a number is impossible.
+        NoDatasetError: If there is no such dataset.
+        RecipeError: If there is no such recipe, or a number is impossible.
     """
     info = _info(dataset)
     pictures = any(feature.get("dtype") == "video" for feature in info["features"].values())
@@ -106,12 +112,17 @@ def trained_frames(episodes: Iterable[tuple[str, int]], recipe: dict[str, Any]) 
 
 
 def _place(dataset: Path) -> str:
-    """Return where, below a policy's folder, evaluations look for what a dataset trains."""
-    name = "/".join(dataset.resolve().parts[-2:])
+    """Return where, below a policy's folder, evaluations look for what a dataset trains.
+
+    That is its task; of several tasks together, and of datasets of others, there is none, and it is
+    the end of the dataset's path.
+    """
     file = dataset / "meta" / "labutopia.json"
     recorded = read_json_object(file, RecipeError).get("config", {}) if file.is_file() else {}
-    step = recorded.get("step")
-    return name if step is None else f"{name.removesuffix(f'-{step}')}/{step}"
+    task, step = recorded.get("task"), recorded.get("step")
+    if not isinstance(task, str):
+        return "/".join(dataset.resolve().parts[-2:])
+    return task if step is None else f"{task}/{step}"
 
 
 def _policies() -> list[str]:
@@ -132,12 +143,8 @@ def _recipe(policy: str, name: str) -> Path:
 
 
 def _info(dataset: Path) -> dict[str, Any]:
-    file = dataset / "meta" / "info.json"
-    if not file.is_file():
-        raise RecipeError(
-            f"{dataset} is no LeRobotDataset ({file} is not there). Make one: "
-            "labutopia-record task=level1/pick"
-        )
+    file = dataset / INFO
+    require_dataset(dataset, (INFO,))
     return read_json_object(file, RecipeError)
 
 

@@ -96,8 +96,9 @@ def _summary(config: RecordingConfig, candidates: Sequence[Candidate]) -> str:
     failed = "".join(f"\n  {f.task}, seed {f.seed}: {f.cause}" for f in failures)
     stored = "are stored with their causes" if config.keep == "failures" else "are not stored"
     return (
-        f"Recorded {config.episodes} demonstrations of {' and '.join(config.tasks)} ({frames} "
-        f"frames) in {config.folder}; {len(failures)} of {len(candidates)} episodes failed and "
+        f"Recorded {config.episodes} demonstration{'s' * (config.episodes > 1)} of "
+        f"{'each of ' * (len(config.tasks) > 1)}{' and '.join(config.tasks)} ({frames} frames)"
+        f" in {config.folder}; {len(failures)} of {len(candidates)} episodes failed and "
         f"{stored}{':' if failures else '.'}{failed}"
     )
 

@@ -16,6 +16,7 @@ import pyarrow as pa
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.dataset_folder import dataset_folder
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.setting_flags import add_room_file
@@ -45,7 +46,7 @@ def main() -> None:
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("dataset", type=Path, help="folder that labutopia-record made")
+    parser.add_argument("dataset", type=dataset_folder, help="folder that labutopia-record made")
     parser.add_argument("--episode", type=int, metavar="N", help="number of the episode to show")
     parser.add_argument("--out", type=Path, metavar="FILE", help="FILE.mp4 or FILE.rrd to write")
     parser.add_argument(

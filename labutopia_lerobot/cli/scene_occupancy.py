@@ -10,6 +10,12 @@ from pathlib import Path
 
 from rich.console import Console
 
+from labutopia_lerobot.errors import UserError
+
+
+class NoFolderError(UserError):
+    """A file where a folder is wanted."""
+
 
 def add_occupancy(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the command `occupancy`; `run` of what it parses does it."""
@@ -36,6 +42,10 @@ def _run(arguments: argparse.Namespace) -> None:
     from labutopia_lerobot.scenes.occupancy import FREE, Occupancy  # here: they bring mujoco
     from labutopia_lerobot.scenes.plans import find_plan
 
+    if arguments.out.suffix in (".npz", ".png"):
+        raise NoFolderError(
+            f"--out {arguments.out} is to be a folder: the files in it are named for the room"
+        )
     plan = find_plan(arguments.room)
     occupancy = Occupancy.of(plan, arguments.resolution)
     arguments.out.mkdir(parents=True, exist_ok=True)

@@ -11,6 +11,7 @@ from pathlib import Path
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.dataset_folder import dataset_folder
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.setting_flags import add_room_file
@@ -23,7 +24,7 @@ from labutopia_lerobot.datasets.verify import PICTURES, verify
 def main() -> None:
     """Verify the dataset that the command line names."""
     parser = OptionParser(prog="labutopia-verify", description=__doc__)
-    parser.add_argument("dataset", type=Path, help="folder of a LeRobotDataset v3")
+    parser.add_argument("dataset", type=dataset_folder, help="folder of a LeRobotDataset v3")
     parser.add_argument(
         "--pictures",
         type=_pictures,

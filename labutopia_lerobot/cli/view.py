@@ -116,3 +116,7 @@ def _play(env: LabEnv, viewer: Viewer) -> None:
         over = terminated or truncated
     if over:
         _tell(env, expert)
+
+
+if __name__ == "__main__":
+    main()

@@ -77,7 +77,7 @@ def _work_folder(root: Path, provenance: dict[str, dict[str, Any]]) -> Path:
     elif strangers:
         raise RecordingFolderError(
             f"{root} holds something that is no recording of ours: {', '.join(strangers[:5])}. "
-            "Choose another root="
+            "Choose another folder"
         )
     work.mkdir(exist_ok=True)
     write_whole(manifest, provenance)

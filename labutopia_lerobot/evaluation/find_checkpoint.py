@@ -93,7 +93,10 @@ def _nothing_there(
     wanted = [CONFIG, "checkpoints/last/pretrained_model", place]
     looked = place if one_of_several else f"{', '.join(wanted[:-1])} nor {wanted[-1]}"
     recorded, recipe = (" obs=state", "train_state") if obs == "state" else ("", "train")
-    dataset, out = f"outputs/datasets/{named}", shlex.quote(str(path / place))
+    other = "" if not path.is_file() else "a file"
+    other = "a dataset" if (path / "meta" / "info.json").is_file() else other
+    below = Path("outputs/train") / (policy or "act") if other else path
+    dataset, out = f"outputs/datasets/{named}", shlex.quote(str(below / place))
     if (shipped("policies") / str(policy) / f"{recipe}.json").is_file():
         epochs = "" if obs == "state" else _EPOCHS.get(str(policy), "")
         training = f"$(labutopia-recipe {policy} {dataset}{epochs} --out {out})"
@@ -103,8 +106,9 @@ def _nothing_there(
             f"--dataset.repo_id=local/{named.rpartition('/')[2]} "
             f"--dataset.root={dataset} --output_dir={out}"
         )
+    lacks = f"is {other}" if other else f"holds no {looked}"
     return (
-        f"No checkpoint for {task_id}{only} at policy.path={path}, which holds no {looked}. "
+        f"No checkpoint for {task_id}{only} at policy.path={path}, which {lacks}. "
         f"Make one:\n  labutopia-record task={task_id}{only}{recorded}\n  {training}"
     )
 

@@ -99,8 +99,9 @@ def test_help_of_the_other_programs_explains_every_option(monkeypatch, capsys, p
         assert re.search(rf"^  {option}\b.* \S+", told, re.MULTILINE), option
 
 
-def test_replaying_no_episode_is_a_mistake(monkeypatch, capsys):
-    monkeypatch.setattr(sys, "argv", ["labutopia-replay", "nowhere", "--episodes", "0"])
+def test_replaying_no_episode_is_a_mistake(monkeypatch, capsys, tmp_path):
+    (tmp_path / "meta").mkdir()
+    monkeypatch.setattr(sys, "argv", ["labutopia-replay", str(tmp_path), "--episodes", "0"])
     with pytest.raises(SystemExit, match="2"):
         replay.main()
     assert "--episodes 0 is too small: at least 1" in capsys.readouterr().err

@@ -8,6 +8,7 @@ import pytest
 from lerobot.configs.train import TrainPipelineConfig
 from pyarrow import parquet
 
+from labutopia_lerobot.cli.dataset_folder import NoDatasetError, dataset_folder
 from labutopia_lerobot.cli.recipe import RecipeError, trained_frames, training_command
 from labutopia_lerobot.runtime.shipped import shipped
 from labutopia_lerobot.setting import CAMERAS
@@ -65,10 +66,36 @@ def test_a_dataset_without_pictures_gets_the_recipe_for_states(dataset: Path) ->
         training_command("smolvla", dataset, None, None, None)
 
 
+def test_the_folder_of_a_training_is_that_of_the_task_wherever_the_dataset_lies(
+    dataset: Path, tmp_path: Path
+) -> None:
+    moved = dataset.rename(tmp_path / "mine")
+    file = moved / "meta" / "labutopia.json"
+    for recorded, place in [
+        ({"task": "level1/press"}, "level1/press"),
+        ({"task": "level4/clean_beaker", "step": "3_place"}, "level4/clean_beaker/3_place"),
+        ({"task": ["level1/pick", "level1/press"]}, f"{tmp_path.name}/mine"),
+    ]:
+        file.write_text(json.dumps({"config": recorded}))
+        command = training_command("act", moved, None, None, None)
+        assert option(command, "output_dir") == f"outputs/train/act/{place}"
+
+
+def test_the_folder_above_datasets_is_told_with_those_in_it(dataset: Path) -> None:
+    for folder in (dataset.parent, dataset.parents[1]):
+        with pytest.raises(NoDatasetError, match=f"In it are: {dataset}$"):
+            training_command("act", folder, None, None, None)
+        with pytest.raises(NoDatasetError, match="In it are"):
+            dataset_folder(str(folder))
+    with pytest.raises(NoDatasetError, match="Make one: labutopia-record level1/pick"):
+        dataset_folder("nothere")
+    assert dataset_folder(str(dataset)) == dataset
+
+
 def test_mistakes_are_told(dataset: Path, tmp_path: Path) -> None:
     with pytest.raises(RecipeError, match="Recipes: act, diffusion, pi0, smolvla"):
         training_command("pick", dataset, None, None, None)
-    with pytest.raises(RecipeError, match="is no LeRobotDataset"):
+    with pytest.raises(NoDatasetError, match="is no LeRobotDataset"):
         training_command("act", tmp_path, None, None, None)
     with pytest.raises(RecipeError, match="--epochs 0 is too small"):
         training_command("act", dataset, 0, None, None)

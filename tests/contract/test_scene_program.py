@@ -37,11 +37,32 @@ def test_list_is_json_of_four_sorted_lists(scene):
     found = json.loads(out)
     assert status == 0
     assert list(found) == ["instruments", "glassware", "families", "rooms"]
-    assert all(names == sorted(set(names)) for names in found.values())
+    assert all(len(names) == len(set(names)) for names in found.values())
+    assert all(found[what] == sorted(found[what]) for what in ("instruments", "families"))
+    for what, first, then in [
+        ("rooms", "physics_9", "physics_10"),
+        ("glassware", "beaker_low 5 ml", "beaker_low 10 ml"),
+    ]:
+        assert found[what].index(first) == found[what].index(then) - 1
     assert set(found["instruments"]) == set(catalogue())
     assert set(found["families"]) == set(families())
     assert set(found["rooms"]) == set(plan_names())
     assert "beaker_low 250 ml" in found["glassware"]
+
+
+def test_the_list_for_people_has_short_lines_sizes_by_kind_and_rooms_by_family(scene):
+    status, out, _ = scene("list")
+    assert status == 0
+    assert max(len(line) for line in out.splitlines()) <= 100
+    assert "  beaker_conical: 100 ml, 250 ml, 500 ml\n" in out
+    assert "  organic_0, organic_1," in out
+
+
+def test_the_folder_of_a_map_is_no_file(scene, tmp_path):
+    status, _, err = scene("occupancy", "organic_7", "--out", str(tmp_path / "map.png"))
+    assert status == 2
+    assert "map.png is to be a folder" in err
+    assert not list(tmp_path.iterdir())
 
 
 def test_generate_writes_specification_mjcf_and_picture_the_same_bytes_twice(scene, tmp_path):

@@ -6,6 +6,7 @@ from torch.nn import Module
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint import CheckpointError, open_checkpoint
+from labutopia_lerobot.evaluation.find_checkpoint import find_checkpoint
 from labutopia_lerobot.evaluation.jobs import EvaluationJob
 from labutopia_lerobot.evaluation.learned_policy import LearnedPolicy, UnusableWeightsError
 from labutopia_lerobot.evaluation.rollout import play
@@ -188,3 +189,12 @@ def test_elements_of_a_state_are_compared_by_name_while_the_dataset_is_there(
             open_checkpoint(folder, "act", SETTING)
         (root / "meta" / "info.json").unlink()
     assert open_checkpoint(folder, "act", SETTING).folder == folder
+
+
+def test_a_dataset_is_no_checkpoint_and_nothing_is_trained_into_it(tmp_path: Path) -> None:
+    (tmp_path / "meta").mkdir()
+    (tmp_path / "meta" / "info.json").write_text("{}")
+    for path, what in [(tmp_path, "a dataset"), (tmp_path / "meta" / "info.json", "a file")]:
+        with pytest.raises(CheckpointError, match=f"{path}, which is {what}") as raised:
+            find_checkpoint(str(path), "act", TASK, "state")
+        assert "--out outputs/train/act/level1/pick" in str(raised.value)

@@ -255,3 +255,12 @@ def test_the_program_tells_p_values_as_json_and_a_table(tmp_path: Path) -> None:
         assert 0.0 <= entry["p_value"] <= entry["p_value_holm"] <= 1.0
         assert entry["difference95"][0] < entry["difference"] < entry["difference95"][1]
     assert told[0]["condition"]["room"] == "laboratory"
+
+
+def test_folders_of_one_name_are_told_apart_without_breaking_their_paths(tmp_path: Path) -> None:
+    kept = [(tmp_path / "a" / "long" / "run", BETTER), (tmp_path / "b" / "long" / "run", WORSE)]
+    folders = [str(keep(folder, rows)) for folder, rows in kept]
+    line = [sys.executable, str(COMPARE), *folders, "tables=markdown"]
+    done = subprocess.run(line, capture_output=True, text=True, check=True)
+    assert "| A | B |" in done.stdout
+    assert f"A: {folders[0]}, B: {folders[1]}." in done.stdout

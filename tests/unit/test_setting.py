@@ -49,6 +49,23 @@ def test_an_unknown_task_is_refused_with_the_nearest():
         Setting("level1/pik")
 
 
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("pick", "Did you mean 'level1/pick' or 'level3/pick'?"),
+        ("pres", "Did you mean 'level1/press' or 'level3/press'?"),
+        ("level2/pik", "Did you mean"),
+        ("zebra", "`labutopia-record --help` lists all"),
+    ],
+)
+def test_an_unknown_task_is_told_in_a_short_line_with_the_lowest_level_first(typed, meant):
+    with pytest.raises(UnknownTaskError) as raised:
+        Setting(typed)
+    assert meant in str(raised.value)
+    assert len(str(raised.value)) < 200
+    assert str(raised.value).count("level") <= 3
+
+
 def test_a_misspelt_option_is_refused_with_the_nearest():
     with pytest.raises(UnknownOptionError, match=r"'camera' is no option\. Did you mean 'cameras'"):
         setting_from({"task": PICK, "camera": "front"})
