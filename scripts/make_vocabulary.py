@@ -17,7 +17,12 @@ from typing import Any
 from labutopia_lerobot import layout, places, predicates, skills, substances, task, world
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.glass.vessel import Vessel
+from labutopia_lerobot.labware.parts import form
+from labutopia_lerobot.labware.parts.finish import FINISHES
+from labutopia_lerobot.labware.parts.instrument import Equipment, Instrument
+from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.robots import ROBOTS
+from labutopia_lerobot.setting import option_help
 from labutopia_lerobot.skills import posture, skill
 from labutopia_lerobot.substances import filling
 from labutopia_lerobot.tasks import actions, mishaps
@@ -65,6 +70,15 @@ def _chapters() -> Iterator[str]:
     yield from with_attributes(Vessel)
     yield from _from(Profile.__module__)
     yield from with_attributes(Profile)
+    yield from _chapter("Instruments of your own", Equipment.__module__)
+    yield from _instrument()
+    yield from _from(form.__name__)
+    for kind in _dataclasses(form, having="primitives"):
+        yield from with_attributes(kind)
+    yield f"Finishes of forms: {', '.join(f'`{name}`' for name in FINISHES)}."
+    yield ""
+    yield from _from(Place.__module__)
+    yield from with_attributes(Place)
     yield from _chapter("Where pieces start", "labutopia_lerobot.layout")
     for kind in _dataclasses(layout, having="sample"):
         yield from with_attributes(kind)
@@ -97,6 +111,24 @@ def _chapters() -> Iterator[str]:
     yield ""
     yield from _from("labutopia_lerobot.world")
     yield from with_attributes(world.Approach)
+
+
+def _instrument() -> Iterator[str]:
+    """Yield what an instrument of one's own says of itself, and what it may have."""
+    helps = option_help(Equipment)
+    yield f"### {Instrument.__name__}"
+    yield ""
+    yield "A frozen dataclass of these; its method `_forms` returns what stands still. Origin: the"
+    yield "centre of its base, z up; its front faces -x: left is +y."
+    yield ""
+    yield "| argument | meaning |"
+    yield "| --- | --- |"
+    for name in inspect.get_annotations(Equipment):
+        yield f"| {code(name)} | {cell(helps[name])} |"
+    for name, member in vars(Equipment).items():
+        if isinstance(member, property):
+            yield f"| {code(name)} | {cell(summary(member))} |"
+    yield ""
 
 
 def _chapter(title: str, module: str, where: str = "") -> list[str]:
