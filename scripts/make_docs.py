@@ -65,6 +65,8 @@ def write_gallery(drawn: Sequence[str]) -> None:
     gallery = [
         "# Gallery",
         "",
+        "[To the README](../README.md)",
+        "",
         "The expert with seed 0: start and end, from the three cameras; of long tasks also the",
         "moments in which their steps are done, from the front.",
         "",
@@ -163,6 +165,8 @@ def start_table() -> list[str]:
     lines = [
         "# Where things start",
         "",
+        "[To the README](../README.md)",
+        "",
         "Uniform over these ranges, world frame; the robot stands at x = -0.4 m and looks along",
         "x. In levels 1 to 3 what stands free is spread over the paper's 15 cm x 15 cm and turned",
         "by any yaw. Level 4's vessels get 4 to 12 cm: several of them, and the hand that comes to",
@@ -195,6 +199,8 @@ def failure_table(rows: Rows) -> list[str]:
     """Return the experts' failures by cause, in Markdown."""
     lines = [
         "# How experts fail",
+        "",
+        "[To the README](../README.md)",
         "",
         "Outcomes of the episodes behind the README's table; why episodes failed, and which phase",
         "the expert could not finish; how many starts were drawn anew because the expert could not",

@@ -62,6 +62,8 @@ def _lines() -> Iterator[str]:
     closures = [kind for kind, one in catalogue().items() if isinstance(one, ClosureSeries)]
     yield "# Glass, porcelain and plastic ware"
     yield ""
+    yield "[To the README](../README.md)"
+    yield ""
     yield "Made by `python scripts/make_glassware.py` from `labware/glass/ware`; do not edit."
     yield f"{len(catalogue())} kinds in {count} sizes, {len(vessels())} of them vessels and"
     yield f"{len(closures)} closures, beside the vessels of the tasks (docs/vocabulary.md). The bar"

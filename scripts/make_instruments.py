@@ -42,6 +42,8 @@ def page() -> str:
 def _lines() -> Iterator[str]:
     yield "# Instruments"
     yield ""
+    yield "[To the README](../README.md)"
+    yield ""
     yield "Made by `python scripts/make_instruments.py` from `labware/instruments`; do not edit."
     yield "Left: shut; right: all that moves opened. The bar on the floor is 100 mm long. Size is"
     yield 'depth x width x height with all that stands out. "From memory" means that no'

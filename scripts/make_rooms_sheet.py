@@ -41,6 +41,8 @@ def main() -> None:
 def _lines(plans: Sequence[Plan]) -> Iterator[str]:
     yield "# Rooms"
     yield ""
+    yield "[To the README](../README.md)"
+    yield ""
     yield "Made by `python scripts/make_rooms_sheet.py` from `scenes/plans`; do not edit."
     yield f"{len(plans)} furnished rooms, from above and without their ceilings. Every task of"
     yield "levels 1 to 4 can be played in those that have a work place, which ninety of them have:"

@@ -53,6 +53,8 @@ def page() -> str:
 def _chapters() -> Iterator[str]:
     yield "# Vocabulary"
     yield ""
+    yield "[To the README](../README.md)"
+    yield ""
     yield "Made by `python scripts/make_vocabulary.py` from the package; do not edit. How a task"
     yield "is made: [tutorial.md](tutorial.md). Units are in brackets; else metres and radians,"
     yield "unless a name says others. Predicates, skills and pieces of your own may stand in your"

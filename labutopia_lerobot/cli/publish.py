@@ -8,7 +8,7 @@ from rich.filesize import decimal
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
-from labutopia_lerobot.datasets.tables import INFO
+from labutopia_lerobot.datasets.tables import INFO, RECORDING, read_json
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
 from labutopia_lerobot.hub.dataset import dataset_repository
@@ -16,6 +16,7 @@ from labutopia_lerobot.hub.environment import environment_repository
 from labutopia_lerobot.hub.policy import find_policy, policy_repository
 from labutopia_lerobot.hub.publish import publish, require_repo_id
 from labutopia_lerobot.hub.repository import Repository
+from labutopia_lerobot.scenes.room_files import is_of_file
 
 ENVIRONMENT = "environment"
 
@@ -70,6 +71,7 @@ def _repository(what: str, repo_id: str, results: list[LoadedResult]) -> Reposit
     if what == ENVIRONMENT:
         return environment_repository(repo_id)
     if (Path(what) / INFO).exists():
+        _require_known_room(Path(what))
         return dataset_repository(Path(what), repo_id, results)
     policy = find_policy(Path(what))
     if policy is None:
@@ -78,6 +80,17 @@ def _repository(what: str, repo_id: str, results: list[LoadedResult]) -> Reposit
             f"Name the folder of one, or the word {ENVIRONMENT}"
         )
     return policy_repository(policy, repo_id, results)
+
+
+def _require_known_room(dataset: Path) -> None:
+    """Make sure that whoever gets a dataset can replay it."""
+    told = read_json(dataset, RECORDING) if (dataset / RECORDING).is_file() else {}
+    room = told.get("config", {}).get("room", "")
+    if is_of_file(room):
+        raise UnpublishableError(
+            f"{dataset} was recorded in a room of your own, {room}, which nobody else can replay "
+            "it in. Record it in one that `labutopia-scene list` names"
+        )
 
 
 def _list(repository: Repository, repo_id: str, private: bool) -> str:

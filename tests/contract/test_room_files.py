@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from labutopia_lerobot.cli import replay, verify
+from labutopia_lerobot.cli import publish, replay, verify
 from labutopia_lerobot.cli.evaluate import parse as evaluated
 from labutopia_lerobot.datasets.tables import RECORDING, read_episodes, read_json
 from labutopia_lerobot.env import LabEnv
@@ -91,6 +91,16 @@ def test_a_dataset_holds_no_path_and_is_replayed_with_the_file(
     assert "1 of 1 succeeded again" in capsys.readouterr().out
     monkeypatch.setattr("sys.argv", ["labutopia-verify", str(dataset), "--room", str(file)])
     verify.main()
+
+
+def test_a_dataset_in_a_room_of_ones_own_is_not_published(
+    dataset: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    line = ["labutopia-publish", str(dataset), "repo_id=me/press", "dry_run=true"]
+    monkeypatch.setattr("sys.argv", line)
+    with pytest.raises(SystemExit, match="2"):
+        publish.main()
+    assert "was recorded in a room of your own, mine@" in capsys.readouterr().err
 
 
 def test_what_is_no_room_is_told(tmp_path: Path) -> None:

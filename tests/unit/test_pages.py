@@ -1,0 +1,14 @@
+"""Pages of the documentation lead to each other."""
+
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+README = (ROOT / "README.md").read_text()
+
+
+@pytest.mark.parametrize("page", sorted((ROOT / "docs").glob("*.md")), ids=lambda page: page.stem)
+def test_the_readme_leads_to_every_page_and_every_page_back(page: Path) -> None:
+    assert f"](docs/{page.name})" in README
+    assert "[To the README](../README.md)" in page.read_text()
