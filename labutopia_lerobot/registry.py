@@ -152,9 +152,13 @@ def require_task(task_id: str, tasks_dir: str | Path | None = None) -> Path:
     if task_id not in files:
         near = _nearest(task_id, list(files))
         hint = f" Did you mean {' or '.join(repr(task) for task in near)}?" if near else ""
-        own = "" if tasks_dir else ". A task of your own is found with tasks_dir="
+        own = "A task of your own is found with tasks_dir="
+        if tasks_dir:
+            folder = Path(tasks_dir).resolve()
+            mine = [task for task, path in files.items() if path.is_relative_to(folder)]
+            own = f"In {tasks_dir}: {', '.join(mine)}"
         raise UnknownTaskError(
-            f"Unknown task '{task_id}'.{hint} `labutopia-record --help` lists all {len(files)}{own}"
+            f"Unknown task '{task_id}'.{hint} `labutopia-record --help` lists all. {own}"
         )
     return files[task_id]
 
@@ -163,7 +167,7 @@ def _nearest(task_id: str, tasks: list[str]) -> list[str]:
     """Return the tasks of a bare name, of the lowest level first, or else those spelt alike."""
     named = [task for task in tasks if task.split("/")[1] == task_id]
     if named or "/" in task_id:
-        return named or difflib.get_close_matches(task_id, tasks, n=3, cutoff=0.7)
+        return named or difflib.get_close_matches(task_id, tasks, n=3, cutoff=0.8)
     names = dict.fromkeys(task.split("/")[1] for task in tasks)
     near = difflib.get_close_matches(task_id, names, n=2, cutoff=0.7)
     return [task for name in near for task in tasks if task.split("/")[1] == name][:3]

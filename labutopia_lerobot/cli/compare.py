@@ -34,8 +34,10 @@ def main() -> None:
         sys.stdout.write("\n")
         return
     names, note = (places[0].name, places[1].name), ""
-    if names[0] == names[1]:  # paths are too long for a head
-        names, note = ("A", "B"), f"A: {places[0]}, B: {places[1]}. "
+    if names[0] == names[1]:
+        names = (str(places[0]), str(places[1]))
+        if arguments.tables != "csv":  # whose heads may be long
+            names, note = ("A", "B"), f"A: {names[0]}, B: {names[1]}. "
     table = comparison_table(found, names)
     print_tables([replace(table, note=note + table.note)], arguments.tables)
 

@@ -13,6 +13,7 @@ from rich.console import Console
 
 from labutopia_lerobot.cli import bench, record, replay, speed
 from labutopia_lerobot.cli.doing import doing
+from labutopia_lerobot.cli.grammar import ABOUT
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
@@ -37,6 +38,7 @@ def entries(text: str) -> dict[str, str]:
 def test_help_of_the_evaluator_explains_every_option_and_lists_the_policies():
     done = evaluate("--help")
     assert done.returncode == 0, done.stderr
+    assert ABOUT in done.stdout
     listed = entries(done.stdout)
     names = {option.name for option in fields(EvaluationConfig)} - {"policy"}
     assert set(listed) == names | {f"policy.{option.name}" for option in fields(PolicyConfig)}
@@ -95,6 +97,7 @@ def test_help_of_the_other_programs_explains_every_option(monkeypatch, capsys, p
     with pytest.raises(SystemExit, match="0"):
         import_module(f"labutopia_lerobot.cli.{program}").main()
     told = capsys.readouterr().out
+    assert ABOUT in told
     for option in options:
         assert re.search(rf"^  {option}\b.* \S+", told, re.MULTILINE), option
 

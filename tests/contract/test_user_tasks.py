@@ -56,6 +56,12 @@ def test_the_evaluator_plays_it_from_the_command_line(tasks_dir, tmp_path):
     assert (out / "result.json").is_file()
 
 
+def test_a_misspelt_task_of_ones_own_is_told_with_those_in_the_folder(tasks_dir):
+    told = rf"Did you mean 'level1/raise_flask'\?.* In {tasks_dir}: level1/raise_flask$"
+    with pytest.raises(UnknownTaskError, match=told):
+        Setting("level1/raise_flsk", tasks_dir=str(tasks_dir))
+
+
 def test_an_empty_folder_is_an_error_that_says_where_tasks_go(tmp_path):
     with pytest.raises(UnknownTaskError, match=r"level1/<name>\.py"):
         task_files(tmp_path)
