@@ -5,22 +5,36 @@ not by the names of things, so that it is played in tasks that do not exist yet.
 """
 
 from collections.abc import Callable
+from functools import cache
 from itertools import chain, repeat
 from typing import Any
 
 import numpy as np
+import pytest
 
 from attacks.arm import Actions, Arm
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.skills.skill import Skill
+from labutopia_lerobot.task import DIVERGED
 from labutopia_lerobot.world import CONTROL_HZ, LEFT_PAD, RIGHT_PAD, Pose
 
 type Play = Callable[[LabEnv], Actions]
+
+SEEDS = [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 5))]
+
+
+@cache
+def begun(task: str, liquid: str = "off", axes: tuple[str, ...] = ()) -> LabEnv:
+    """Return an environment without pictures, with a third of the usual particles."""
+    return LabEnv(Setting(task, obs="state", liquid=liquid, particles=300, axes=axes))
 
 
 def outcome(env: LabEnv, play: Play, seed: int) -> dict[str, Any]:
     """Play from a reset until the episode is over; return the last info.
 
-    When the play has no more actions the last one is repeated.
+    When the play has no more actions the last one is repeated. An episode in which the physics
+    diverged shows nothing of the judge: it is an error.
     """
     env.reset(seed=seed)
     actions, over = play(env), False
@@ -29,6 +43,8 @@ def outcome(env: LabEnv, play: Play, seed: int) -> dict[str, Any]:
         action = next(actions, action)
         _, _, terminated, truncated, info = env.step(action)
         over = terminated or truncated
+    if info["outcome"] == DIVERGED:
+        raise AssertionError(f"the physics of {env.task}, seed {seed}, diverged")
     return info
 
 
@@ -57,6 +73,47 @@ def until_phase(env: LabEnv, label: str) -> Actions:
         if script.label == label:
             return
         yield action
+
+
+def until_step(env: LabEnv, step: str, label: str) -> Actions:
+    """Play as the expert does until, within a step, it begins a phase."""
+    script = env.expert()
+    script.start()
+    while True:
+        action = script.act()
+        now = env.workcell.progress.step
+        if script.label == label and now is not None and now.name == step:
+            return
+        yield action
+
+
+def skilled(env: LabEnv, *skills: Skill) -> Actions:
+    """Play skills as an expert would, from what there is now; a skill that fails is an error."""
+    script = env.workcell.expert(skills)
+    script.start()
+    while not script.finished:
+        action = script.act()
+        if script.failure is not None:
+            raise AssertionError(f"{env.task}, seed {env.seed}: {script.failure}")
+        yield action
+
+
+def skilled_until(env: LabEnv, label: str, *skills: Skill) -> Actions:
+    """Play skills as an expert would until it begins a phase."""
+    script = env.workcell.expert(skills)
+    script.start()
+    while True:
+        action = script.act()
+        if script.label == label:
+            return
+        if script.finished or script.failure is not None:
+            raise AssertionError(f"{env.task}, seed {env.seed}: {label} not begun")
+        yield action
+
+
+def reached(info: dict[str, Any]) -> list[str]:
+    """Return the milestones that have latched."""
+    return [name for name, time in info["substeps"].items() if time < np.inf]
 
 
 def _latched(env: LabEnv) -> bool:
