@@ -64,26 +64,17 @@ def until(env: LabEnv, happened: Callable[[], bool]) -> Actions:
         yield action
 
 
-def until_phase(env: LabEnv, label: str) -> Actions:
-    """Play as the expert does until it begins a phase, such as `place/lower`."""
-    script = env.expert()
-    script.start()
-    while True:
-        action = script.act()
-        if script.label == label:
-            return
-        yield action
-
-
-def until_step(env: LabEnv, step: str, label: str) -> Actions:
-    """Play as the expert does until, within a step, it begins a phase."""
+def until_phase(env: LabEnv, label: str, step: str | None = None) -> Actions:
+    """Play as the expert does until it begins a phase, such as `place/lower`, within a step."""
     script = env.expert()
     script.start()
     while True:
         action = script.act()
         now = env.workcell.progress.step
-        if script.label == label and now is not None and now.name == step:
+        if script.label == label and (step is None or (now is not None and now.name == step)):
             return
+        if script.finished or script.failure is not None:
+            raise AssertionError(f"{env.task}, seed {env.seed}: {label} was not begun")
         yield action
 
 
@@ -195,6 +186,34 @@ def tremble(env: LabEnv) -> Actions:
         noise = rng.normal(0.0, 0.0005, len(action))
         noise[-1] = 0.0
         yield action + noise.astype(np.float32)
+
+
+def shove_a_bystander(label: str) -> Play:
+    """Make a play that shoves what stands around, on the right, with what is in the hand.
+
+    From the beginning of a phase on; when something has been shoved, the hand goes back and the
+    task's last skill is played.
+    """
+
+    def play(env: LabEnv) -> Actions:
+        yield from until_phase(env, label)
+        world, arm, skill = env.workcell.world, Arm(env), env.workcell.task.skills[-1]
+        held = world.pose(skill.thing).position_w
+        standing = [thing for thing in world.movable if thing.name.startswith("bystander")]
+        places = [world.pose(thing).position_w for thing in standing]
+        there = min(places, key=lambda place: abs(place[1] - held[1] + 0.2))
+        low = 0.03 + world.bench_height - held[2]
+        home = arm.pose
+        beside = home.moved(*(there[:2] - held[:2] + (0.0, 0.16)), low)
+        yield from chain(arm.go(beside, speed=0.2), arm.stay(0.2))
+        yield from arm.go(beside.moved(y=-0.16), speed=0.08)
+        moved = [world.pose(thing).distance_to(world.stood(thing)) for thing in standing]
+        assert max(moved) > 0.02
+        yield from arm.go(home.moved(z=0.25 if low > -0.1 else 0.0), speed=0.2)
+        if not label.startswith("pick"):
+            yield from skilled(env, skill)
+
+    return play
 
 
 def turned(pose: Pose, axis: int, angle: float) -> Pose:
