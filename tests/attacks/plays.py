@@ -107,9 +107,10 @@ def reached(info: dict[str, Any]) -> list[str]:
     return [name for name, time in info["substeps"].items() if time < np.inf]
 
 
-def _latched(env: LabEnv) -> bool:
-    """Tell whether the first milestone has latched."""
-    return any(time is not None for time in env.workcell.progress.milestones.values())
+def latched(env: LabEnv) -> list[str]:
+    """Return the milestones that have latched by now."""
+    times = env.workcell.progress.milestones
+    return [name for name, time in times.items() if time is not None]
 
 
 def _down(arm: Arm, env: LabEnv, speed: float = 0.25) -> Actions:
@@ -145,7 +146,7 @@ def never_close_the_hand(env: LabEnv) -> Actions:
 
 def give_up_half_way(env: LabEnv) -> Actions:
     """Stop for good when the first milestone has latched."""
-    yield from until(env, lambda: _latched(env))
+    yield from until(env, lambda: bool(latched(env)))
     yield from Arm(env).stay(60.0)
 
 

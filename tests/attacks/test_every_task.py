@@ -1,51 +1,99 @@
-"""Attacks on every registered task, without liquid: the judge is the same, and much faster.
+"""Attacks on every registered task, without liquid, which is much faster, and with.
 
-Levels 3 and 4 are made of the steps of levels 1 and 2: `make test-slow` plays them, and more seeds.
+Levels 3 and 4 are made of the steps of levels 1 and 2: `make test-slow` plays them, and more seeds,
+and all that has liquid once more with it.
 """
 
 import pytest
 
-from attacks.plays import FAILING, PASSING, Play, drop, outcome, shake_while_holding
+from attacks.plays import (
+    FAILING,
+    PASSING,
+    SEEDS,
+    Play,
+    begun,
+    drop,
+    outcome,
+    ram_the_bench,
+    shake_while_holding,
+)
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
-from labutopia_lerobot.setting import Setting
 
-TASKS = [
+DRY = [
     pytest.param(task, marks=[pytest.mark.slow] if task.startswith(("level3", "level4")) else [])
     for task in task_files()
 ]
-SEEDS = [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 5))]
+SQUEEZE = "level1/squeeze"
+"""Has liquid in any case: there is nothing to squeeze without."""
+WET = [
+    pytest.param(task, marks=[] if task == "level1/pour" else [pytest.mark.slow])
+    for task in task_files()
+    if task != SQUEEZE
+]
 
 
-@pytest.fixture(params=TASKS, scope="module", ids=lambda task: task.replace("/", "-"))
+def named(task: object) -> str:
+    return str(task).replace("/", "-")
+
+
+@pytest.fixture(params=DRY, scope="module", ids=named)
 def env(request: pytest.FixtureRequest) -> LabEnv:
-    return LabEnv(Setting(request.param, obs="state", liquid="off"))
+    return begun(request.param)
 
 
-def applies(play: Play, env: LabEnv) -> bool:
-    """Tell whether a play fails a task: nothing can be dropped where nothing is held."""
+@pytest.fixture(params=WET, scope="module", ids=named)
+def wet(request: pytest.FixtureRequest) -> LabEnv:
+    env = begun(request.param, "on")
+    env.reset(seed=0)
+    if not env.workcell.task.contents:
+        pytest.skip("there is no liquid in this task")
+    return env
+
+
+def require_that_it_applies(play: Play, env: LabEnv) -> None:
+    """Skip what is no failure: nothing can be dropped where nothing is held."""
+    env.reset(seed=0)
     task = env.workcell.task
-    if play is shake_while_holding:
-        return any(fact.name.endswith(" gripped") for fact in task.goal)
-    held = any(name.endswith((" gripped", " grasped")) for name in task.facts)
-    return held if play is drop else True
+    if play is shake_while_holding and not any(fact.name.endswith(" gripped") for fact in task.goal):
+        pytest.skip("nothing is in the hand in the end")
+    if play is drop and not any(name.endswith((" gripped", " grasped")) for name in task.facts):
+        pytest.skip("nothing is ever held")
+
+
+def judged(env: LabEnv, play: Play, seed: int) -> str:
+    """Return the outcome of a play that fails the task."""
+    require_that_it_applies(play, env)
+    return str(outcome(env, play, seed)["outcome"])
+
+
+def check_failure(env: LabEnv, play: Play, seed: int) -> None:
+    """Check that a play is not won, and that a ram into the bench is told as what it is."""
+    told = judged(env, play, seed)
+    assert told != "success"
+    if play is ram_the_bench:
+        assert told not in {"timeout", "interrupted"}
 
 
 @pytest.mark.parametrize("play", FAILING, ids=lambda play: play.__name__)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_person_would_fail(env: LabEnv, play: Play, seed: int):
-    env.reset(seed=seed)
-    if applies(play, env):
-        assert outcome(env, play, seed)["outcome"] != "success"
-
-
-@pytest.mark.parametrize("seed", SEEDS)
-def test_a_ram_into_the_bench_is_told_as_what_it_is(env: LabEnv, seed: int):
-    told = outcome(env, FAILING[0], seed)["outcome"]
-    assert told not in {"success", "timeout", "interrupted"}
+    check_failure(env, play, seed)
 
 
 @pytest.mark.parametrize("play", PASSING, ids=lambda play: play.__name__)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_person_would_pass(env: LabEnv, play: Play, seed: int):
     assert outcome(env, play, seed)["outcome"] == "success"
+
+
+@pytest.mark.parametrize("play", FAILING, ids=lambda play: play.__name__)
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_person_would_fail_with_liquid(wet: LabEnv, play: Play, seed: int):
+    check_failure(wet, play, seed)
+
+
+@pytest.mark.parametrize("play", PASSING, ids=lambda play: play.__name__)
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_person_would_pass_with_liquid(wet: LabEnv, play: Play, seed: int):
+    assert outcome(wet, play, seed)["outcome"] == "success"

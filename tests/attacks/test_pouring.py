@@ -156,7 +156,7 @@ def in_two_stages(env: LabEnv) -> Actions:
 
 def from_higher(env: LabEnv) -> Actions:
     """Pour with the lip 23 cm above the target."""
-    yield from skilled(env, replace(pouring(env), drop=0.23))
+    yield from skilled(env, replace(pouring(env), drop=0.23, short=0.045))
 
 
 def slowly(env: LabEnv) -> Actions:
