@@ -9,11 +9,13 @@ import pytest
 from attacks.arm import Actions, Arm
 from attacks.plays import (
     SEEDS,
+    UNFINISHED,
     Play,
     begun,
     outcome,
     reached,
     skilled,
+    slow,
     turned,
     until_phase,
 )
@@ -76,7 +78,7 @@ def pushed_at(
         before = Pose(point - reach * hand.z_axis, hand.rotation_w)
         yield from chain(arm.go(before, speed=0.1, opening=opening), arm.stay(0.5))
         inside = before.moved(*((0.03 + button.travel + beyond) * face.z_axis))
-        yield from chain(arm.go(inside, speed=speed), arm.stay(60.0))
+        yield from arm.go(inside, speed=speed)
 
     return play
 
@@ -104,7 +106,7 @@ def off_again(env: LabEnv) -> Actions:
     arm = Arm(env)
     inside = arm.pose
     yield from chain(arm.go(inside.advanced(-0.03), speed=0.15), arm.go(inside, speed=0.06))
-    yield from chain(arm.stay(0.3), arm.go(inside.advanced(-0.12)), arm.stay(60.0))
+    yield from chain(arm.stay(0.3), arm.go(inside.advanced(-0.12)))
 
 
 def with_the_beaker(env: LabEnv) -> Actions:
@@ -112,7 +114,10 @@ def with_the_beaker(env: LabEnv) -> Actions:
     yield from until_phase(env, "place/above")
     world, arm, button = env.workcell.world, Arm(env), pressing(env).button
     home = arm.pose
-    way = world.frame(button.name).position_w - world.pose(env.workcell.task.skills[0].thing).position_w
+    way = (
+        world.frame(button.name).position_w
+        - world.pose(env.workcell.task.skills[0].thing).position_w
+    )
     above = home.moved(way[0], way[1], way[2] + 0.03)
     yield from chain(arm.go(above, speed=0.15), arm.stay(0.3))
     yield from chain(arm.go(above.moved(z=-0.04), speed=0.05), arm.stay(0.3))
@@ -125,7 +130,7 @@ FAILING: tuple[tuple[str, Play, str], ...] = (
     ("level3/press", press_the_wrong_one, "wrong_button"),
     ("level1/press", then_another, "wrong_button"),
     ("level2/heat_beaker", on_before_it_is_loaded, "pressed_out_of_turn"),
-    ("level3/heat_beaker", on_before_it_is_loaded, "pressed_out_of_turn"),
+    slow("level3/heat_beaker", on_before_it_is_loaded, "pressed_out_of_turn"),
     ("level2/heat_beaker", with_the_beaker, "pressed_out_of_turn"),
     ("level1/press", pushed_at(beyond=0.15), "collided"),
 )
@@ -133,12 +138,12 @@ FAILING: tuple[tuple[str, Play, str], ...] = (
 
 UNDONE: tuple[tuple[str, Play, str], ...] = (
     ("level1/press", tap, "pressed"),
-    ("level3/press", tap, "pressed"),
+    slow("level3/press", tap, "pressed"),
     ("level1/press", pushed_at(above=0.014), "pressed"),
     ("level1/press", pushed_at(above=-0.014), "pressed"),
     ("level2/heat_beaker", off_again, "pressed"),
 )
-"""Task, play, and how far the judge thinks it has come when the time is up."""
+"""Task, play, and how far the judge thinks it has come when it is over."""
 
 PASSING: tuple[tuple[str, Play], ...] = (
     ("level1/press", one_tip(0.03)),
@@ -147,10 +152,6 @@ PASSING: tuple[tuple[str, Play], ...] = (
     ("level1/press", pushed_at(lean_deg=-13.0)),
     ("level1/press", pushed_at(aside=0.006)),
     ("level1/press", pushed_at(speed=0.01)),
-)
-
-ROUGH: tuple[tuple[str, Play], ...] = (
-    ("level1/press", pushed_at(speed=1.0)),
 )
 
 
@@ -166,7 +167,8 @@ def test_what_a_person_would_call_a_failure_is_called_by_its_name(
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_is_not_so_in_the_end_has_not_been_done(task: str, play: Play, last: str, seed: int):
     info = outcome(begun(task), play, seed)
-    assert (info["outcome"], reached(info)[-1]) == ("timeout", last)
+    assert info["outcome"] in UNFINISHED
+    assert (reached(info) or [""])[-1] == last
 
 
 @pytest.mark.parametrize(("task", "play"), PASSING)

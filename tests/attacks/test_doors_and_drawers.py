@@ -9,6 +9,7 @@ import pytest
 from attacks.arm import Actions, Arm
 from attacks.plays import (
     SEEDS,
+    UNFINISHED,
     Play,
     begun,
     outcome,
@@ -38,7 +39,7 @@ def opening_of(env: LabEnv) -> float:
 
 
 def swing(env: LabEnv, arm: Arm, by: float, speed: float) -> Actions:
-    """Carry the hand along with the door or drawer; `by` in rad or m, `speed` in that per second."""
+    """Carry the hand along with the door or drawer, by so much at such a speed [rad or m, s]."""
     part, world, hand = part_of(env), env.workcell.world, arm.pose
     steps = max(1, round(abs(by) / speed * CONTROL_HZ))
     for share in np.arange(1, steps + 1) / steps:
@@ -111,7 +112,7 @@ def push_back_with_the_fist(env: LabEnv) -> Actions:
     yield from arm.stay(0.2, 0.0)
     yield from arm.go(arm.pose.advanced(0.12), speed=0.10)
     assert opening_of(env) < 0.11
-    yield from chain(arm.go(arm.pose.advanced(-0.12)), arm.stay(60.0))
+    yield from arm.go(arm.pose.advanced(-0.12))
 
 
 def push_back_in_the_grip(env: LabEnv) -> Actions:
@@ -199,7 +200,7 @@ UNDONE: tuple[tuple[str, Play, str], ...] = (
     ("level2/operate_drawer", too_little, "gripped"),
     ("level2/operate_drawer", never_let_go, "opened"),
 )
-"""Task, play, and how far the judge thinks it has come when the time is up."""
+"""Task, play, and how far the judge thinks it has come when it is over."""
 
 PASSING: tuple[tuple[str, Play], ...] = (
     ("level1/open_drawer", two_pulls),
@@ -229,7 +230,8 @@ def test_a_handle_that_jams_in_twisted_fingers_is_not_gripped(task: str, seed: i
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_is_not_so_in_the_end_has_not_been_done(task: str, play: Play, last: str, seed: int):
     info = outcome(begun(task), play, seed)
-    assert (info["outcome"], reached(info)[-1]) == ("timeout", last)
+    assert info["outcome"] in UNFINISHED
+    assert (reached(info) or [""])[-1] == last
 
 
 @pytest.mark.xfail(strict=True, reason="predicates/openables.py:68: `opened` has no upper end")

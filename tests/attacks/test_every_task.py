@@ -24,12 +24,9 @@ DRY = [
     pytest.param(task, marks=[pytest.mark.slow] if task.startswith(("level3", "level4")) else [])
     for task in task_files()
 ]
-SQUEEZE = "level1/squeeze"
-"""Has liquid in any case: there is nothing to squeeze without."""
 WET = [
     pytest.param(task, marks=[] if task == "level1/pour" else [pytest.mark.slow])
     for task in task_files()
-    if task != SQUEEZE
 ]
 
 
@@ -55,7 +52,9 @@ def require_that_it_applies(play: Play, env: LabEnv) -> None:
     """Skip what is no failure: nothing can be dropped where nothing is held."""
     env.reset(seed=0)
     task = env.workcell.task
-    if play is shake_while_holding and not any(fact.name.endswith(" gripped") for fact in task.goal):
+    if play is shake_while_holding and not any(
+        fact.name.endswith(" gripped") for fact in task.goal
+    ):
         pytest.skip("nothing is in the hand in the end")
     if play is drop and not any(name.endswith((" gripped", " grasped")) for name in task.facts):
         pytest.skip("nothing is ever held")
@@ -72,7 +71,7 @@ def check_failure(env: LabEnv, play: Play, seed: int) -> None:
     told = judged(env, play, seed)
     assert told != "success"
     if play is ram_the_bench:
-        assert told not in {"timeout", "interrupted"}
+        assert told not in {"running", "timeout", "interrupted"}
 
 
 @pytest.mark.parametrize("play", FAILING, ids=lambda play: play.__name__)

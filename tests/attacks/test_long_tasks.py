@@ -9,11 +9,12 @@ import pytest
 from adversary import Beside, Careless
 from attacks.arm import Actions, Arm
 from attacks.plays import (
-    latched,
     Play,
     begun,
+    latched,
     outcome,
     skilled,
+    slow,
     turned,
     until_phase,
 )
@@ -110,7 +111,6 @@ def slam_the_oven(env: LabEnv) -> Actions:
     hand = arm.pose
     for step in range(1, 16):
         yield arm.at(door.carried(hand, world, -math.radians(4.5 * step)))
-    yield from arm.stay(60.0)
 
 
 def glass_against_glass(env: LabEnv) -> Actions:
@@ -144,16 +144,16 @@ JOBS = "level4/open_transport_pour"
 FAILING: tuple[tuple[str, Play, str, str], ...] = (
     (FUSION, in_this_order("4_pick", "5_pour", "6_place"), "off", "struck or collided"),
     (FUSION, in_this_order("10_press"), "off", "pressed_out_of_turn"),
-    (FUSION, into("2_pour", "green_beaker"), "off", "interrupted"),
+    (FUSION, into("2_pour", "green_beaker"), "off", "interrupted or spilled"),
     (FUSION, put_elsewhere("3_place", -0.08), "off", "struck"),
     (FUSION, rest_into_the_next, "on", "contaminated"),
     (CLEAN, in_this_order("4_pick"), "off", "struck or collided"),
-    (CLEAN, into("2_pour", "waste_beaker"), "off", "interrupted"),
-    (CLEAN, no_shake, "off", "interrupted"),
+    (CLEAN, into("2_pour", "waste_beaker"), "off", "interrupted or spilled"),
+    slow(CLEAN, no_shake, "off", "interrupted"),
     (DEVICE, start_it_empty, "off", "pressed_out_of_turn"),
-    (DRYING, glass_against_glass, "off", "struck"),
-    (DRYING, slam_the_oven, "off", "slammed"),
-    (JOBS, into("pour", "beaker"), "off", "interrupted or spilled"),
+    slow(DRYING, glass_against_glass, "off", "struck"),
+    slow(DRYING, slam_the_oven, "off", "slammed"),
+    slow(JOBS, into("pour", "beaker"), "off", "interrupted or spilled"),
 )
 """Task, play, liquid, and what the judge calls it."""
 

@@ -10,6 +10,7 @@ import pytest
 from attacks.arm import Actions, Arm
 from attacks.plays import (
     SEEDS,
+    UNFINISHED,
     Play,
     begun,
     outcome,
@@ -28,14 +29,14 @@ def hang_by_the_lip(env: LabEnv) -> Actions:
     """Lift a beaker by its lip on open fingers, and go on as if it were held."""
     yield from until_phase(env, "pick/close")
     arm = Arm(env)
-    yield from chain(arm.go(arm.pose.moved(z=0.25), speed=0.1), arm.stay(60.0))
+    yield from arm.go(arm.pose.moved(z=0.25), speed=0.1)
 
 
 def hold_it_aslant(env: LabEnv) -> Actions:
     """Lift a flask and hold it leaning by 45 degrees."""
     yield from until_phase(env, "pick/hold")
     arm = Arm(env)
-    yield from chain(arm.go(turned(arm.pose, 2, math.radians(45)), speed=0.2), arm.stay(60.0))
+    yield from arm.go(turned(arm.pose, 2, math.radians(45)), speed=0.2)
 
 
 def put_it_down_again(env: LabEnv) -> Actions:
@@ -46,13 +47,17 @@ def put_it_down_again(env: LabEnv) -> Actions:
     gap = env.workcell.world.pose(flask).position_w[2] - env.workcell.world.bench_height
     yield from arm.go(arm.pose.moved(z=0.02 - gap), speed=0.15)
     yield from chain(arm.go(arm.pose.moved(z=-0.019), speed=0.03), arm.stay(0.5))
-    yield from chain(arm.stay(0.7, 0.08), arm.go(arm.pose.advanced(-0.15)), arm.stay(60.0))
+    yield from chain(arm.stay(0.7, 0.08), arm.go(arm.pose.advanced(-0.15)))
 
 
-def lift_too_little(env: LabEnv) -> Actions:
-    """Lift a flask by 15 cm only and hold it there."""
-    (skill,) = env.workcell.task.skills
-    yield from skilled(env, replace(skill, lift=0.15))
+def lifted_by(height: float) -> Play:
+    """Do as told, but lift less than the 20 cm that were asked for [m]."""
+
+    def play(env: LabEnv) -> Actions:
+        pick, *others = env.workcell.task.skills
+        yield from skilled(env, replace(pick, lift=height), *others)
+
+    return play
 
 
 def scrape_along(env: LabEnv) -> Actions:
@@ -61,7 +66,7 @@ def scrape_along(env: LabEnv) -> Actions:
     arm = Arm(env)
     low = arm.pose.moved(z=-0.04)
     yield from chain(arm.go(low, speed=0.05), arm.stay(0.5))
-    yield from chain(arm.go(low.moved(z=0.29)), arm.stay(60.0))
+    yield from arm.go(low.moved(z=0.29))
 
 
 def snatch(env: LabEnv) -> Actions:
@@ -88,7 +93,7 @@ def from_another_side(yaw_deg: float) -> Play:
         wide, shut = world.robot.max_opening, skill.thing.grip_width - skill.squeeze
         yield from chain(arm.go(before.moved(z=0.10), opening=wide), arm.go(before, opening=wide))
         yield from chain(arm.go(grasp, speed=0.15), arm.stay(0.3), arm.stay(0.6, shut))
-        yield from chain(arm.go(grasp.moved(z=skill.lift), speed=0.15), arm.stay(60.0))
+        yield from arm.go(grasp.moved(z=skill.lift), speed=0.15)
 
     return play
 
@@ -120,9 +125,10 @@ FAILING: tuple[tuple[str, Play, str], ...] = (
 UNDONE: tuple[tuple[str, Play, str], ...] = (
     ("level1/pick", hold_it_aslant, "lifted"),
     ("level1/pick", put_it_down_again, "lifted"),
-    ("level1/pick", lift_too_little, "gripped"),
+    ("level1/pick", lifted_by(0.15), "gripped"),
+    ("level2/transport_beaker", lifted_by(0.13), "gripped"),
 )
-"""Task, play, and how far the judge thinks it has come when the time is up."""
+"""Task, play, and how far the judge thinks it has come when it is over."""
 
 PASSING: tuple[tuple[str, Play], ...] = (
     ("level1/pick", from_another_side(15.0)),
@@ -144,7 +150,8 @@ def test_what_a_person_would_call_a_failure_is_called_by_its_name(
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_is_not_so_in_the_end_has_not_been_done(task: str, play: Play, last: str, seed: int):
     info = outcome(begun(task), play, seed)
-    assert (info["outcome"], reached(info)[-1]) == ("timeout", last)
+    assert info["outcome"] in UNFINISHED
+    assert (reached(info) or [""])[-1] == last
 
 
 @pytest.mark.parametrize("seed", [3, *(pytest.param(n, marks=pytest.mark.slow) for n in (1, 4, 9))])

@@ -10,12 +10,14 @@ import pytest
 from attacks.arm import Actions, Arm
 from attacks.plays import (
     SEEDS,
+    UNFINISHED,
     Play,
     begun,
     outcome,
     reached,
     skilled,
     skilled_until,
+    slow,
     turned,
     until_phase,
 )
@@ -52,7 +54,7 @@ def fling_the_water(env: LabEnv) -> Actions:
     arm = Arm(env)
     yield from arm.go(arm.pose.moved(y=0.11, z=0.15))
     level = arm.pose
-    yield from chain(tilting(arm, 105.0, 260.0), arm.stay(1.0), arm.go(level), arm.stay(60.0))
+    yield from chain(tilting(arm, 105.0, 260.0), arm.stay(1.0), arm.go(level))
 
 
 def beside_the_target(env: LabEnv) -> Actions:
@@ -61,7 +63,7 @@ def beside_the_target(env: LabEnv) -> Actions:
     arm = Arm(env)
     yield from arm.go(arm.pose.moved(y=0.16), speed=0.15)
     level = arm.pose
-    yield from chain(tilting(arm, 105.0, 40.0), arm.stay(1.0), arm.go(level), arm.stay(60.0))
+    yield from chain(tilting(arm, 105.0, 40.0), arm.stay(1.0), arm.go(level))
 
 
 def half(env: LabEnv) -> Actions:
@@ -74,7 +76,7 @@ def half(env: LabEnv) -> Actions:
         yield script.act()
     back = Arm(env)
     lean = env.workcell.world.pose(skill.thing).tilt
-    yield from chain(tilting(back, -math.degrees(lean), 60.0), back.stay(60.0))
+    yield from tilting(back, -math.degrees(lean), 60.0)
 
 
 def on_the_rim(env: LabEnv) -> Actions:
@@ -104,7 +106,7 @@ def let_it_fall_in(env: LabEnv) -> Actions:
     """Pour as told, then let the beaker itself fall into the target."""
     yield from until_phase(env, "pour/stabilise")
     arm = Arm(env)
-    yield from chain(arm.stay(0.3), arm.stay(60.0, 0.08))
+    yield from chain(arm.stay(0.3), arm.stay(1.0, 0.08))
 
 
 def from_too_high(env: LabEnv) -> Actions:
@@ -164,6 +166,16 @@ def slowly(env: LabEnv) -> Actions:
     yield from skilled(env, replace(pouring(env), turn_speed=0.35, pause_s=2.0))
 
 
+def hit_the_cap(env: LabEnv) -> Actions:
+    """Dispense as told, let go, and hit the wash bottle's cap with the fist."""
+    yield from until_phase(env, "squeeze/withdraw")
+    arm = Arm(env)
+    back = arm.pose.advanced(-0.12)
+    yield from arm.go(back, speed=0.25)
+    yield from arm.go(back.moved(z=0.06), speed=0.4, opening=0.0)
+    yield from arm.go(back.moved(z=0.06).advanced(0.26), speed=0.4)
+
+
 FAILING: tuple[tuple[str, Play, str, str], ...] = (
     ("level1/pour", fling_the_water, "off", "interrupted or spilled"),
     ("level1/pour", fling_the_water, "on", "interrupted or spilled"),
@@ -174,17 +186,18 @@ FAILING: tuple[tuple[str, Play, str, str], ...] = (
     ("level1/pour", let_it_fall_in, "off", "struck or dropped or broken"),
     ("level1/pour", from_too_high, "off", "interrupted or spilled"),
     ("level2/transport_beaker", spill_on_the_way, "off", "spilled"),
-    ("level2/transport_beaker", spill_on_the_way, "on", "spilled"),
+    slow("level2/transport_beaker", spill_on_the_way, "on", "spilled"),
     ("level2/transport_beaker", trickle, "on", "spilled"),
     ("level2/transport_beaker", shaken_about, "on", "spilled"),
+    slow("level1/squeeze", hit_the_cap, "on", "collided"),
 )
 """Task, play, liquid, and what the judge calls it."""
 
 PASSING: tuple[tuple[str, Play, str], ...] = (
     ("level1/pour", in_two_stages, "on"),
     ("level1/pour", from_higher, "off"),
-    ("level1/pour", from_higher, "on"),
-    ("level1/pour", slowly, "on"),
+    slow("level1/pour", from_higher, "on"),
+    slow("level1/pour", slowly, "on"),
 )
 
 
@@ -200,7 +213,8 @@ def test_what_a_person_would_call_a_failure_is_called_by_its_name(
 def test_half_is_not_enough(seed: int):
     env = begun("level1/pour", "on")
     info = outcome(env, half, seed)
-    assert (info["outcome"], reached(info)) == ("timeout", [])
+    assert info["outcome"] in UNFINISHED
+    assert reached(info) == []
     assert 0.35 < poured_share(env) < 0.8
 
 

@@ -11,11 +11,13 @@ from adversary import Beside
 from attacks.arm import Actions, Arm
 from attacks.plays import (
     SEEDS,
+    UNFINISHED,
     Play,
     begun,
     outcome,
     reached,
     skilled,
+    slow,
     until_phase,
 )
 from labutopia_lerobot.env import LabEnv
@@ -61,7 +63,7 @@ def slam(env: LabEnv) -> Actions:
     """Set a beaker down at one metre per second."""
     yield from until_phase(env, "place/lower")
     arm = Arm(env)
-    yield from chain(arm.go(arm.pose.moved(z=-0.13), speed=1.0), arm.stay(60.0))
+    yield from arm.go(arm.pose.moved(z=-0.13), speed=1.0)
 
 
 def lean_on_it(env: LabEnv) -> Actions:
@@ -97,7 +99,7 @@ def push_it_over(env: LabEnv) -> Actions:
     there = arm.pose.advanced(-0.15)
     yield from arm.go(there, speed=0.2)
     shut = chain(arm.go(there.moved(z=0.04), speed=0.3, opening=0.0), arm.stay(0.2))
-    yield from chain(shut, arm.go(arm.pose.advanced(0.25), speed=0.4), arm.stay(60.0))
+    yield from chain(shut, arm.go(arm.pose.advanced(0.25), speed=0.4))
 
 
 def drag_it_off(env: LabEnv) -> Actions:
@@ -179,14 +181,15 @@ def high_over_the_plate(env: LabEnv) -> Actions:
 
 FAILING: tuple[tuple[str, Play, str], ...] = (
     ("level1/place", let_go_above(0.006), "broken"),
+    ("level1/place", let_go_above(0.012), "broken or dropped"),
     ("level1/place", let_go_above(0.020), "broken or dropped"),
     ("level1/place", slam, "broken or dropped"),
-    ("level2/transport_beaker", slam, "broken or dropped"),
-    ("level2/pour_liquid", slam, "broken or dropped"),
+    slow("level2/transport_beaker", slam, "broken or dropped"),
+    slow("level2/pour_liquid", slam, "broken or dropped"),
     ("level1/place", lean_on_it, "broken"),
     ("level1/place", push_the_target, "displaced"),
     ("level2/transport_beaker", push_the_target, "displaced"),
-    ("level3/transport_beaker", push_the_target, "displaced"),
+    slow("level3/transport_beaker", push_the_target, "displaced"),
     ("level1/place", push_it_over, "broken"),
 )
 """Task, play, and what the judge calls it."""
@@ -195,12 +198,11 @@ UNDONE: tuple[tuple[str, Play, str], ...] = (
     ("level1/place", let_go_above(0.0, aside=0.055), "carried"),
     ("level1/place", drag_it_off, "retracted"),
     ("level1/place", on_the_bench_beside, ""),
-    ("level1/place", let_go_on_the_move, "placed"),
     ("level2/pour_liquid", put_elsewhere(0.10), "righted"),
-    ("level3/pour_liquid", put_elsewhere(0.10), "righted"),
-    ("level2/pour_liquid", put_elsewhere(-0.06), "righted"),
+    slow("level3/pour_liquid", put_elsewhere(0.10), "righted"),
+    slow("level2/pour_liquid", put_elsewhere(-0.06), "righted"),
 )
-"""Task, play, and how far the judge thinks it has come when the time is up."""
+"""Task, play, and how far the judge thinks it has come when it is over."""
 
 PASSING: tuple[tuple[str, Play], ...] = (
     ("level1/place", let_go_above(0.002)),
@@ -223,7 +225,15 @@ def test_what_a_person_would_call_a_failure_is_called_by_its_name(
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_stands_elsewhere_has_not_been_set_down(task: str, play: Play, last: str, seed: int):
     info = outcome(begun(task), play, seed)
-    assert (info["outcome"], (reached(info) or [""])[-1]) == ("timeout", last)
+    assert info["outcome"] in UNFINISHED
+    assert (reached(info) or [""])[-1] == last
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_beaker_let_go_on_the_move_slides_off_or_breaks(seed: int):
+    info = outcome(begun("level1/place"), let_go_on_the_move, seed)
+    assert info["outcome"] in {*UNFINISHED, "broken"}
+    assert "retracted" not in reached(info)
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """Attacks on shaking, and odd ways to shake that are right."""
 
 import math
+from dataclasses import replace
 from itertools import chain
 
 import pytest
@@ -8,11 +9,14 @@ import pytest
 from attacks.arm import Actions, Arm
 from attacks.plays import (
     SEEDS,
+    UNFINISHED,
     Play,
     begun,
     outcome,
     reached,
     shove_a_bystander,
+    skilled,
+    slow,
     turned,
     until_phase,
 )
@@ -35,7 +39,7 @@ def rolled(*degrees: float, axis: int = 2, ahead: float = 0.0, higher: float = 0
         for angle in degrees:
             yield from arm.go(turned(level, axis, math.radians(angle)))
             yield from arm.stay(0.2)
-        yield from chain(arm.go(level.moved(z=-higher)), arm.stay(60.0))
+        yield from arm.go(level.moved(z=-higher))
 
     return play
 
@@ -66,6 +70,12 @@ def low(env: LabEnv) -> Actions:
     yield from rolled(*LEFT_AND_RIGHT, higher=-0.17)(env)
 
 
+def beside_the_middle(env: LabEnv) -> Actions:
+    """Shake as told, but all the while 15 cm to the left of the middle of the workspace."""
+    (skill,) = env.workcell.task.skills
+    yield from skilled(env, replace(skill, at=replace(skill.at, left=0.15)))
+
+
 FAILING: tuple[tuple[str, Play, str, str], ...] = (
     ("level1/shake", rolled(20, 140, 20, -20, 20, -20, 0), "off", "spilled"),
     ("level1/shake", rolled(20, 140, 20, -20, 20, -20, 0), "on", "spilled"),
@@ -80,14 +90,14 @@ UNDONE: tuple[tuple[str, Play, str, str], ...] = (
     ("level1/shake", up_and_down, "off", "at_start"),
     ("level1/shake", swirled, "off", "at_start"),
 )
-"""Task, play, liquid, and how far the judge thinks it has come when the time is up."""
+"""Task, play, liquid, and how far the judge thinks it has come when it is over."""
 
 PASSING: tuple[tuple[str, Play, str], ...] = (
     ("level1/shake", rolled(*LEFT_AND_RIGHT, axis=1), "off"),
     ("level1/shake", rolled(-20, 20, -20, 20, -20, 20, 0), "off"),
-    ("level1/shake", rolled(*LEFT_AND_RIGHT, ahead=0.15), "off"),
+    ("level1/shake", beside_the_middle, "off"),
     ("level1/shake", rolled(*LEFT_AND_RIGHT, higher=0.10), "off"),
-    ("level1/shake", rolled(*LEFT_AND_RIGHT, ahead=0.10), "on"),
+    slow("level1/shake", rolled(*LEFT_AND_RIGHT, ahead=0.10), "on"),
     ("level1/shake", rolled(20, -20, 0, 20, -20, 0, 20, -20, 0), "off"),
 )
 
@@ -102,14 +112,15 @@ def test_what_a_person_would_call_a_failure_is_called_by_its_name(
 
 @pytest.mark.parametrize(("task", "play", "liquid", "last"), UNDONE)
 @pytest.mark.parametrize("seed", SEEDS)
-def test_what_is_no_shake_is_not_counted(
-    task: str, play: Play, liquid: str, last: str, seed: int
-):
+def test_what_is_no_shake_is_not_counted(task: str, play: Play, liquid: str, last: str, seed: int):
     info = outcome(begun(task, liquid), play, seed)
-    assert (info["outcome"], reached(info)[-1]) == ("timeout", last)
+    assert info["outcome"] in UNFINISHED
+    assert (reached(info) or [""])[-1] == last
 
 
-@pytest.mark.parametrize("seed", [2, *(pytest.param(n, marks=pytest.mark.slow) for n in (3, 6, 7, 10))])
+@pytest.mark.parametrize(
+    "seed", [2, *(pytest.param(n, marks=pytest.mark.slow) for n in (3, 6, 7, 10))]
+)
 def test_a_beaker_in_the_hand_may_not_shove_what_stands_around(seed: int):
     env = begun("level1/shake", axes=("layout",))
     assert outcome(env, shove_a_bystander("shake/start"), seed)["outcome"] in {

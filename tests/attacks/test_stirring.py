@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 
 from attacks.arm import Actions, Arm
-from attacks.plays import SEEDS, Play, begun, outcome, reached, until_phase
+from attacks.plays import SEEDS, Play, begun, outcome, reached, skilled, slow, until_phase
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.world import CONTROL_HZ, Pose
 
 CIRCLE = 0.009
 """Radius of a stirring circle [m]."""
+TOUCHES = 0.0262
+"""Radius on which the rod just touches the wall of a 150 ml beaker [m]."""
 
 
 def out(arm: Arm, middle: Pose) -> Actions:
@@ -122,14 +124,26 @@ def hit_the_rim(env: LabEnv) -> Actions:
     tip = env.workcell.world.pose(env.workcell.task.skills[-1].rod).position_w[2]
     yield from chain(arm.go(arm.pose.moved(z=low - tip - 0.02), speed=0.1), arm.stay(0.3))
     yield from arm.go(above, speed=0.1)
-    script = env.workcell.expert([env.workcell.task.skills[-1]])
-    script.start()
-    while True:
-        yield script.act()
+    yield from skilled(env, env.workcell.task.skills[-1])
+
+
+def brush_the_wall(env: LabEnv) -> Actions:
+    """Stir as told, but bulge out to the wall at one place, so that the rod brushes it."""
+    world, skill = env.workcell.world, env.workcell.task.skills[-1]
+    way = []
+    for x, y in arc(5.2, turn_s=4.0):
+        aside = math.degrees(math.acos(y / CIRCLE)) if abs(y) < CIRCLE else 0.0
+        wide = 1.0 + (TOUCHES - CIRCLE) / CIRCLE * math.exp(-((aside / 30.0) ** 2))
+        way.append((wide * x, wide * y))
+    brushed = False
+    for action in along(way)(env):
+        brushed |= world.touching(skill.rod.name, skill.vessel.name)
+        yield action
+    assert brushed
 
 
 def near_the_wall(share: float) -> Play:
-    """Stir on a circle this share of the mouth's radius wide, so that the rod brushes the wall."""
+    """Stir on a circle this share of the mouth's radius wide."""
 
     def play(env: LabEnv) -> Actions:
         radius = share * env.workcell.task.skills[-1].vessel.mouth_radius
@@ -147,28 +161,29 @@ FAILING: tuple[tuple[str, Play, str, str], ...] = (
     ("level1/stir", grind, "off", "struck"),
     ("level1/stir", drag, "off", "struck or displaced"),
     ("level1/stir", hit_the_rim, "off", "struck"),
-    ("level2/stir_glassrod", grind, "off", "struck"),
+    slow("level2/stir_glassrod", grind, "off", "struck"),
 )
 """Task, play, liquid, and what the judge calls it."""
 
 UNDONE: tuple[tuple[str, Play, str, str], ...] = (
-    ("level1/stir", along(crescent()), "off", ""),
-    ("level1/stir", along(crescent()), "on", ""),
-    ("level1/stir", along(line()), "off", ""),
-    ("level1/stir", along(eight()), "off", ""),
-    ("level1/stir", along(arc(6.0, radius=0.0015)), "off", ""),
-    ("level1/stir", circled(4.0, 135.0), "off", ""),
-    ("level1/stir", circled(5.2, 0.0, higher=0.025), "off", ""),
+    ("level1/stir", along(crescent()), "off", "running"),
+    slow("level1/stir", along(crescent()), "on", "running"),
+    ("level1/stir", along(line()), "off", "running"),
+    ("level1/stir", along(eight()), "off", "running"),
+    ("level1/stir", along(arc(6.0, radius=0.0015)), "off", "running"),
+    ("level1/stir", circled(4.0, 135.0), "off", "interrupted or running"),
+    ("level1/stir", circled(5.2, 0.0, higher=0.025), "off", "running"),
 )
 """Task, play, liquid, and how the judge ends what is no stirring."""
 
 PASSING: tuple[tuple[str, Play, str], ...] = (
     ("level1/stir", circled(5.2, 135.0), "off"),
     ("level1/stir", circled(-5.2, 45.0), "off"),
-    ("level1/stir", circled(-5.2, 45.0), "on"),
+    slow("level1/stir", circled(-5.2, 45.0), "on"),
     ("level1/stir", along(WITH_A_PAUSE), "off"),
     ("level1/stir", along(BOTH_WAYS), "off"),
     ("level1/stir", near_the_wall(0.75), "off"),
+    ("level1/stir", brush_the_wall, "off"),
     ("level1/stir", along(EGG), "off"),
 )
 
@@ -181,13 +196,13 @@ def test_what_a_person_would_call_a_failure_is_called_by_its_name(
     assert outcome(begun(task, liquid), play, seed)["outcome"] in told.split(" or ")
 
 
-@pytest.mark.parametrize(("task", "play", "liquid", "last"), UNDONE)
+@pytest.mark.parametrize(("task", "play", "liquid", "told"), UNDONE)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_goes_round_too_little_is_not_stirred(
-    task: str, play: Play, liquid: str, last: str, seed: int
+    task: str, play: Play, liquid: str, told: str, seed: int
 ):
     info = outcome(begun(task, liquid), play, seed)
-    assert info["outcome"] == "interrupted" or info["outcome"] == "timeout"
+    assert info["outcome"] in told.split(" or ")
     assert "stirred" not in reached(info)
 
 
