@@ -125,7 +125,7 @@ def with_the_beaker(env: LabEnv) -> Actions:
     yield from skilled(env, *env.workcell.task.skills[1:])
 
 
-FAILING: tuple[tuple[str, Play, str], ...] = (
+FAILING = (
     ("level1/press", press_the_wrong_one, "wrong_button"),
     ("level3/press", press_the_wrong_one, "wrong_button"),
     ("level1/press", then_another, "wrong_button"),
@@ -136,7 +136,7 @@ FAILING: tuple[tuple[str, Play, str], ...] = (
 )
 """Task, play, and what the judge calls it."""
 
-UNDONE: tuple[tuple[str, Play, str], ...] = (
+UNDONE = (
     ("level1/press", tap, "pressed"),
     slow("level3/press", tap, "pressed"),
     ("level1/press", pushed_at(above=0.014), "pressed"),
@@ -145,7 +145,7 @@ UNDONE: tuple[tuple[str, Play, str], ...] = (
 )
 """Task, play, and how far the judge thinks it has come when it is over."""
 
-PASSING: tuple[tuple[str, Play], ...] = (
+PASSING = (
     ("level1/press", one_tip(0.03)),
     ("level3/press", one_tip(0.03)),
     ("level1/press", pushed_at(lean_deg=13.0)),

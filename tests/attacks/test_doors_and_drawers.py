@@ -181,7 +181,7 @@ def with_the_fist(env: LabEnv) -> Actions:
     yield from chain(arm.stay(0.5), arm.go(arm.pose.advanced(-0.15), speed=0.15))
 
 
-FAILING: tuple[tuple[str, Play, str], ...] = (
+FAILING = (
     ("level1/open_drawer", fling_open, "slammed"),
     ("level1/open_drawer", fling_on(0.16, 1.0), "slammed"),
     ("level1/open_door", fling_on(math.radians(40), math.radians(140)), "slammed"),
@@ -194,7 +194,7 @@ FAILING: tuple[tuple[str, Play, str], ...] = (
 )
 """Task, play, and what the judge calls it."""
 
-UNDONE: tuple[tuple[str, Play, str], ...] = (
+UNDONE = (
     ("level1/open_drawer", push_back_with_the_fist, "opened"),
     ("level1/open_door", push_back_in_the_grip, "opened"),
     ("level2/operate_drawer", too_little, "gripped"),
@@ -202,7 +202,7 @@ UNDONE: tuple[tuple[str, Play, str], ...] = (
 )
 """Task, play, and how far the judge thinks it has come when it is over."""
 
-PASSING: tuple[tuple[str, Play], ...] = (
+PASSING = (
     ("level1/open_drawer", two_pulls),
     ("level2/operate_drawer", two_pulls),
     ("level1/open_drawer", slowly),

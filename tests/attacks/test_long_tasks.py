@@ -141,7 +141,7 @@ FUSION, CLEAN = "level4/liquid_fusion", "level4/clean_beaker"
 DRYING, DEVICE = "level4/drying_beakers", "level4/device_operation"
 JOBS = "level4/open_transport_pour"
 
-FAILING: tuple[tuple[str, Play, str, str], ...] = (
+FAILING = (
     (FUSION, in_this_order("4_pick", "5_pour", "6_place"), "off", "struck or collided"),
     (FUSION, in_this_order("10_press"), "off", "pressed_out_of_turn"),
     (FUSION, into("2_pour", "green_beaker"), "off", "interrupted or spilled"),
@@ -157,7 +157,7 @@ FAILING: tuple[tuple[str, Play, str, str], ...] = (
 )
 """Task, play, liquid, and what the judge calls it."""
 
-PASSING: tuple[tuple[str, Play, str], ...] = (
+PASSING = (
     (DRYING, with_rests, "off"),
     (CLEAN, with_rests, "off"),
 )

@@ -116,13 +116,13 @@ def regrasp(env: LabEnv) -> Actions:
     yield from skilled(env, *env.workcell.task.skills)
 
 
-FAILING: tuple[tuple[str, Play, str], ...] = (
+FAILING = (
     ("level1/pick", scrape_along, "broken"),
     ("level1/pick", snatch, "broken"),
 )
 """Task, play, and what the judge calls it."""
 
-UNDONE: tuple[tuple[str, Play, str], ...] = (
+UNDONE = (
     ("level1/pick", hold_it_aslant, "lifted"),
     ("level1/pick", put_it_down_again, "lifted"),
     ("level1/pick", lifted_by(0.15), "gripped"),
@@ -130,7 +130,7 @@ UNDONE: tuple[tuple[str, Play, str], ...] = (
 )
 """Task, play, and how far the judge thinks it has come when it is over."""
 
-PASSING: tuple[tuple[str, Play], ...] = (
+PASSING = (
     ("level1/pick", from_another_side(15.0)),
     ("level1/pick", from_another_side(-15.0)),
     ("level1/pick", with_rests),

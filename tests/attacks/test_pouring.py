@@ -176,7 +176,7 @@ def hit_the_cap(env: LabEnv) -> Actions:
     yield from arm.go(back.moved(z=0.06).advanced(0.26), speed=0.4)
 
 
-FAILING: tuple[tuple[str, Play, str, str], ...] = (
+FAILING = (
     ("level1/pour", fling_the_water, "off", "interrupted or spilled"),
     ("level1/pour", fling_the_water, "on", "interrupted or spilled"),
     ("level1/pour", beside_the_target, "off", "interrupted or spilled"),
@@ -193,7 +193,7 @@ FAILING: tuple[tuple[str, Play, str, str], ...] = (
 )
 """Task, play, liquid, and what the judge calls it."""
 
-PASSING: tuple[tuple[str, Play, str], ...] = (
+PASSING = (
     ("level1/pour", in_two_stages, "on"),
     ("level1/pour", from_higher, "off"),
     slow("level1/pour", from_higher, "on"),

@@ -179,7 +179,7 @@ def high_over_the_plate(env: LabEnv) -> Actions:
     yield from skilled(env, placing(env))
 
 
-FAILING: tuple[tuple[str, Play, str], ...] = (
+FAILING = (
     ("level1/place", let_go_above(0.006), "broken"),
     ("level1/place", let_go_above(0.012), "broken or dropped"),
     ("level1/place", let_go_above(0.020), "broken or dropped"),
@@ -194,7 +194,7 @@ FAILING: tuple[tuple[str, Play, str], ...] = (
 )
 """Task, play, and what the judge calls it."""
 
-UNDONE: tuple[tuple[str, Play, str], ...] = (
+UNDONE = (
     ("level1/place", let_go_above(0.0, aside=0.055), "carried"),
     ("level1/place", drag_it_off, "retracted"),
     ("level1/place", on_the_bench_beside, ""),
@@ -204,7 +204,7 @@ UNDONE: tuple[tuple[str, Play, str], ...] = (
 )
 """Task, play, and how far the judge thinks it has come when it is over."""
 
-PASSING: tuple[tuple[str, Play], ...] = (
+PASSING = (
     ("level1/place", let_go_above(0.002)),
     ("level1/place", turned_about(20.0)),
     ("level1/place", turned_about(-10.0)),

@@ -76,13 +76,13 @@ def beside_the_middle(env: LabEnv) -> Actions:
     yield from skilled(env, replace(skill, at=replace(skill.at, left=0.15)))
 
 
-FAILING: tuple[tuple[str, Play, str, str], ...] = (
+FAILING = (
     ("level1/shake", rolled(20, 140, 20, -20, 20, -20, 0), "off", "spilled"),
     ("level1/shake", rolled(20, 140, 20, -20, 20, -20, 0), "on", "spilled"),
 )
 """Task, play, liquid, and what the judge calls it."""
 
-UNDONE: tuple[tuple[str, Play, str, str], ...] = (
+UNDONE = (
     ("level1/shake", rolled(20, 14, 20, 14, 20, 14, 20, 0), "off", "at_start"),
     ("level1/shake", rolled(4, -4, 4, -4, 4, -4, 0), "off", "at_start"),
     ("level1/shake", rolled(20, 0, 20, 0, 20, 0, 20, 0, 20, 0, 20, 0), "off", "at_start"),
@@ -92,7 +92,7 @@ UNDONE: tuple[tuple[str, Play, str, str], ...] = (
 )
 """Task, play, liquid, and how far the judge thinks it has come when it is over."""
 
-PASSING: tuple[tuple[str, Play, str], ...] = (
+PASSING = (
     ("level1/shake", rolled(*LEFT_AND_RIGHT, axis=1), "off"),
     ("level1/shake", rolled(-20, 20, -20, 20, -20, 20, 0), "off"),
     ("level1/shake", beside_the_middle, "off"),

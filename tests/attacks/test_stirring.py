@@ -156,7 +156,7 @@ BOTH_WAYS = [*arc(3.0), *pause((CIRCLE, 0.0), 0.3), *arc(-5.2)]
 WITH_A_PAUSE = [*arc(2.0), *pause((CIRCLE, 0.0), 1.0), *arc(3.2)]
 EGG = [(1.3 * x, 0.7 * y) for x, y in arc(5.3, turn_s=2.5)]
 
-FAILING: tuple[tuple[str, Play, str, str], ...] = (
+FAILING = (
     ("level1/stir", hop, "off", "interrupted"),
     ("level1/stir", grind, "off", "struck"),
     ("level1/stir", drag, "off", "struck or displaced"),
@@ -165,18 +165,18 @@ FAILING: tuple[tuple[str, Play, str, str], ...] = (
 )
 """Task, play, liquid, and what the judge calls it."""
 
-UNDONE: tuple[tuple[str, Play, str, str], ...] = (
-    ("level1/stir", along(crescent()), "off", "running"),
-    slow("level1/stir", along(crescent()), "on", "running"),
-    ("level1/stir", along(line()), "off", "running"),
-    ("level1/stir", along(eight()), "off", "running"),
-    ("level1/stir", along(arc(6.0, radius=0.0015)), "off", "running"),
-    ("level1/stir", circled(4.0, 135.0), "off", "interrupted or running"),
-    ("level1/stir", circled(5.2, 0.0, higher=0.025), "off", "running"),
+UNDONE = (
+    ("level1/stir", along(crescent()), "off", "running or timeout"),
+    slow("level1/stir", along(crescent()), "on", "running or timeout"),
+    ("level1/stir", along(line()), "off", "running or timeout"),
+    ("level1/stir", along(eight()), "off", "running or timeout"),
+    ("level1/stir", along(arc(6.0, radius=0.0015)), "off", "running or timeout"),
+    ("level1/stir", circled(4.0, 135.0), "off", "interrupted or running or timeout"),
+    ("level1/stir", circled(5.2, 0.0, higher=0.025), "off", "running or timeout"),
 )
 """Task, play, liquid, and how the judge ends what is no stirring."""
 
-PASSING: tuple[tuple[str, Play, str], ...] = (
+PASSING = (
     ("level1/stir", circled(5.2, 135.0), "off"),
     ("level1/stir", circled(-5.2, 45.0), "off"),
     slow("level1/stir", circled(-5.2, 45.0), "on"),
