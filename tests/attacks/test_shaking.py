@@ -129,7 +129,6 @@ def test_a_beaker_in_the_hand_may_not_shove_what_stands_around(seed: int):
     }
 
 
-@pytest.mark.xfail(strict=True, reason="tasks/actions.py:158: `shaken` asks for 5 cm, not for 20")
 @pytest.mark.parametrize("task", ["level1/shake", "level2/shake_beaker"])
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_beaker_is_not_shaken_near_the_bench(task: str, seed: int):
