@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PACKAGES := $(VENV)/.packages-installed
 LIBRARIES := $(VENV)/.system-libraries-work
-CHROMIUM := $(VENV)/.chromium-tried
+TESTED_WITH := $(VENV)/.chromium-and-vulkan-tried
 # Tests that share fixtures, such as recorded datasets, stay in one process (tests/conftest.py). Groups
 # run as they are collected, the small ones of tests/unit last: so the processes end together.
 PYTEST := $(BIN)/pytest -rs --numprocesses=auto --maxprocesses=4 --dist=loadgroup \
@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 help:  ## List the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-setup: $(PACKAGES) $(LIBRARIES) $(CHROMIUM)  ## Create .venv with the pinned packages; OpenGL, Vulkan, FFmpeg
+setup: $(PACKAGES) $(LIBRARIES)  ## Create .venv with the pinned packages; OpenGL, FFmpeg
 
 # The main job in small, with the commands that a user types.
 demo: setup  ## Record, train and evaluate a small policy on a CPU, and print its table
@@ -44,10 +44,10 @@ demo: setup  ## Record, train and evaluate a small policy on a CPU, and print it
 	$(BIN)/python eval/report.py $(DEMO)/eval
 	@echo "Expert: $(DEMO)/level1-pick.png and .mp4. Policies: $(DEMO)/eval/*/videos"
 
-test: lint  ## Check style and types, then run every test but the sweeps
+test: lint $(TESTED_WITH)  ## Check style and types, then run every test but the sweeps
 	$(PYTEST) -m "not slow"
 
-test-slow: setup  ## Run the sweeps: ten episodes of every expert, more attacks, trainings, kills, leaks
+test-slow: setup $(TESTED_WITH)  ## Run the sweeps: ten episodes of every expert, more attacks, trainings, kills, leaks
 	$(PYTEST) -m slow
 
 lint: setup  ## Check style, format and types
@@ -76,11 +76,12 @@ $(PACKAGES): pyproject.toml constraints.txt
 	@$(BIN)/python -m pip install --quiet --progress-bar off -c constraints.txt -e '.[dev]'
 	@touch $@
 
-# A test opens the page of results in it; without one that test is skipped.
-$(CHROMIUM): scripts/install_chromium.sh $(PACKAGES)
+# Tests open the page of results in Chromium and draw with Filament; without them they are skipped.
+$(TESTED_WITH): scripts/install_chromium.sh scripts/install_system_libraries.sh $(PACKAGES)
 	@scripts/install_chromium.sh
+	@scripts/install_system_libraries.sh $(BIN)/python vulkan
 	@touch $@
 
 $(LIBRARIES): $(PACKAGES) scripts/install_system_libraries.sh
-	@scripts/install_system_libraries.sh $(BIN)/python
+	@scripts/install_system_libraries.sh $(BIN)/python opengl ffmpeg
 	@touch $@

@@ -2,6 +2,7 @@
 
 import ast
 import re
+import subprocess
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -139,3 +140,26 @@ def test_the_evaluation_tells_of_all_its_modules():
 def test_the_root_holds_what_a_task_or_a_user_names():
     files = {path.stem for path in PACKAGE.glob("*.py")} - {"__init__"}
     assert len(files) <= 13, sorted(files)
+
+
+def test_no_file_that_git_ignores_is_tracked():
+    tracked = subprocess.run(
+        ["git", "ls-files", "--cached", "--ignored", "--exclude-standard"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert not tracked.stdout.split()
+
+
+def test_what_is_told_to_whoever_works_here_exists():
+    told = (ROOT / "AGENTS.md").read_text()
+    assert (ROOT / "CLAUDE.md").read_text() == told
+    assert len(told.splitlines()) <= 60
+    named = {word for span in re.findall(r"`([^`\n]+)`", told) for word in span.split()}
+    paths = {word for word in named if re.fullmatch(r"[\w./-]*(/|\.py|\.md)", word)}
+    places = [ROOT, PACKAGE, *PACKAGE.iterdir(), ROOT / "tests", ROOT / "scripts", ROOT / "docs"]
+    example = {"name.py", "name_model.py", "tasks/levelN/name.py"}
+    lost = {path for path in paths - example if not any((p / path).exists() for p in places)}
+    assert not lost
