@@ -6,8 +6,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.kernel import tell_of_compiling
 from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
-from labutopia_lerobot.liquids.compilation import tell_of_compiling
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing

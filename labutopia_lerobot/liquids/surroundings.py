@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes
 from labutopia_lerobot.liquids.solver.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
 from labutopia_lerobot.liquids.solver.walls import EDGE_NUMBERS, edges_of

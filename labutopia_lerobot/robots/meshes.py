@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import trimesh
 
+from labutopia_lerobot.kernel import user_cache
 from labutopia_lerobot.robots.collada import read_collada
 from labutopia_lerobot.robots.thinning import Part, ThinMesh, thin_mesh
 
@@ -36,7 +37,7 @@ def load_mesh(name: str, triangles: int) -> ThinMesh:
         FileNotFoundError: If `rtb-data` has no such mesh.
     """
     stem = name.replace("/", "-")
-    cached = _cache_folder() / f"{stem}-{version('rtb-data')}-{triangles}-{_MADE_BY}.npz"
+    cached = user_cache() / f"{stem}-{version('rtb-data')}-{triangles}-{_MADE_BY}.npz"
     if cached.is_file():
         with np.load(cached) as arrays:
             return ThinMesh(**arrays)
@@ -46,12 +47,6 @@ def load_mesh(name: str, triangles: int) -> ThinMesh:
     except OSError as error:
         logger.warning("The mesh cache %s cannot be written (%s); going on without.", cached, error)
     return mesh
-
-
-def _cache_folder() -> Path:
-    """Follow the XDG base directory specification."""
-    root = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    return Path(root) / "labutopia_lerobot"
 
 
 def _read(name: str) -> list[Part]:

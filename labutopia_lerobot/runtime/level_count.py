@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 
 _LANES = 6
 """Counts that are kept apart: two pixels of three channels. Neighbours, which are often alike, then

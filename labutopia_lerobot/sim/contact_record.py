@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.sim.scene import Scene
 from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, FloatArray
 

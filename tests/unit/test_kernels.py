@@ -1,12 +1,15 @@
 """Kernels are compiled when they are first called."""
 
+import os
 import subprocess
 import sys
 from inspect import unwrap
+from pathlib import Path
 
 import numpy as np
 
-from labutopia_lerobot.liquids.compilation import kernel
+import labutopia_lerobot.kernel as kernel_module
+from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.liquids.solver.smoothing import BEHIND_WALL, look_up, weight
 
 
@@ -31,3 +34,20 @@ def test_the_smoothing_kernel_is_the_same_to_the_last_bit_uncompiled():
 
 def test_half_of_the_smoothing_kernel_is_behind_a_wall_that_is_touched():
     assert abs(look_up(BEHIND_WALL, 0.0) - 0.5) < 1e-6
+
+
+def test_compiled_kernels_lie_in_the_users_cache_by_the_sources_of_all_kernels(tmp_path):
+    program = (
+        "import labutopia_lerobot.kernel as k\n"
+        "from labutopia_lerobot.liquids.solver.smoothing import weight\n"
+        "weight(0.3); print(k._compiled_kernels())"
+    )
+    environment = os.environ | {"XDG_CACHE_HOME": str(tmp_path)}
+    ended = subprocess.run(
+        [sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True
+    )
+    folder = Path(ended.stdout.strip())
+    assert folder.is_relative_to(tmp_path / "labutopia_lerobot" / "kernels")
+    assert any(folder.rglob("*.nbi"))
+    sources = Path(kernel_module.__file__).parent
+    assert not any(sources.rglob("*.nbi"))

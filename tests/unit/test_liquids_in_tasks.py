@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from adversary import begun, begun_with
+from labutopia_lerobot import kernel
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.labware.glass.glass_rod import GlassRod
 from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.labware.glass.profile import Profile
-from labutopia_lerobot.liquids import compilation
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.substances.filling import (
@@ -207,13 +207,13 @@ def test_a_shaken_vessel_makes_its_contents_slosh():
 
 
 def test_the_half_minute_of_compiling_is_announced(monkeypatch, tmp_path, caplog):
-    monkeypatch.setattr(compilation, "_SOURCES", tmp_path)
-    compilation.tell_of_compiling.cache_clear()
-    compilation.tell_of_compiling()
+    monkeypatch.setattr(kernel, "_compiled_kernels", lambda: tmp_path)
+    kernel.tell_of_compiling.cache_clear()
+    kernel.tell_of_compiling()
     assert "half a minute" in caplog.text
     caplog.clear()
-    (tmp_path / "__pycache__").mkdir()
-    (tmp_path / "__pycache__" / "kernel.nbi").touch()
-    compilation.tell_of_compiling.cache_clear()
-    compilation.tell_of_compiling()
+    (tmp_path / "liquids").mkdir()
+    (tmp_path / "liquids" / "advance.nbi").touch()
+    kernel.tell_of_compiling.cache_clear()
+    kernel.tell_of_compiling()
     assert not caplog.text

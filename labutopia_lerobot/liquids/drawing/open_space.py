@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.labware.glass.profile import Profile
-from labutopia_lerobot.liquids.compilation import kernel
 
 _STEP = 1e-3  # an interpolated distance is then exact but within a millimetre of a corner [m]
 

@@ -10,7 +10,7 @@ threads, is made of balls of a particle's volume, which a narrower kernel blends
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.liquids.drawing.open_space import (
     KERNEL_SLOPE,
     KERNEL_VOLUME,

@@ -10,7 +10,7 @@ nearest neighbours. For the eye only.
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 
 FALL = 2.6
 """How much further particles see each other up and down than sideways: a stream is torn apart along

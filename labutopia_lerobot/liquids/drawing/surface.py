@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.labware.glass.profile import Profile
-from labutopia_lerobot.liquids.compilation import kernel
 from labutopia_lerobot.liquids.drawing.open_space import (
     PlacedSpace,
     above_plane,

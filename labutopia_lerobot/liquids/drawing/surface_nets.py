@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 
 BLOCK = 8
 """Nodes along the edge of a block: as many float32 as an AVX register holds."""

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes, into
 from labutopia_lerobot.liquids.solver.obstacles import distance
 from labutopia_lerobot.liquids.solver.walls import (

@@ -18,7 +18,7 @@ back. Both keep a settled liquid still.
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.liquids.solver.contacts import Contacts, gap
 from labutopia_lerobot.liquids.solver.flow import PACKING, REACH, Flow, Matter
 from labutopia_lerobot.liquids.solver.neighbors import Pairs

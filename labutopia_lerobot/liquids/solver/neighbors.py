@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 
 _SIDE = 16
 """Cells after which the grid repeats itself, a power of 2. Two cells that share a bucket are

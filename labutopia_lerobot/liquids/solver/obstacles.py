@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 
 type Point = tuple[float, float, float]
 

@@ -9,7 +9,7 @@ from inspect import unwrap
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.compilation import kernel
+from labutopia_lerobot.kernel import kernel
 
 _WALL_ENTRIES = 128
 

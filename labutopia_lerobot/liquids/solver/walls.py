@@ -10,8 +10,8 @@ straight path are exact.
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.labware.glass.profile import Profile
-from labutopia_lerobot.liquids.compilation import kernel
 
 EDGE_NUMBERS = 10
 

@@ -3,44 +3,49 @@
 import hashlib
 import logging
 import os
+import shutil
+import time
 from collections.abc import Callable
 from functools import cache, cached_property, update_wrapper
 from pathlib import Path
 from typing import Any, cast
 
-_SOURCES = Path(__file__).parent
-_DIGEST = _SOURCES / "__pycache__" / "kernels.sha256"
+_PACKAGE = Path(__file__).parent
+_MARK = b"@kernel"
+_KEPT_DAYS = 30
+"""For how long kernels stay that were compiled from other sources and are not used."""
 
 
-def _forget_stale_kernels() -> None:
-    """Delete what was compiled from other sources.
+def user_cache() -> Path:
+    """Return the folder of what is made once per machine, and can be made again."""
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "labutopia_lerobot"
 
-    numba looks only at the file of a kernel itself, not at those of the kernels that it calls.
+
+@cache
+def _compiled_kernels() -> Path:
+    """Return where kernels of these sources lie; numba writes into it.
+
+    numba looks only at the file of a kernel itself, not at those of the kernels that it calls: so
+    kernels of other sources have another folder.
     """
-    sources = b"".join(path.read_bytes() for path in sorted(_SOURCES.rglob("*.py")))
-    digest = hashlib.sha256(sources).hexdigest()
-    if _DIGEST.exists() and _DIGEST.read_text() == digest:
-        return
+    sources = (path.read_bytes() for path in sorted(_PACKAGE.rglob("*.py")))
+    digest = hashlib.sha256(b"".join(text for text in sources if _MARK in text))
+    folder = user_cache() / "kernels" / digest.hexdigest()[:16]
     try:
-        for compiled in _SOURCES.rglob("__pycache__/*.nb[ic]"):
-            compiled.unlink(missing_ok=True)
-        _DIGEST.parent.mkdir(exist_ok=True)
-        _DIGEST.write_text(digest)
+        folder.mkdir(parents=True, exist_ok=True)
+        os.utime(folder)
+        for other in folder.parent.iterdir():
+            if other.stat().st_mtime < time.time() - _KEPT_DAYS * 86400:
+                shutil.rmtree(other, ignore_errors=True)
     except OSError:
-        pass  # not ours to write: numba keeps such a package's kernels elsewhere
-
-
-_forget_stale_kernels()
+        pass  # nothing can be written there: numba looks for another place
+    return folder
 
 
 @cache
 def tell_of_compiling() -> None:
-    """Say, once in a process, that the next step with liquid compiles first, if so it is.
-
-    A package that is not ours to write into has its kernels elsewhere, compiled or not.
-    """
-    compiled = any(_SOURCES.rglob("__pycache__/*.nbi"))
-    if not compiled and os.access(_SOURCES, os.W_OK):
+    """Say, once in a process, that the next step with liquid compiles first, if so it is."""
+    if not any(_compiled_kernels().rglob("*.nbi")):
         logging.getLogger(__name__).warning(
             "Compiling the kernels of the liquid: about half a minute, once per machine"
         )
@@ -62,9 +67,14 @@ class _Kernel:
 
     @cached_property
     def _compiled(self) -> Any:
-        from numba import njit
+        import numba
 
-        return njit(cache=True, error_model="numpy")(self._function)
+        config: Any = numba.config
+        before, config.CACHE_DIR = config.CACHE_DIR, str(_compiled_kernels())
+        try:
+            return numba.njit(cache=True, error_model="numpy")(self._function)
+        finally:
+            config.CACHE_DIR = before
 
     @property
     def _numba_type_(self) -> object:
