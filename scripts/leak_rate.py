@@ -9,6 +9,7 @@ import argparse
 import json
 import multiprocessing
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import mujoco
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask, graduated_cylinder
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.setting import PARTICLES
@@ -32,7 +33,11 @@ DROP = 0.10
 """Height of a fall [m]."""
 FLOOR = -2.5
 """Height of the floor [m]; the vessel begins at 0 and comes no lower than -1 (measured)."""
-VESSELS: tuple[Callable[[str], Vessel], ...] = (beaker, erlenmeyer_flask, graduated_cylinder)
+VESSELS: tuple[Callable[[str], Vessel], ...] = (
+    partial(glassware, "beaker", "250 ml"),
+    partial(glassware, "conical_flask", "300 ml"),
+    partial(glassware, "measuring_cylinder", "250 ml"),
+)
 
 
 def main() -> None:

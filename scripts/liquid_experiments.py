@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import j1, jn_zeros
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ
@@ -153,7 +153,7 @@ def swirl(substance: str) -> Swirl:
     It sticks to wall and bottom and has a free surface: separating the unsteady Stokes equation
     gives v = J1(j r / R) sin(pi z / 2 H) exp(-nu ((j / R)^2 + (pi / 2 H)^2) t), where J1(j) = 0.
     """
-    vessel, ml = beaker("glass", "150 ml"), 60.0
+    vessel, ml = glassware("beaker", "150 ml", "glass"), 60.0
     _, _, liquid = filled(vessel, Filling(ml, substance))
     radius, zero = vessel.profile.inner_radius(0.02), jn_zeros(1, 1)[0]
     depth = ml * 1e-6 / (np.pi * radius**2)

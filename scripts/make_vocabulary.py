@@ -15,6 +15,7 @@ from types import ModuleType
 from typing import Any
 
 from labutopia_lerobot import layout, places, predicates, skills, substances, task, world
+from labutopia_lerobot.labware.glass.catalogue import closed, glassware, ware
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.parts import form
@@ -68,6 +69,10 @@ def _chapters() -> Iterator[str]:
     yield ""
     yield from _chapter("Pieces", "labutopia_lerobot", "the modules below of")
     yield from pieces()
+    yield from _chapter("Glass and plastic ware", glassware.__module__)
+    yield "[glassware.md](glassware.md) has every kind and size."
+    yield ""
+    yield from functions((glassware, closed, ware))
     yield from _chapter("Glass of your own", Vessel.__module__)
     yield from with_attributes(Vessel)
     yield from _from(Profile.__module__)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.robots.panda import PANDA
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
@@ -35,7 +35,9 @@ def main() -> None:
     figure, axes = plt.subplots(figsize=(4.5, 3.2))
     rows, cheapest = [], step_time(PHYSICS_HZ)
     for rate in RATES:
-        model = compile_scene([beaker("beaker")], PANDA, LABORATORY, VESSEL_VIEW).model
+        model = compile_scene(
+            [glassware("beaker", "250 ml", "beaker")], PANDA, LABORATORY, VESSEL_VIEW
+        ).model
         hasten(model, rate)
         depths = [max(sunk(model, speed, phase) for phase in range(PHASES)) for speed in SPEEDS]
         axes.plot(SPEEDS, np.multiply(depths, 1e3), "o-", label=f"{rate} steps/s")

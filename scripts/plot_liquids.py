@@ -13,7 +13,7 @@ from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 from PIL import Image
 
-from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask, graduated_cylinder
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
@@ -48,9 +48,17 @@ def main() -> None:
 def heights() -> Texts:
     """Compare where liquids stand with the volume of the cavity below."""
     cases = (
-        ("beaker, 250 ml", beaker("glass"), (50, 100, 150, 200)),
-        ("conical flask, 300 ml", erlenmeyer_flask("glass"), (50, 100, 200, 300)),
-        ("graduated cylinder, 250 ml", graduated_cylinder("glass"), (25, 50, 100, 200)),
+        ("beaker, 250 ml", glassware("beaker", "250 ml", "glass"), (50, 100, 150, 200)),
+        (
+            "conical flask, 300 ml",
+            glassware("conical_flask", "300 ml", "glass"),
+            (50, 100, 200, 300),
+        ),
+        (
+            "graduated cylinder, 250 ml",
+            glassware("measuring_cylinder", "250 ml", "glass"),
+            (25, 50, 100, 200),
+        ),
     )
     figure, axes = plt.subplots(figsize=(4.5, 3.2))
     rows = []
@@ -83,7 +91,10 @@ def levels() -> Texts:
     """Tilt vessels slowly, and compare the slope of the surface with the horizon."""
     figure, axes = plt.subplots(figsize=(4.5, 2.6))
     worst = []
-    for vessel, name in ((beaker("glass"), "beaker"), (erlenmeyer_flask("glass"), "conical flask")):
+    for vessel, name in (
+        (glassware("beaker", "250 ml", "glass"), "beaker"),
+        (glassware("conical_flask", "300 ml", "glass"), "conical flask"),
+    ):
         model, data, liquid = filled(vessel, Filling(100.0), height=0.1)
         tilts, slopes = [], []
         for step in range(4 * LIQUID_HZ):
@@ -106,9 +117,9 @@ def runs_over() -> Texts:
     """Tilt filled vessels until they run over."""
     rows = []
     for name, vessel, ml in (
-        ("beaker, 250 ml", beaker("glass"), 100),
-        ("conical flask, 300 ml", erlenmeyer_flask("glass"), 200),
-        ("graduated cylinder, 250 ml", graduated_cylinder("glass"), 100),
+        ("beaker, 250 ml", glassware("beaker", "250 ml", "glass"), 100),
+        ("conical flask, 300 ml", glassware("conical_flask", "300 ml", "glass"), 200),
+        ("graduated cylinder, 250 ml", glassware("measuring_cylinder", "250 ml", "glass"), 100),
     ):
         right = np.degrees(tilt_to_barrier(vessel.profile, ml * 1e-6))
         for count in (1000, 2000):
@@ -179,10 +190,10 @@ def scaling() -> Texts:
 
 def cost(count: int) -> tuple[int, float, float, float]:
     """Return steps per second, time of one [ms], most memory [MB], and the speed left [mm/s]."""
-    filled(beaker("glass"), Filling(100.0), 1)  # so that all is loaded
+    filled(glassware("beaker", "250 ml", "glass"), Filling(100.0), 1)  # so that all is loaded
     Path("/proc/self/clear_refs").write_text("5")  # the peak counts from here on (proc(5))
     before = memory("VmRSS")
-    _, _, liquid = filled(beaker("glass"), Filling(100.0), count)
+    _, _, liquid = filled(glassware("beaker", "250 ml", "glass"), Filling(100.0), count)
     taken = []
     for _ in range(LIQUID_HZ):
         start = time.perf_counter()

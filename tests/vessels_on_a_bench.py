@@ -3,22 +3,17 @@
 import mujoco
 import pytest
 
-from labutopia_lerobot.labware.glass.glassware import (
-    beaker,
-    erlenmeyer_flask,
-    graduated_cylinder,
-    volumetric_flask,
-)
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.utensil import Utensil
 from labutopia_lerobot.labware.glass.vessel import Vessel
 
 FLASK_SIZES = ("300 ml", "500 ml", "1000 ml")
 BEAKER_SIZES = ("150 ml", "250 ml", "800 ml")
 VESSELS = [
-    graduated_cylinder("vessel"),
-    volumetric_flask("vessel"),
-    *(erlenmeyer_flask("vessel", size) for size in FLASK_SIZES),
-    *(beaker("vessel", size) for size in BEAKER_SIZES),
+    glassware("measuring_cylinder", "250 ml", "vessel"),
+    glassware("pear_shaped_flask", "250 ml", "vessel"),
+    *(glassware("conical_flask", size, "vessel") for size in FLASK_SIZES),
+    *(glassware("beaker", size, "vessel") for size in BEAKER_SIZES),
 ]
 every_vessel = pytest.mark.parametrize(
     "vessel",

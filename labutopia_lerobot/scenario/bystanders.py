@@ -5,12 +5,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from labutopia_lerobot.labware.glass.glassware import (
-    beaker,
-    erlenmeyer_flask,
-    graduated_cylinder,
-    volumetric_flask,
-)
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import CLEARANCE, ImpossibleStartError, Piece, Placement, Workspace
 from labutopia_lerobot.world import FloatArray
@@ -34,17 +29,23 @@ def bystander_sets() -> dict[str, tuple[Piece, ...]]:
     name = "bystander"
     return {
         "bare": (),
-        "a beaker": (beaker(name, "150 ml"),),
+        "a beaker": (glassware("beaker", "150 ml", name),),
         "a flask and a cylinder": (
-            erlenmeyer_flask(name, "500 ml"),
-            graduated_cylinder(f"{name}_2"),
+            glassware("conical_flask", "500 ml", name),
+            glassware("measuring_cylinder", "250 ml", f"{name}_2"),
         ),
-        "two beakers": (beaker(name, "250 ml"), beaker(f"{name}_2", "800 ml")),
-        "a rack and a beaker": (TestTubeRack(name), beaker(f"{name}_2", "800 ml")),
+        "two beakers": (
+            glassware("beaker", "250 ml", name),
+            glassware("beaker", "800 ml", f"{name}_2"),
+        ),
+        "a rack and a beaker": (
+            TestTubeRack(name),
+            glassware("beaker", "800 ml", f"{name}_2"),
+        ),
         "three flasks": (
-            erlenmeyer_flask(name, "1000 ml"),
-            volumetric_flask(f"{name}_2"),
-            erlenmeyer_flask(f"{name}_3", "300 ml"),
+            glassware("conical_flask", "1000 ml", name),
+            glassware("pear_shaped_flask", "250 ml", f"{name}_2"),
+            glassware("conical_flask", "300 ml", f"{name}_3"),
         ),
     }
 

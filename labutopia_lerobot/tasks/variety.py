@@ -3,24 +3,19 @@
 from collections.abc import Callable
 from functools import partial
 
-from labutopia_lerobot.labware.glass.glassware import (
-    beaker,
-    erlenmeyer_flask,
-    graduated_cylinder,
-    volumetric_flask,
-)
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.scenario import Draw
 from labutopia_lerobot.substances.filling import Filling
 
 VESSELS: dict[str, Callable[[str], Vessel]] = {
-    "300 ml conical flask": partial(erlenmeyer_flask, size="300 ml"),
-    "500 ml conical flask": partial(erlenmeyer_flask, size="500 ml"),
-    "1000 ml conical flask": partial(erlenmeyer_flask, size="1000 ml"),
-    "graduated cylinder": graduated_cylinder,
-    "volumetric flask": volumetric_flask,
-    "150 ml beaker": partial(beaker, size="150 ml"),
-    "250 ml beaker": partial(beaker, size="250 ml"),
+    "300 ml conical flask": partial(glassware, "conical_flask", "300 ml"),
+    "500 ml conical flask": partial(glassware, "conical_flask", "500 ml"),
+    "1000 ml conical flask": partial(glassware, "conical_flask", "1000 ml"),
+    "graduated cylinder": partial(glassware, "measuring_cylinder", "250 ml"),
+    "volumetric flask": partial(glassware, "pear_shaped_flask", "250 ml"),
+    "150 ml beaker": partial(glassware, "beaker", "150 ml"),
+    "250 ml beaker": partial(glassware, "beaker", "250 ml"),
 }
 """What an instruction calls a vessel -> what makes it, given the name of its role in the task."""
 

@@ -3,13 +3,13 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.glass_rod import GlassRod
-from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.predicates import pulled, swings, turns
 from labutopia_lerobot.world import Pose
 
-ROD, VESSEL = GlassRod("rod"), beaker("vessel")
+ROD, VESSEL = GlassRod("rod"), glassware("beaker", "250 ml", "vessel")
 
 
 class Poses:

@@ -7,12 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 import leak_rate
-from labutopia_lerobot.labware.glass.glassware import (
-    beaker,
-    erlenmeyer_flask,
-    graduated_cylinder,
-    volumetric_flask,
-)
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.liquids.solver.walls import (
     SKIN,
@@ -28,10 +23,10 @@ from labutopia_lerobot.liquids.solver.walls import (
 PROFILES = {
     vessel.name: vessel.profile
     for vessel in (
-        beaker("beaker"),
-        erlenmeyer_flask("conical flask"),
-        graduated_cylinder("cylinder"),
-        volumetric_flask("volumetric flask"),
+        glassware("beaker", "250 ml", "beaker"),
+        glassware("conical_flask", "300 ml", "conical flask"),
+        glassware("measuring_cylinder", "250 ml", "cylinder"),
+        glassware("pear_shaped_flask", "250 ml", "volumetric flask"),
     )
 }
 SAMPLES = 200

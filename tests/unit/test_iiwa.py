@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import IIWA
 from labutopia_lerobot.scenes import LABORATORY
@@ -124,7 +124,7 @@ def test_a_kilogram_in_the_hand_lowers_it_by_less_than_two_millimetres(model, da
 
 @pytest.mark.parametrize(("x", "y"), [(0.21, -0.075), (0.21, 0.075), (0.22, 0.04), (0.36, 0.075)])
 def test_home_is_clear_of_a_flask_in_the_start_region(x, y):
-    flask = erlenmeyer_flask("flask")
+    flask = glassware("conical_flask", "300 ml", "flask")
     simulation = Simulation(compile_scene([flask], IIWA, LABORATORY, VESSEL_VIEW))
     simulation.reset({flask: Placement(x, y, 0.0)})
     assert SimulatedWorld(simulation).touched_by("flask") == {"bench"}
@@ -149,7 +149,7 @@ class Reach:
 
 @pytest.mark.parametrize(("x", "y"), [(0.21, -0.25), (0.21, 0.25), (0.36, -0.25), (0.36, 0.25)])
 def test_the_hand_reaches_low_over_the_start_regions_within_the_limits(x, y):
-    vessel = beaker("beaker")
+    vessel = glassware("beaker", "250 ml", "beaker")
     simulation = Simulation(compile_scene([vessel], IIWA, LABORATORY, VESSEL_VIEW))
     simulation.reset({vessel: Placement(1.0, 0.7, 0.0)})
     world = SimulatedWorld(simulation)

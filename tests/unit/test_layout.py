@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import (
     CLEARANCE,
     ImpossibleStartError,
@@ -16,7 +16,10 @@ from labutopia_lerobot.layout import (
 )
 
 WORKSPACE = Workspace(x=(-0.2, 1.2), y=(-0.9, 0.9), robot=(-0.4, 0.0), reach=0.855)
-LEFT, RIGHT = beaker("left"), beaker("right")
+LEFT, RIGHT = (
+    glassware("beaker", "250 ml", "left"),
+    glassware("beaker", "250 ml", "right"),
+)
 
 
 def test_things_that_share_a_region_never_overlap():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from adversary import begun_with
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
@@ -19,7 +19,10 @@ from labutopia_lerobot.world import LiquidAccount
 from labutopia_lerobot.world.liquid_account import UnknownVesselError
 from liquid_experiments import world
 
-UPPER, LOWER = beaker("upper"), beaker("lower", "800 ml")
+UPPER, LOWER = (
+    glassware("beaker", "250 ml", "upper"),
+    glassware("beaker", "800 ml", "lower"),
+)
 CONTENTS = {UPPER: Filling(100.0, "glycerol"), LOWER: Filling(200.0)}
 
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import binary_dilation
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.liquids.drawing.colors import colors_at
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
@@ -15,7 +15,10 @@ from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 
 SPACING = 1e-7 ** (1 / 3)
 BLUE, RED = (0.1, 0.2, 0.9, 0.8), (0.9, 0.2, 0.1, 0.8)
-PLACES = {beaker("left"): (0.25, -0.1), beaker("right"): (0.25, 0.1)}
+PLACES = {
+    glassware("beaker", "250 ml", "left"): (0.25, -0.1),
+    glassware("beaker", "250 ml", "right"): (0.25, 0.1),
+}
 
 
 class Scene:

@@ -4,14 +4,14 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import GRAVITY, LIQUID_HZ, Mixing
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.substances.substance import ETHANOL, GLYCEROL, WATER
 from liquid_experiments import filled, move_to, world
 
-GLASS = beaker("glass")
+GLASS = glassware("beaker", "250 ml", "glass")
 
 
 def layered(
@@ -83,10 +83,16 @@ def test_what_a_mixture_gains_in_momentum_the_vessel_gave_it() -> None:
 
 
 def test_each_substance_has_its_own_viscosity_beside_the_other() -> None:
-    model, data = world(beaker("left"), beaker("right"))
+    model, data = world(
+        glassware("beaker", "250 ml", "left"),
+        glassware("beaker", "250 ml", "right"),
+    )
     data.qpos[7] = 0.2
     mujoco.mj_kinematics(model, data)
-    contents = {beaker("left"): Filling(60.0), beaker("right"): Filling(60.0, "glycerol")}
+    contents = {
+        glassware("beaker", "250 ml", "left"): Filling(60.0),
+        glassware("beaker", "250 ml", "right"): Filling(60.0, "glycerol"),
+    }
     liquid = Liquid(model, data, list(contents), list(contents.values()), 600)
     liquid.fill(contents, np.random.default_rng(0))
     centres = np.array([[0.0, 0.0], [0.2, 0.0]])[liquid.origins]

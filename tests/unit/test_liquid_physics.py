@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
@@ -23,7 +23,11 @@ from run_over import CAPILLARY_LENGTH, run_over, tilt_to_barrier
 
 @pytest.mark.parametrize("count", [1000, 2000])
 @pytest.mark.parametrize(
-    ("vessel", "ml"), [(beaker("glass"), 100.0), (erlenmeyer_flask("glass"), 150.0)]
+    ("vessel", "ml"),
+    [
+        (glassware("beaker", "250 ml", "glass"), 100.0),
+        (glassware("conical_flask", "300 ml", "glass"), 150.0),
+    ],
 )
 def test_a_volume_stands_as_high_as_the_cavity_has_room_for_it(
     vessel: Vessel, ml: float, count: int
@@ -45,7 +49,11 @@ def test_a_full_cylinder_runs_over_at_once_and_half_a_one_when_its_diagonal_is_l
 
 
 @pytest.mark.parametrize(
-    ("vessel", "ml"), [(beaker("glass"), 100.0), (erlenmeyer_flask("glass"), 200.0)]
+    ("vessel", "ml"),
+    [
+        (glassware("beaker", "250 ml", "glass"), 100.0),
+        (glassware("conical_flask", "300 ml", "glass"), 200.0),
+    ],
 )
 def test_a_vessel_runs_over_when_its_surface_is_a_capillary_length_above_the_barrier(
     vessel: Vessel, ml: float
@@ -53,7 +61,13 @@ def test_a_vessel_runs_over_when_its_surface_is_a_capillary_length_above_the_bar
     assert 0.0 < run_over(vessel, ml, 500).above < 1.5 * CAPILLARY_LENGTH
 
 
-@pytest.mark.parametrize("vessel", [beaker("glass"), erlenmeyer_flask("glass")])
+@pytest.mark.parametrize(
+    "vessel",
+    [
+        glassware("beaker", "250 ml", "glass"),
+        glassware("conical_flask", "300 ml", "glass"),
+    ],
+)
 def test_the_surface_stays_level_in_a_vessel_that_is_tilted_slowly(vessel: Vessel) -> None:
     model, data, liquid = filled(vessel, Filling(100.0), height=0.1)
     tilt, seconds = np.radians(25.0), 2.0
@@ -65,7 +79,7 @@ def test_the_surface_stays_level_in_a_vessel_that_is_tilted_slowly(vessel: Vesse
 
 
 def test_the_bench_carries_the_vessel_and_its_liquid() -> None:
-    vessel = beaker("glass")
+    vessel = glassware("beaker", "250 ml", "glass")
     model, data, liquid = filled(vessel, Filling(100.0))
     loads, force = [], np.empty(6)
     for step in range(PHYSICS_HZ):
@@ -84,7 +98,7 @@ def test_the_bench_carries_the_vessel_and_its_liquid() -> None:
 
 
 def test_a_vessel_held_at_a_tilt_feels_the_weight_where_the_liquid_is() -> None:
-    model, data, liquid = filled(beaker("glass"), Filling(100.0), height=0.1)
+    model, data, liquid = filled(glassware("beaker", "250 ml", "glass"), Filling(100.0), height=0.1)
     for step in range(LIQUID_HZ):
         move_to(model, data, (0, 0, 0.1), np.radians(25.0) * min(1.0, 1.5 * step / LIQUID_HZ))
         liquid.step()
@@ -129,7 +143,9 @@ def test_a_falling_blob_moves_as_one_body() -> None:
 
 
 def test_what_the_liquid_gains_in_momentum_the_vessel_gave_it() -> None:
-    model, data, liquid = filled(beaker("glass"), Filling(100.0), bench=False)
+    model, data, liquid = filled(
+        glassware("beaker", "250 ml", "glass"), Filling(100.0), bench=False
+    )
     mass = WATER.density * 100e-6
     for step in range(LIQUID_HZ):
         before = mass * liquid.velocities.mean(axis=0)
@@ -143,7 +159,9 @@ def test_what_the_liquid_gains_in_momentum_the_vessel_gave_it() -> None:
 
 def spill(steps: int) -> tuple[mujoco.MjModel, mujoco.MjData, Liquid]:
     """Turn a beaker over, above the bench, within half a second."""
-    model, data, liquid = filled(beaker("glass"), Filling(100.0), 500, height=0.15)
+    model, data, liquid = filled(
+        glassware("beaker", "250 ml", "glass"), Filling(100.0), 500, height=0.15
+    )
     for step in range(steps):
         turn_over(model, data, step)
         liquid.step()
@@ -183,8 +201,10 @@ def test_a_restored_liquid_goes_on_with_the_same_bits() -> None:
 
 
 def test_every_particle_is_in_the_vessel_spilled_clinging_or_in_flight() -> None:
-    model, data, liquid = filled(beaker("glass"), Filling(100.0), 500, height=0.15)
-    profile, seen = beaker("glass").profile, set()
+    model, data, liquid = filled(
+        glassware("beaker", "250 ml", "glass"), Filling(100.0), 500, height=0.15
+    )
+    profile, seen = glassware("beaker", "250 ml", "glass").profile, set()
     for step in range(2 * LIQUID_HZ):
         turn_over(model, data, step)
         liquid.step()
@@ -220,7 +240,7 @@ def test_a_drop_that_a_box_closes_on_leaves_it_without_being_shot_out() -> None:
 
 @pytest.mark.parametrize("velocity", [np.nan, np.inf, 1e3, 1e30])
 def test_a_solver_that_fails_says_so_and_keeps_finite_positions(velocity: float) -> None:
-    _, data, liquid = filled(beaker("glass"), Filling(100.0), 200)
+    _, data, liquid = filled(glassware("beaker", "250 ml", "glass"), Filling(100.0), 200)
     before = liquid.positions.copy()
     liquid.velocities[7, 0] = velocity
     for _ in range(2):

@@ -7,14 +7,14 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask, volumetric_flask
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.liquids.drawing.open_space import PlacedSpace, inside_vessel, look_up
 from labutopia_lerobot.liquids.drawing.surface import Surface, VesselPose, liquid_surface
 
 VOLUME = 1e-7
 SPACING = VOLUME ** (1 / 3)
 BENCH = 0.775
-BEAKER = beaker("beaker").profile
+BEAKER = glassware("beaker", "250 ml", "beaker").profile
 UPRIGHT = VesselPose(BEAKER, np.array([0.3, 0.1, BENCH]), np.eye(3))
 TILTED = VesselPose(
     BEAKER, np.array([0.3, 0.1, 1.0]), Rotation.from_euler("xz", [40, 25], degrees=True).as_matrix()
@@ -173,11 +173,14 @@ def test_a_settled_surface_is_level_up_to_the_glass(vessel, level):
     assert np.abs(top - top.mean()).max() < 0.0025  # in the acute corner of the tilted beaker
 
 
-@pytest.mark.parametrize("make", [beaker, erlenmeyer_flask, volumetric_flask])
+@pytest.mark.parametrize(
+    ("kind", "size"),
+    [("beaker", "250 ml"), ("conical_flask", "300 ml"), ("pear_shaped_flask", "250 ml")],
+)
 @pytest.mark.parametrize("tilt_deg", [0, 30, 60])
-def test_nothing_pokes_out_of_the_glass(make, tilt_deg):
+def test_nothing_pokes_out_of_the_glass(kind, size, tilt_deg):
     axes = Rotation.from_euler("x", tilt_deg, degrees=True).as_matrix()
-    vessel = VesselPose(make("vessel").profile, np.array([0.3, 0.1, 1.0]), axes)
+    vessel = VesselPose(glassware(kind, size).profile, np.array([0.3, 0.1, 1.0]), axes)
     positions = filled(vessel, 0.04)
     surface = liquid_surface(positions, SPACING, [vessel], BENCH)
     assert clearance(vessel, positions).min() >= 0

@@ -9,8 +9,8 @@ from adversary import begun, begun_with
 from labutopia_lerobot import kernel
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.glass_rod import GlassRod
-from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting, UnknownOptionError
@@ -48,13 +48,13 @@ def env() -> LabEnv:
 
 @pytest.mark.parametrize("ml", [-1.0, 0.0, 1000.0, float("nan"), float("inf")])
 def test_a_volume_that_a_vessel_cannot_hold_is_refused(ml):
-    vessel = beaker("beaker")
+    vessel = glassware("beaker", "250 ml", "beaker")
     with pytest.raises(ImpossibleFillingError, match=r"beaker cannot hold .* at most \d+ ml"):
         require_fillable({vessel: Filling(ml)}, {vessel: None})
 
 
 def test_an_unknown_substance_is_refused_and_the_known_ones_are_listed():
-    vessel = beaker("beaker")
+    vessel = glassware("beaker", "250 ml", "beaker")
     with pytest.raises(UnknownSubstanceError, match=r"mercury.*water, .*, glycerol"):
         require_fillable({vessel: Filling(50, "mercury")}, {vessel: None})
     assert list(SUBSTANCES) == ["water", "ethanol", "ethylene glycol", "glycerol"]
@@ -68,7 +68,10 @@ def test_what_is_not_watertight_cannot_be_filled(thing):
 
 def test_a_vessel_that_is_not_in_the_task_cannot_be_filled():
     with pytest.raises(ImpossibleFillingError, match="flask is to be filled but not in the task"):
-        require_fillable({beaker("flask"): Filling(10)}, {beaker("beaker"): None})
+        require_fillable(
+            {glassware("beaker", "250 ml", "flask"): Filling(10)},
+            {glassware("beaker", "250 ml", "beaker"): None},
+        )
 
 
 def test_impossible_contents_are_refused_when_a_task_is_loaded(tmp_path):

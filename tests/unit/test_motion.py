@@ -10,7 +10,7 @@ import pytest
 from adversary import begun
 from attacks.arm import Arm
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware.glass.glassware import erlenmeyer_flask
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
@@ -24,7 +24,7 @@ from labutopia_lerobot.skills.posture import hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived
 from labutopia_lerobot.world import Approach, Pose, World
 
-OBSTACLE = erlenmeyer_flask("obstacle", "1000 ml")
+OBSTACLE = glassware("conical_flask", "1000 ml", "obstacle")
 
 
 @dataclass(frozen=True)

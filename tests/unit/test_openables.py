@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
 from labutopia_lerobot.labware.instruments.muffle_furnace import MuffleFurnace
@@ -128,7 +128,7 @@ def test_the_frame_of_the_handle_lies_in_the_middle_of_its_bar(name):
 
 
 def test_a_beaker_stands_in_the_chamber_of_a_closed_furnace():
-    furnace, held = MuffleFurnace("furnace"), beaker("beaker")
+    furnace, held = MuffleFurnace("furnace"), glassware("beaker", "250 ml", "beaker")
     simulation = Simulation(compile_scene([furnace, held], PANDA, LABORATORY, DOOR_VIEW))
     start = {
         furnace: OnBench(x=(1.2, 1.2), y=(0.1, 0.1), yaw=(0.1, 0.1)),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot import predicates
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.button_panel import ButtonPanel
 from labutopia_lerobot.labware.instruments.cabinet import Cabinet
@@ -24,7 +24,10 @@ from labutopia_lerobot.predicates.squeezing import Squeezable
 from labutopia_lerobot.predicates.stirring import Filled
 from labutopia_lerobot.world import Button, OpenVessel, Standing, Thing, World
 
-SMALL, LARGE = beaker("small", "150 ml"), beaker("large", "800 ml")
+SMALL, LARGE = (
+    glassware("beaker", "150 ml", "small"),
+    glassware("beaker", "800 ml", "large"),
+)
 OVEN, OTHER_OVEN = DryingOven("oven", latching=True), DryingOven("other", latching=True)
 DRAWER, _, OTHER_DRAWER = Cabinet("cabinet").drawers
 VESSELS = (SMALL, LARGE)
@@ -132,4 +135,4 @@ def test_not_turns_a_fact_round():
 
 def test_vessels_are_values():
     assert isinstance(SMALL, Vessel)
-    assert beaker("small", "150 ml") == SMALL
+    assert glassware("beaker", "150 ml", "small") == SMALL

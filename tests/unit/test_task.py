@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import Predicate, Transfer, gripped, lifted
@@ -12,7 +12,10 @@ from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Milestone, Step, Task, TaskError
 from labutopia_lerobot.tasks import actions
 
-SMALL, LARGE = beaker("small"), beaker("large", "800 ml")
+SMALL, LARGE = (
+    glassware("beaker", "250 ml", "small"),
+    glassware("beaker", "800 ml", "large"),
+)
 HELD = Milestone("held", (gripped(SMALL),))
 TASK = Task(
     instruction="Hold it.",

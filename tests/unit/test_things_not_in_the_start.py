@@ -5,13 +5,13 @@ from dataclasses import replace
 import pytest
 
 from adversary import begun
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.predicates import gripped, lifted, steady, upright
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.sim.view import UnknownThingError
 from labutopia_lerobot.skills import Pick
 
-OTHER = beaker("flusk")
+OTHER = glassware("beaker", "250 ml", "flusk")
 
 
 @pytest.fixture(scope="module")

@@ -6,12 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glass.glassware import (
-    beaker,
-    erlenmeyer_flask,
-    graduated_cylinder,
-    volumetric_flask,
-)
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.profile import BOROSILICATE_DENSITY, Profile
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
@@ -76,26 +71,28 @@ def test_the_cavity_is_smaller_than_the_vessel(vessel):
 
 
 @pytest.mark.parametrize(
-    ("make", "sizes", "series"),
+    ("kind", "sizes", "series"),
     [
-        (erlenmeyer_flask, FLASK_SIZES, (50, 100, 200, 250, 300, 500, 1000, 2000)),
-        (beaker, BEAKER_SIZES, (50, 100, 150, 250, 400, 600, 800, 1000, 2000)),
+        ("conical_flask", FLASK_SIZES, (50, 100, 200, 250, 300, 500, 1000, 2000)),
+        ("beaker", BEAKER_SIZES, (50, 100, 150, 250, 400, 600, 800, 1000, 2000)),
     ],
 )
 def test_the_nominal_volume_is_the_largest_that_leaves_a_tenth_of_the_vessel_empty(
-    make, sizes, series
+    kind, sizes, series
 ):
     for size in sizes:
-        fitting = [volume for volume in series if volume <= 0.9 * make("vessel", size).capacity]
+        fitting = [volume for volume in series if volume <= 0.9 * glassware(kind, size).capacity]
         assert size == f"{max(fitting)} ml"
 
 
 def test_a_graduated_cylinder_for_250_ml_is_the_largest_that_leaves_a_tenth_of_it_empty():
-    assert 250 <= 0.9 * graduated_cylinder("vessel").capacity < 500  # ISO 4788's next
+    assert (
+        250 <= 0.9 * glassware("measuring_cylinder", "250 ml", "vessel").capacity < 500
+    )  # ISO 4788's next
 
 
 def test_a_volumetric_flask_is_full_in_the_middle_half_of_its_neck():
-    flask = volumetric_flask("vessel")
+    flask = glassware("pear_shaped_flask", "250 ml", "vessel")
     mark = flask.profile.fill_height(250e-6)
     assert 0.100 + 0.030 < mark < 0.220 - 0.030
     assert flask.profile.inner_radius(mark) == pytest.approx(flask.grip_width / 2 - 0.0018)
@@ -111,15 +108,15 @@ def test_fill_height_is_the_inverse_of_capacity_below(vessel):
 
 def test_a_vessel_does_not_take_more_than_it_holds():
     with pytest.raises(ValueError, match="volume must lie between"):
-        beaker("vessel").profile.fill_height(1e-3)
+        glassware("beaker", "250 ml", "vessel").profile.fill_height(1e-3)
 
 
 @pytest.mark.parametrize(
-    ("make", "sizes"), [(erlenmeyer_flask, FLASK_SIZES), (beaker, BEAKER_SIZES)]
+    ("kind", "sizes"), [("conical_flask", FLASK_SIZES), ("beaker", BEAKER_SIZES)]
 )
-def test_an_unknown_size_is_an_error_that_lists_the_sizes(make, sizes):
+def test_an_unknown_size_is_an_error_that_lists_the_sizes(kind, sizes):
     with pytest.raises(ValueError, match="3 gallons") as error:
-        make("vessel", "3 gallons")
+        glassware(kind, "3 gallons")
     assert all(size in str(error.value) for size in sizes)
 
 
@@ -138,9 +135,15 @@ def test_an_impossible_profile_is_refused(outer, wall, bottom, complaint):
 
 
 def test_vessels_are_values():
-    assert erlenmeyer_flask("flask") == erlenmeyer_flask("flask")
-    assert {erlenmeyer_flask("flask"): "full"}[erlenmeyer_flask("flask")] == "full"
-    assert erlenmeyer_flask("flask") != erlenmeyer_flask("flask", "500 ml")
+    assert glassware("conical_flask", "300 ml", "flask") == glassware(
+        "conical_flask", "300 ml", "flask"
+    )
+    assert {glassware("conical_flask", "300 ml", "flask"): "full"}[
+        glassware("conical_flask", "300 ml", "flask")
+    ] == "full"
+    assert glassware("conical_flask", "300 ml", "flask") != glassware(
+        "conical_flask", "500 ml", "flask"
+    )
 
 
 @every_vessel
@@ -152,7 +155,10 @@ def test_every_element_is_named_after_its_vessel(vessel):
 
 
 def test_two_vessels_of_one_kind_live_in_one_model():
-    model = bench(beaker("left"), beaker("right")).compile()
+    model = bench(
+        glassware("beaker", "250 ml", "left"),
+        glassware("beaker", "250 ml", "right"),
+    ).compile()
     assert model.body("left").mass == model.body("right").mass
 
 

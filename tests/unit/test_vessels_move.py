@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from vessels_on_a_bench import bench, every_vessel
 
@@ -45,7 +45,10 @@ def test_a_standing_vessel_stays_still(vessel):
 
 
 def test_a_small_beaker_dropped_into_a_larger_one_stands_on_its_bottom():
-    large, small = beaker("large", "800 ml"), beaker("small", "150 ml")
+    large, small = (
+        glassware("beaker", "800 ml", "large"),
+        glassware("beaker", "150 ml", "small"),
+    )
     model = bench(large, small).compile()
     data = mujoco.MjData(model)
     data.joint("small").qpos[:3] = (0.005, 0.003, large.height + 0.01)

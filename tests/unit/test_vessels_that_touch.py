@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.bodies import Glass, clearances, stop_at_vessels
@@ -49,7 +49,10 @@ def crossings(vessels: list[Vessel], paths: list[Path], ml: list[float], seconds
 
 
 def test_a_spout_inside_a_mouth_lets_nothing_through_either_glass() -> None:
-    vessels = [beaker("small", "150 ml"), beaker("large", "800 ml")]
+    vessels = [
+        glassware("beaker", "150 ml", "small"),
+        glassware("beaker", "800 ml", "large"),
+    ]
 
     def spout(seconds: float) -> tuple[tuple[float, float, float], float]:
         tilt = np.radians(105) * min(1.0, seconds / 0.25)
@@ -67,9 +70,9 @@ def test_a_spout_inside_a_mouth_lets_nothing_through_either_glass() -> None:
     assert crossings(vessels, [spout, mouth], [100.0, 300.0], 2.0) == 0
 
 
-@pytest.mark.parametrize("make", [beaker, erlenmeyer_flask])
-def test_nothing_crosses_the_glass_of_two_vessels_that_touch_while_they_swing(make) -> None:
-    vessels = [make("left"), make("right")]
+@pytest.mark.parametrize(("kind", "size"), [("beaker", "250 ml"), ("conical_flask", "300 ml")])
+def test_nothing_crosses_the_glass_of_two_vessels_that_touch_while_they_swing(kind, size) -> None:
+    vessels = [glassware(kind, size, "left"), glassware(kind, size, "right")]
     half = max(radius for radius, _ in vessels[0].profile.outer)
 
     def swing(side: int) -> Path:
@@ -84,7 +87,10 @@ def test_nothing_crosses_the_glass_of_two_vessels_that_touch_while_they_swing(ma
 
 
 def test_what_the_second_vessel_moves_is_offered_to_the_first_again() -> None:
-    left, right = beaker("left"), beaker("right")
+    left, right = (
+        glassware("beaker", "250 ml", "left"),
+        glassware("beaker", "250 ml", "right"),
+    )
     model, data = world(left, right, bench=False)
     around = Surroundings(model, data, [left, right])
     rng, half = np.random.default_rng(0), max(radius for radius, _ in left.profile.outer)

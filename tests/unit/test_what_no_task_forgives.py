@@ -5,7 +5,7 @@ import pytest
 
 from adversary import begun, begun_with
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.predicates import contaminated, gripped
 from labutopia_lerobot.substances.filling import Filling
@@ -114,7 +114,10 @@ def test_liquid_outside_on_glass_clings_in_the_hand_and_is_spilled_where_it_stan
         assert (account.spilled > 0.0) == (not clings)
 
 
-SMALL, BIG = beaker("small", "150 ml"), beaker("big", "800 ml")
+SMALL, BIG = (
+    glassware("beaker", "150 ml", "small"),
+    glassware("beaker", "800 ml", "big"),
+)
 
 
 def test_liquid_in_a_vessel_inside_another_is_in_the_inner_one(monkeypatch):

@@ -38,6 +38,7 @@ class Series:
         grip: Height at which a gripper closes, as a share of the whole.
         stands: Whether it stands by itself.
         graduated: Whether it has a scale.
+        numbered: Whether the scale has numbers.
         one_mark: Whether the only graduation is a ring at the nominal volume.
         joined: From the wall to side arms, necks, jackets and handles.
         thread: On the neck.
@@ -55,6 +56,7 @@ class Series:
     grip: float = 0.5
     stands: bool = True
     graduated: bool = False
+    numbered: bool = True
     one_mark: bool = False
     joined: Callable[[Profile], tuple[Form, ...]] | None = None
     thread: Thread | None = None
@@ -84,7 +86,7 @@ class Series:
             material=self.material,
             stands=self.stands,
             graduated=self.graduated or self.one_mark,
-            numbered=self.graduated,
+            numbered=self.graduated and self.numbered,
             joined=self.joined(profile) if self.joined else (),
             thread=self.thread,
             fittings=self.fitted(name, profile) if self.fitted else (),

@@ -3,7 +3,7 @@
 Ported from: config/level1_pick.yaml, tasks/pick_task.py, controllers/pick_controller.py.
 """
 
-from labutopia_lerobot.labware.glass.glassware import erlenmeyer_flask
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import gripped, lifted, steady, upright
@@ -13,7 +13,7 @@ from labutopia_lerobot.tasks import actions, mishaps
 
 def pick() -> Task:
     """Return the task."""
-    return pick_up(erlenmeyer_flask("flask"))
+    return pick_up(glassware("conical_flask", "300 ml", "flask"))
 
 
 def pick_up(flask: Vessel) -> Task:

@@ -3,7 +3,7 @@
 Ported from: config/level1_place.yaml, tasks/place_task.py, controllers/place_controller.py.
 """
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.target_plate import TargetPlate
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop
@@ -16,7 +16,7 @@ from labutopia_lerobot.tasks import actions, mishaps
 
 def place() -> Task:
     """Return the task."""
-    vessel, plate = beaker("beaker"), TargetPlate("target_plate")
+    vessel, plate = glassware("beaker", "250 ml"), TargetPlate("target_plate")
     within = 0.04  # original: 0.05, where the base overhangs
     return Task(
         instruction="Set the beaker in the gripper down on the target plate.",

@@ -3,7 +3,7 @@
 Ported from: config/level1_pour.yaml, tasks/pickpour_task.py, controllers/pour_controller.py.
 """
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import gripped, lifted, steady, struck, upright
@@ -16,12 +16,12 @@ from labutopia_lerobot.tasks import actions, mishaps
 
 def pour() -> Task:
     """Return the task."""
-    return pour_from(beaker("beaker"))
+    return pour_from(glassware("beaker", "250 ml"))
 
 
 def pour_from(vessel: Vessel) -> Task:
     """Return the task with a vessel, which level 3 varies."""
-    target = beaker("target_beaker", "800 ml")
+    target = glassware("beaker", "800 ml", "target_beaker")
     return Task(
         instruction="Pour the beaker in the gripper into the large beaker.",
         paraphrases=(

@@ -3,7 +3,7 @@
 Ported from: config/level1_shake.yaml, tasks/shake_task.py, controllers/shake_controller.py.
 """
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import gripped, steady
@@ -15,7 +15,7 @@ from labutopia_lerobot.tasks import actions, mishaps
 
 def shake() -> Task:
     """Return the task."""
-    vessel = beaker("beaker", "150 ml")
+    vessel = glassware("beaker", "150 ml")
     # Original: (0.25, 0, 1.0) in the world. The paper's "initial position above the workspace".
     start = OverBench("middle of the workspace", ahead=0.65, height=0.25)
     return Task(

@@ -3,8 +3,8 @@
 Ported from: config/level1_stir.yaml, tasks/stir_task.py, controllers/stir_controller.py.
 """
 
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.glass_rod import GlassRod
-from labutopia_lerobot.labware.glass.glassware import beaker
 from labutopia_lerobot.labware.instruments.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.predicates import steady, upright
@@ -17,7 +17,11 @@ from labutopia_lerobot.tasks import actions, mishaps
 
 def stir() -> Task:
     """Return the task."""
-    rod, rack, vessel = GlassRod("glass_rod"), TestTubeRack("rack"), beaker("beaker", "150 ml")
+    rod, rack, vessel = (
+        GlassRod("glass_rod"),
+        TestTubeRack("rack"),
+        glassware("beaker", "150 ml"),
+    )
     filling = Filling(ml=60)  # ours: a good quarter of what it holds
     return Task(
         instruction=(

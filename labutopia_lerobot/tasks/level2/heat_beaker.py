@@ -6,7 +6,7 @@ controllers/placepress_controller.py.
 
 import math
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop
@@ -33,7 +33,7 @@ def heat_beaker() -> Task:
 
 def heat_on(heater: Heater) -> Task:
     """Return the task with a heater, which level 3 varies."""
-    vessel = beaker("beaker", "150 ml")
+    vessel = glassware("beaker", "150 ml")
     plate, button = OnTop(heater), heater.button
     within = 0.05  # original; further out the base would overhang
     return Task(

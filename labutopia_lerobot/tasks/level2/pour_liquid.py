@@ -4,7 +4,7 @@ Ported from: config/level2_PourLiquid.yaml, tasks/pickpour_task.py,
 controllers/pickpour_controller.py.
 """
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import WhereItStood
@@ -17,12 +17,12 @@ from labutopia_lerobot.tasks import actions, mishaps
 
 def pour_liquid() -> Task:
     """Return the task."""
-    return pour_from(beaker("beaker"))
+    return pour_from(glassware("beaker", "250 ml"))
 
 
 def pour_from(vessel: Vessel) -> Task:
     """Return the task with a vessel, which level 3 varies."""
-    target = beaker("target_beaker", "800 ml")
+    target = glassware("beaker", "800 ml", "target_beaker")
     home, within = WhereItStood(vessel), 0.04  # ours: as clean_beaker
     return Task(
         instruction=(

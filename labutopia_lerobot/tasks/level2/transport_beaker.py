@@ -4,7 +4,7 @@ Ported from: config/level2_TransportBeaker.yaml, tasks/place_task.py,
 controllers/pickplace_controller.py.
 """
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.target_plate import TargetPlate
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop
@@ -22,7 +22,7 @@ def transport_beaker() -> Task:
 
 def transport_to(plate: TargetPlate) -> Task:
     """Return the task with a plate, which level 3 varies."""
-    vessel = beaker("beaker")
+    vessel = glassware("beaker", "250 ml")
     within = 0.04  # original: 0.05, where the base overhangs
     return Task(
         instruction="Lift the beaker by 20 cm or more and move it onto the target plate.",

@@ -4,7 +4,7 @@ Ported from: config/level4_CleanBeaker.yaml, tasks/cleanbeaker_task.py,
 controllers/cleanbeaker_controller.py.
 """
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OverBench, WhereItStood
 from labutopia_lerobot.predicates import struck
@@ -16,8 +16,11 @@ from labutopia_lerobot.tasks import actions, mishaps
 
 def clean_beaker() -> Task:
     """Return the task."""
-    full, dirty = beaker("full_beaker"), beaker("dirty_beaker")
-    waste = beaker("waste_beaker", "800 ml")
+    full, dirty = (
+        glassware("beaker", "250 ml", "full_beaker"),
+        glassware("beaker", "250 ml", "dirty_beaker"),
+    )
+    waste = glassware("beaker", "800 ml", "waste_beaker")
     # Paper: "to its original position", "at its initial location"; original: within 0.04 m.
     home, dirty_home, within = WhereItStood(full), WhereItStood(dirty), 0.04
     middle = OverBench("middle of the workspace", ahead=0.65, height=0.25)

@@ -9,7 +9,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
 from labutopia_lerobot.layout import OnBench, Piece, Start
 from labutopia_lerobot.places import OnShelf, OverBench
@@ -21,7 +21,10 @@ from labutopia_lerobot.tasks import actions, mishaps
 from labutopia_lerobot.tasks.level1.open_door import BEGUN, HASTY, OPEN_TO
 
 OVEN = DryingOven("oven", latching=True, stand=0.20, shelf_height=0.14)  # original: 0.2 m up
-LARGE, SMALL = beaker("large_beaker"), beaker("small_beaker", "150 ml")
+LARGE, SMALL = (
+    glassware("beaker", "250 ml", "large_beaker"),
+    glassware("beaker", "150 ml", "small_beaker"),
+)
 
 WIDE = math.radians(90)  # ours: "fully"; the original's expert goes for 100 degrees
 PULL = math.radians(95)

@@ -6,7 +6,7 @@ tasks/LiquidMixing_task.py, controllers/LiquidMixing_controller.py.
 
 import math
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.layout import Inside, OnBench
@@ -29,10 +29,10 @@ YAW = (-math.radians(10), math.radians(10))  # ours: as heat_beaker
 
 def liquid_fusion() -> Task:
     """Return the task."""
-    heater, mixture = Heater("heater"), beaker("large_beaker", "800 ml")
+    heater, mixture = Heater("heater"), glassware("beaker", "800 ml", "large_beaker")
     plate = OnTop(heater)
     blue, green, pink = sources = tuple(
-        beaker(f"{color}_beaker", "150 ml") for color in ("blue", "green", "pink")
+        glassware("beaker", "150 ml", f"{color}_beaker") for color in ("blue", "green", "pink")
     )
     within = 0.04  # as clean_beaker, "to its original position"
 

@@ -5,7 +5,7 @@ The paper simulates soft bodies, but none of its tasks needs one; the original's
 
 import math
 
-from labutopia_lerobot.labware.glass.glassware import beaker
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.predicates import (
@@ -28,7 +28,7 @@ _AMOUNT_ML = 20.0
 
 def squeeze() -> Task:
     """Return the task."""
-    bottle, target = WashBottle("bottle"), beaker("beaker")
+    bottle, target = WashBottle("bottle"), glassware("beaker", "250 ml")
     enough = dispensed(bottle, target, at_least_ml=_AMOUNT_ML)
     return Task(
         instruction="Squeeze the wash bottle until at least 20 ml are in the beaker.",

@@ -8,7 +8,7 @@ import math
 from dataclasses import replace
 from itertools import permutations
 
-from labutopia_lerobot.labware.glass.glassware import beaker, erlenmeyer_flask
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.muffle_furnace import MuffleFurnace
 from labutopia_lerobot.labware.instruments.target_plate import PORCELAIN, TargetPlate
 from labutopia_lerobot.labware.parts.colors import COLORS
@@ -37,8 +37,12 @@ def open_transport_pour(draw: Draw) -> Task:
     """Return the task that an episode has drawn."""
     order = draw.choice("order", train=ORDERS).split(", ")  # original: shuffled
     first, second, third = (JOBS[job] for job in order)
-    furnace, vessel, flask = MuffleFurnace("furnace"), beaker("beaker"), erlenmeyer_flask("flask")
-    target, door = beaker("large_beaker", "800 ml"), furnace.door
+    furnace, vessel, flask = (
+        MuffleFurnace("furnace"),
+        glassware("beaker", "250 ml"),
+        glassware("conical_flask", "300 ml", "flask"),
+    )
+    target, door = glassware("beaker", "800 ml", "large_beaker"), furnace.door
     red = TargetPlate("red_plate", color=PORCELAIN, glaze=COLORS["red"])
     blue = TargetPlate("blue_plate", color=PORCELAIN, glaze=COLORS["blue"])
     plates, within = frozenset({red.name, blue.name}), 0.04  # as transport_beaker
