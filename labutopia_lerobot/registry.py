@@ -149,6 +149,8 @@ def require_task(task_id: str, tasks_dir: str | Path | None = None) -> Path:
         UnknownTaskError: If there is none; the message names the nearest, and what lists all.
     """
     files = task_files(tasks_dir)
+    if not isinstance(task_id, str):
+        raise UnknownTaskError(f"task={task_id!r} is no name of a task, such as level1/pick")
     if task_id not in files:
         near = _nearest(task_id, list(files))
         hint = f" Did you mean {' or '.join(repr(task) for task in near)}?" if near else ""

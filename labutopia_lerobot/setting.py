@@ -138,8 +138,10 @@ class Setting:
 
     @property
     def described(self) -> dict[str, Any]:
-        """Every field by name, as datasets have it: a room in a file by its content, no path."""
-        return asdict(self) | {"room": room_label(self.room)}
+        """Every field by name, as datasets have it: a room in a file by its content, no folder."""
+        told = asdict(self) | {"room": room_label(self.room)}
+        del told["tasks_dir"]
+        return told
 
     def without_pictures(self) -> "Setting":
         """Return the same with no pictures drawn: `obs=state`, and of the extras the numbers."""

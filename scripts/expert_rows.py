@@ -23,8 +23,8 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.result_folder import RESULT, SCHEMA
 from labutopia_lerobot.evaluation.rows import Row, from_columns
 from labutopia_lerobot.evaluation.submission import PUBLISHED
+from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.registry import task_files
-from labutopia_lerobot.runtime.json_object import read_json_object
 
 RESULTS = Path(__file__).parents[1] / "eval" / "results"
 

@@ -12,7 +12,7 @@ from labutopia_lerobot.runtime.termination import Terminated, terminated_like_in
 
 
 def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
-    """Wrap a program: user errors exit with 2, a full disk with 1, Ctrl-C with 130, SIGTERM 143.
+    """Wrap a program: user errors exit with 2, failures of disk with 1, Ctrl-C 130, SIGTERM 143.
 
     What a `KeyboardInterrupt` says, such as how to go on, is told. Anything else is a bug of ours
     and keeps its traceback.
@@ -27,14 +27,20 @@ def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
             notes = getattr(error, "__notes__", ())
             _tell("\n".join((f"Error: {error}", *notes)), status=2)
         except OSError as error:
-            if error.errno != errno.ENOSPC:
-                raise
-            _tell("Error: the disk is full. What was finished before is intact.", status=1)
+            _tell(f"Error: {_failure(error)}. What was finished before is intact.", status=1)
         except KeyboardInterrupt as interrupt:
             told = f"Interrupted. What was finished before is intact. {interrupt}"
             _tell(told.rstrip(), status=143 if isinstance(interrupt, Terminated) else 130)
 
     return wrapped
+
+
+def _failure(error: OSError) -> str:
+    """Return what the system refuses, and of which file."""
+    if error.errno == errno.ENOSPC:
+        return "the disk is full"
+    reason = error.strerror or str(error).partition("\n")[0] or type(error).__name__
+    return reason if error.filename is None else f"{error.filename}: {reason}"
 
 
 def _tell(message: str, status: int) -> None:

@@ -8,7 +8,7 @@ from rich.filesize import decimal
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
-from labutopia_lerobot.datasets.tables import INFO, RECORDING, read_json
+from labutopia_lerobot.datasets.description import INFO, read_recording
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
 from labutopia_lerobot.hub.dataset import dataset_repository
@@ -50,12 +50,15 @@ def main() -> None:
     parser.add_argument(
         "--dry-run", action="store_true", help="list what would be sent, and send nothing"
     )
+    parser.add_argument(
+        "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
+    )
     arguments = parser.parse_args()
     require_repo_id(arguments.repo_id)
     results = [found for folder in arguments.results for found in load_results(folder)]
     busy, console = Console(stderr=True), Console(highlight=False, soft_wrap=True)
     with doing(busy, f"Verifying {arguments.what}"):
-        repository = _repository(arguments.what, arguments.repo_id, results)
+        repository = _repository(arguments.what, arguments.repo_id, results, arguments.tasks_dir)
     if arguments.dry_run:
         console.print(_list(repository, arguments.repo_id, arguments.private), markup=False)
         return
@@ -67,12 +70,14 @@ def main() -> None:
     console.print(f"Published: {url}", markup=False)
 
 
-def _repository(what: str, repo_id: str, results: list[LoadedResult]) -> Repository:
+def _repository(
+    what: str, repo_id: str, results: list[LoadedResult], tasks_dir: str | None
+) -> Repository:
     if what == ENVIRONMENT:
         return environment_repository(repo_id)
     if (Path(what) / INFO).exists():
         _require_known_room(Path(what))
-        return dataset_repository(Path(what), repo_id, results)
+        return dataset_repository(Path(what), repo_id, results, tasks_dir)
     policy = find_policy(Path(what))
     if policy is None:
         raise UnpublishableError(
@@ -84,9 +89,9 @@ def _repository(what: str, repo_id: str, results: list[LoadedResult]) -> Reposit
 
 def _require_known_room(dataset: Path) -> None:
     """Make sure that whoever gets a dataset can replay it."""
-    told = read_json(dataset, RECORDING) if (dataset / RECORDING).is_file() else {}
-    room = told.get("config", {}).get("room", "")
-    if is_of_file(room):
+    told = read_recording(dataset)
+    room = None if told is None else told["config"].get("room")
+    if isinstance(room, str) and is_of_file(room):
         raise UnpublishableError(
             f"{dataset} was recorded in a room of your own, {room}, which nobody else can replay "
             "it in. Record it in one that `labutopia-scene list` names"

@@ -13,7 +13,7 @@ from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.dataset_folder import INFO, require_dataset
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.runtime.json_object import read_json_object
+from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.runtime.shipped import shipped
 
 

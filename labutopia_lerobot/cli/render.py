@@ -14,8 +14,8 @@ from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.cli.setting_flags import add_room_file, add_setting_flags
+from labutopia_lerobot.datasets.description import read_info
 from labutopia_lerobot.datasets.rendering import render
-from labutopia_lerobot.datasets.tables import INFO, read_json
 from labutopia_lerobot.setting import Setting
 
 _DRAWING = ("cameras", "extras", "width", "height", "renderer")
@@ -32,14 +32,17 @@ def main() -> None:
     )
     parser.add_argument("dataset", type=Path, help="folder that labutopia-record made")
     parser.add_argument("out", type=Path, help="folder of the new dataset")
+    parser.add_argument(
+        "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
+    )
     add_setting_flags(parser, but=[o.name for o in fields(Setting) if o.name not in _DRAWING])
     add_room_file(parser)
     arguments = parser.parse_args()
     chosen = {name: getattr(arguments, name) for name in _DRAWING}
-    episodes = read_json(arguments.dataset, INFO)["total_episodes"]
+    episodes = read_info(arguments.dataset)["total_episodes"]
     console = Console(stderr=True, highlight=False, soft_wrap=True)
     with RecordingBars(episodes, console) as bars:
-        render(arguments.dataset, arguments.out, bars, **chosen)
+        render(arguments.dataset, arguments.out, bars, arguments.tasks_dir, **chosen)
     console.print(f"Rendered {episodes} episodes into {arguments.out}", markup=False)
 
 

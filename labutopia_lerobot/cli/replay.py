@@ -58,21 +58,26 @@ def main() -> None:
         "--episodes", type=int, metavar="N", help="compare only the first N (default: all)"
     )
     add_room_file(parser)
+    parser.add_argument(
+        "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
+    )
     arguments = parser.parse_args()
     if arguments.episode is not None:
         _show(arguments)
         return
     if arguments.episodes is not None and arguments.episodes < 1:
         raise ReplayOptionError(f"--episodes {arguments.episodes} is too small: at least 1")
-    _compare(arguments.dataset, arguments.episodes)
+    if arguments.out is not None:
+        raise ReplayOptionError("--out shows one episode: name it with --episode N")
+    _compare(arguments.dataset, arguments.episodes, arguments.tasks_dir)
 
 
 def _show(arguments: argparse.Namespace) -> None:
     require_choices("cameras", arguments.cameras, CAMERAS)
-    row, frames = find_episode(arguments.dataset, arguments.episode)
+    row, frames = find_episode(arguments.dataset, arguments.episode, arguments.tasks_dir)
     what = f"episode {arguments.episode}, seed {row[SEED]}"
     with _look(arguments, frames) as look, doing(Console(stderr=True), f"Playing {what}"):
-        played = look_at(row, frames, look, arguments.width, arguments.height)
+        played = look_at(row, frames, look, arguments.width, arguments.height, arguments.tasks_dir)
     wrote = f". Wrote {arguments.out}" if arguments.out else ""
     Console(highlight=False, soft_wrap=True).print(
         f"{what}: {played.outcome}, {_difference(played)}{wrote}", markup=False
@@ -124,10 +129,10 @@ def _difference(played: Playback) -> str:
     return f"differs from frame {played.difference.frame} in {played.difference.key}"
 
 
-def _compare(root: Path, episodes: int | None) -> None:
+def _compare(root: Path, episodes: int | None, tasks_dir: str | None) -> None:
     console = Console(highlight=False, soft_wrap=True)
     replays = []
-    for played in replay(root, episodes):
+    for played in replay(root, episodes, tasks_dir):
         console.print(_line(played), markup=False)
         replays.append(played)
     faithful = sum(played.faithful for played in replays)

@@ -15,7 +15,7 @@ from labutopia_lerobot.cli.dataset_folder import dataset_folder
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.setting_flags import add_room_file
-from labutopia_lerobot.datasets.tables import INFO, read_json
+from labutopia_lerobot.datasets.description import read_info
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import PICTURES, verify
 
@@ -34,10 +34,13 @@ def main() -> None:
         f"(default: {PICTURES})",
     )
     add_room_file(parser)
+    parser.add_argument(
+        "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
+    )
     arguments = parser.parse_args()
     root: Path = arguments.dataset
     with doing(Console(stderr=True), f"Verifying {root}"):
-        verdict = verify(root, arguments.pictures)
+        verdict = verify(root, arguments.pictures, arguments.tasks_dir)
     console = Console(highlight=False, soft_wrap=True)
     for text in verdict.faults:
         console.print(f"Fault: {text}", markup=False)
@@ -46,10 +49,11 @@ def main() -> None:
     if verdict.faults:
         console.print(f"{root} has {len(verdict.faults)} faults", markup=False)
         sys.exit(1)
-    info = read_json(root, INFO)
+    info = read_info(root)
+    found = "has no fault in what was checked" if verdict.unchecked else "is intact"
     videos = sum(feature["dtype"] == "video" for feature in info["features"].values())
     console.print(
-        f"{root} is intact: {info['total_episodes']} episodes, {info['total_frames']} frames, "
+        f"{root} {found}: {info['total_episodes']} episodes, {info['total_frames']} frames, "
         f"{videos} cameras",
         markup=False,
     )

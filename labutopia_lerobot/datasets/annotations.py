@@ -18,6 +18,7 @@ from labutopia_lerobot.datasets.tables import (
     SETTING,
     VOLUMES,
     Row,
+    setting_column,
 )
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import SEGMENTATION, Setting
@@ -43,7 +44,7 @@ def annotations(candidate: Candidate, setting: Setting) -> dict[str, int | str]:
     values = asdict(candidate)
     segmented = SEGMENTATION in setting.extras
     return {
-        SETTING: json.dumps(setting.described),
+        SETTING: setting_column(setting),
         **{column: values[name] for column, name in _PLAIN.items()},
         **{column: json.dumps(values[name]) for column, name in _JSON.items()},
         **({SEGMENTS: json.dumps(segment_names(canonical_task(setting)))} if segmented else {}),

@@ -14,11 +14,11 @@ import numpy as np
 from labutopia_lerobot.datasets.annotations import annotations
 from labutopia_lerobot.datasets.candidate import COLORS, COLUMNS, Candidate, candidate_folder
 from labutopia_lerobot.datasets.declaration import IMAGES, dataset_features
+from labutopia_lerobot.datasets.description import RECORDING
 from labutopia_lerobot.datasets.frames import Columns
 from labutopia_lerobot.datasets.language import add_language_columns
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import began_with
-from labutopia_lerobot.datasets.tables import RECORDING
 from labutopia_lerobot.datasets.writer import EncodedDatasetWriter
 from labutopia_lerobot.pictures import picture_names
 

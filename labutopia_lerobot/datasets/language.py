@@ -17,14 +17,13 @@ from lerobot.annotations.steerable_pipeline.writer import LanguageColumnsWriter
 from lerobot.datasets.language import language_feature_info
 
 from labutopia_lerobot.datasets.declaration import MILESTONE, PHASE, STEP
+from labutopia_lerobot.datasets.description import INFO, read_info
 from labutopia_lerobot.datasets.tables import (
-    INFO,
     PARAPHRASES,
     Row,
     column,
     frames_of_episodes,
     read_episodes,
-    read_json,
 )
 
 _STYLES = {STEP: "subtask", MILESTONE: "memory", PHASE: "motion"}
@@ -32,9 +31,9 @@ _STYLES = {STEP: "subtask", MILESTONE: "memory", PHASE: "motion"}
 
 def add_language_columns(root: Path) -> None:
     """Write the language columns of a dataset from its annotations."""
-    info = read_json(root, INFO)
+    info = read_info(root)
     with tempfile.TemporaryDirectory() as staged:
-        for row, frames in frames_of_episodes(root, info, read_episodes(root)):
+        for row, frames in frames_of_episodes(root, read_episodes(root)):
             rows = list(_said(row, frames))
             EpisodeStaging(Path(staged), row["episode_index"]).write("plan", rows)
         LanguageColumnsWriter().write_all(list(iter_episodes(root)), Path(staged), root)

@@ -1,8 +1,7 @@
 """Looking at a recorded episode: it is played again from its seed, and shown on the way."""
 
-import json
 from collections.abc import Sequence
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Protocol, Self
@@ -13,13 +12,12 @@ import pyarrow as pa
 from labutopia_lerobot.datasets.playback import Playback, Player
 from labutopia_lerobot.datasets.replay import ForeignDatasetError
 from labutopia_lerobot.datasets.tables import (
-    INFO,
     SETTING,
     Row,
     episode_setting,
     frames_of_episodes,
     read_episodes,
-    read_json,
+    setting_column,
 )
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
@@ -43,8 +41,13 @@ class Look(Protocol):
         ...
 
 
-def find_episode(root: Path, episode: int) -> tuple[Row, pa.Table]:
+def find_episode(root: Path, episode: int, tasks_dir: str | None = None) -> tuple[Row, pa.Table]:
     """Return the row of an episode and the table of its frames.
+
+    Args:
+        root: Folder of the dataset.
+        episode: Its number.
+        tasks_dir: A further folder of tasks.
 
     Raises:
         UnknownEpisodeError: If the dataset has none of this number.
@@ -54,16 +57,18 @@ def find_episode(root: Path, episode: int) -> tuple[Row, pa.Table]:
     rows = {row["episode_index"]: row for row in read_episodes(root)}
     if episode not in rows:
         raise UnknownEpisodeError(f"--episode {episode} is none of {root}: it has 0 to {max(rows)}")
-    if episode_setting(rows[episode]) is None:
+    if episode_setting(rows[episode], tasks_dir) is None:
         raise ForeignDatasetError(
             f"Episode {episode} of {root} tells no seed and setting, so that it cannot be played "
             "again: labutopia-record did not make it, or LeRobot's delete or split dropped them"
         )
-    (found,) = frames_of_episodes(root, read_json(root, INFO), [rows[episode]])
+    (found,) = frames_of_episodes(root, [rows[episode]])
     return found
 
 
-def look_at(row: Row, frames: pa.Table, look: Look, width: int, height: int) -> Playback:
+def look_at(
+    row: Row, frames: pa.Table, look: Look, width: int, height: int, tasks_dir: str | None = None
+) -> Playback:
     """Play an episode again and show it.
 
     Args:
@@ -72,30 +77,33 @@ def look_at(row: Row, frames: pa.Table, look: Look, width: int, height: int) -> 
         look: Is shown every frame.
         width: Width of pictures that are drawn on the way [pixels].
         height: Their height [pixels].
+        tasks_dir: A further folder of tasks.
     """
-    player = Player()
+    player = Player(tasks_dir)
     try:
-        playback = player.play(drawn_with(row, width=width, height=height), frames, look)
+        sized = drawn_with(row, tasks_dir, width=width, height=height)
+        playback = player.play(sized, frames, look)
     finally:
         player.close()
     assert playback is not None
     return playback
 
 
-def drawn_with(row: Row, **chosen: Any) -> Row:
+def drawn_with(row: Row, tasks_dir: str | None, **chosen: Any) -> Row:
     """Return an episode whose pictures are drawn otherwise.
 
     Args:
         row: Of the episode.
+        tasks_dir: A further folder of tasks.
         **chosen: Fields of its setting that take other values, such as `width`.
 
     Raises:
         UnknownOptionError: If a value is impossible.
     """
-    setting = episode_setting(row)
+    setting = episode_setting(row, tasks_dir)
     if setting is None:
         return row
-    return row | {SETTING: json.dumps(asdict(replace(setting, **chosen)))}
+    return row | {SETTING: setting_column(replace(setting, **chosen))}
 
 
 class Film:

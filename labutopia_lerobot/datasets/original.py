@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.foreign_files import printable
 
 if TYPE_CHECKING:
     import h5py
@@ -87,14 +88,23 @@ def open_original(file: Path) -> "Iterator[list[OriginalEpisode]]":
     except OSError as error:
         raise OriginalFileError(f"{file} cannot be read as HDF5: {error}") from None
     with opened as root:
-        groups = (
-            {file.name: root}
-            if _holds_arrays(root)
-            else {f"{file.name}/{name}": group for name, group in root.items()}
-        )
-        if not groups:
-            raise OriginalFileError(f"{file} holds nothing")
-        yield [_read(file, name, group) for name, group in groups.items()]
+        try:
+            episodes = _episodes(file, root)
+        except (AttributeError, LookupError, OSError, RuntimeError, TypeError, ValueError) as error:
+            raise OriginalFileError(f"{file} is damaged: {error}") from None
+        yield episodes
+
+
+def _episodes(file: Path, root: "h5py.File") -> list[OriginalEpisode]:
+    _require_own(file, file.name, root)
+    groups = (
+        {file.name: root}
+        if _holds_arrays(root)
+        else {f"{file.name}/{name}": group for name, group in root.items()}
+    )
+    if not groups:
+        raise OriginalFileError(f"{file} holds nothing")
+    return [_read(file, name, group) for name, group in groups.items()]
 
 
 def _holds_arrays(group: Any) -> bool:
@@ -103,6 +113,7 @@ def _holds_arrays(group: Any) -> bool:
 
 def _read(file: Path, name: str, group: "h5py.Group") -> OriginalEpisode:
     keys = set(group) if hasattr(group, "keys") else set()
+    _require_own(file, name, group)
     if _NAVIGATION & keys:
         raise OriginalFileError(
             f"{name} in {file} is of the original's navigation (it has "
@@ -120,18 +131,56 @@ def _read(file: Path, name: str, group: "h5py.Group") -> OriginalEpisode:
             f"{name} in {file} does not fit together: {shapes | lengths}; {_POSE} and {_ACTIONS} "
             f"must have the shape (frames, {_ELEMENTS}), and pictures as many frames"
         )
+    for key in keys & CAMERAS.keys():
+        if group[key].ndim != 4 or group[key].shape[1] != 3 or group[key].dtype != np.uint8:
+            raise OriginalFileError(
+                f"{name} in {file}: {key} has the shape {group[key].shape} of {group[key].dtype}; "
+                "pictures have (frames, 3, height, width) of uint8"
+            )
+    _require_numbers(name, file, group)
     kept = frames // 2
     if kept < 2:
         raise OriginalFileError(f"{name} in {file} is too short: {frames} frames")
-    told = group[_INSTRUCTION].asstr()[()]
+    try:
+        told = group[_INSTRUCTION].asstr()[()]
+        instruction = printable(str(told if isinstance(told, str) else told[0]))
+    except (IndexError, TypeError, UnicodeDecodeError):
+        raise OriginalFileError(f"{name} in {file}: {_INSTRUCTION} is no text") from None
     # An action is the pose one frame on; that of the odd frames is the next pose that is kept.
     return OriginalEpisode(
         name=name,
-        instruction=str(told if isinstance(told, str) else told[0]),
+        instruction=instruction,
         states=_with_opening(group[_POSE][: 2 * kept : 2]),
         next_states=_with_opening(group[_ACTIONS][1 : 2 * kept : 2]),
         _group=group,
     )
+
+
+def _require_own(file: Path, name: str, group: "h5py.Group") -> None:
+    """Make sure that an episode holds its data itself: links lead to other files of the machine.
+
+    Raises:
+        OriginalFileError: If it does not.
+    """
+    import h5py
+
+    if not isinstance(group, h5py.Group):
+        return
+    for key in group:
+        elsewhere = not isinstance(group.get(key, getlink=True), h5py.HardLink)
+        if not elsewhere and isinstance(dataset := group[key], h5py.Dataset):
+            elsewhere = bool(dataset.external) or dataset.is_virtual
+        if elsewhere:
+            raise OriginalFileError(
+                f"{name} in {file} is refused: {printable(key)} is a link, and its data lie "
+                "elsewhere"
+            )
+
+
+def _require_numbers(name: str, file: Path, group: "h5py.Group") -> None:
+    for key in (_POSE, _ACTIONS):
+        if group[key].dtype.kind not in "fiu" or not np.isfinite(group[key][()]).all():
+            raise OriginalFileError(f"{name} in {file}: {key} holds numbers that are not finite")
 
 
 def _with_opening(poses: NDArray[np.float32]) -> NDArray[np.float32]:

@@ -10,10 +10,12 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.declaration import COMMAND, PHASE
+from labutopia_lerobot.datasets.description import DamagedDatasetError
 from labutopia_lerobot.datasets.frames import Columns, Frames
 from labutopia_lerobot.datasets.tables import SEED, Row, column, episode_setting
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import ACTION
+from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.setting import Setting
 
 
@@ -53,9 +55,14 @@ class Playback:
 
 
 class Player:
-    """Plays recorded episodes; the environment is kept while their setting is the same."""
+    """Plays recorded episodes; the environment is kept while their setting is the same.
 
-    def __init__(self) -> None:
+    Args:
+        tasks_dir: A further folder of tasks, which the user trusts.
+    """
+
+    def __init__(self, tasks_dir: str | None = None) -> None:
+        self._tasks_dir = tasks_dir
         self._env: LabEnv | None = None
 
     def play(
@@ -69,13 +76,14 @@ class Player:
             look: Is shown every frame before its command: number, environment.
 
         Raises:
-            UnknownTaskError: If its task is no longer there.
+            UnknownTaskError: If its task is not there.
+            DamagedDatasetError: If it has no commands for the robot.
         """
-        setting = episode_setting(row)
+        setting = episode_setting(row, self._tasks_dir)
         if setting is None or row.get(SEED) is None:
             return None
         env = self._environment(setting)
-        commands = column(frames, COMMAND if COMMAND in frames.column_names else ACTION)
+        commands = _commands(row, frames, len(load_robot(setting.robot).elements))
         observation, info = env.reset(seed=row[SEED])
         drawn = info["drawn"]
         replayed = Frames(env, setting.obs)
@@ -106,6 +114,21 @@ class Player:
             self.close()
             self._env = LabEnv(setting)
         return self._env
+
+
+def _commands(row: Row, frames: pa.Table, elements: int) -> NDArray[Any]:
+    """Return what was commanded, shape (frames, elements)."""
+    name = COMMAND if COMMAND in frames.column_names else ACTION
+    where = f"{name} of episode {row['episode_index']}"
+    if name not in frames.column_names:
+        raise DamagedDatasetError(f"{where} is missing")
+    commands = column(frames, name)
+    if commands.dtype.kind != "f" or commands.shape[1:] != (elements,):
+        raise DamagedDatasetError(
+            f"{where} has the shape {commands.shape} of {commands.dtype}; the robot takes "
+            f"{elements} numbers"
+        )
+    return commands
 
 
 def _difference(frames: pa.Table, replayed: Columns) -> Difference | None:

@@ -15,11 +15,15 @@ from labutopia_lerobot.runtime.video import require_filmable
 from labutopia_lerobot.scenes import room_label
 from labutopia_lerobot.setting import Setting, require_choices, setting_of, with_setting
 
+LARGEST_SEED = 2**62
+"""Beyond, tables have no numbers."""
+
 KEEP = ("successes", "failures")
 LAUNCHERS = ("local", "ray")
 
-_UNRECORDED = ("level", "workers", "launcher", "root")
-"""Options on which the dataset does not depend, or not once its tasks are listed."""
+_UNRECORDED = ("level", "workers", "launcher", "root", "tasks_dir")
+"""Options on which the dataset does not depend, or not once its tasks are listed and the digests of
+their files are told."""
 
 
 class RecordingOptionError(UserError, ValueError):
@@ -116,6 +120,10 @@ class RecordingConfig:
                 raise RecordingOptionError(
                     f"{name}={getattr(self, name)} is too small: {name} is at least {least}"
                 )
+        if self.seed + self.episodes >= LARGEST_SEED:
+            raise RecordingOptionError(
+                f"seed={self.seed} is too large: seeds are below {LARGEST_SEED}"
+            )
         require_choices("keep", [self.keep], KEEP)
         require_choices("launcher", [self.launcher], LAUNCHERS)
         if self.repo_id.count("/") != 1:

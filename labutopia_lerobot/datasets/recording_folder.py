@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from labutopia_lerobot.datasets.tables import RECORDING, read_json
+from labutopia_lerobot.datasets.description import RECORDING, DamagedDatasetError, read_recording
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.claim import differences, locked, write_whole
 
@@ -68,9 +68,11 @@ def _work_folder(root: Path, provenance: dict[str, dict[str, Any]]) -> Path:
     manifest = work / _MANIFEST
     if (root / _DISCARDED).exists():
         shutil.rmtree(root / _DISCARDED)
-    if manifest.exists():
+    if manifest.exists() and any(work.glob("candidate_*")):
         _refuse_other(root, began_with(work), provenance)
         return work
+    if manifest.exists():  # such as after a refusal, before anything was played
+        shutil.rmtree(work)
     strangers = sorted(path.name for path in root.iterdir() if path != work)
     if (root / RECORDING).exists():
         _extend(root, work, provenance)
@@ -89,7 +91,9 @@ def _extend(root: Path, work: Path, provenance: dict[str, dict[str, Any]]) -> No
 
     The finished dataset stays where it is until the longer one takes its place.
     """
-    there = read_json(root, RECORDING)
+    there = read_recording(root)
+    if there is None:
+        raise DamagedDatasetError(f"{root} has no {RECORDING}")
     recorded, wanted = there["config"].get("episodes"), provenance["config"]["episodes"]
     shorter = there | {"config": there["config"] | {"episodes": wanted}}
     _refuse_other(root, shorter if recorded < wanted else there, provenance)

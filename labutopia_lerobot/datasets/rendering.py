@@ -33,6 +33,7 @@ from labutopia_lerobot.datasets.declaration import (
     PRIVILEGED_STATE,
     privileged_state,
 )
+from labutopia_lerobot.datasets.description import RECORDING, read_recording
 from labutopia_lerobot.datasets.frames import Columns
 from labutopia_lerobot.datasets.looking import drawn_with
 from labutopia_lerobot.datasets.playback import Playback, Player
@@ -41,14 +42,7 @@ from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import claim, publish
 from labutopia_lerobot.datasets.replay import ForeignDatasetError
 from labutopia_lerobot.datasets.restoring import restore_candidates
-from labutopia_lerobot.datasets.tables import (
-    INFO,
-    RECORDING,
-    Row,
-    frames_of_episodes,
-    read_episodes,
-    read_json,
-)
+from labutopia_lerobot.datasets.tables import Row, frames_of_episodes, read_episodes
 from labutopia_lerobot.datasets.verify import require_intact
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
@@ -66,13 +60,16 @@ class UnfaithfulReplayError(UserError):
     """An episode that does not go as it was recorded; the message says from where on."""
 
 
-def render(root: Path, out: Path, watcher: Watcher, **chosen: Any) -> list[Candidate]:
+def render(
+    root: Path, out: Path, watcher: Watcher, tasks_dir: str | None = None, **chosen: Any
+) -> list[Candidate]:
     """Draw a dataset anew; interrupted, the same call goes on.
 
     Args:
         root: Folder of the dataset; it is not changed.
         out: Folder of the new one.
         watcher: Is told how it gets on.
+        tasks_dir: A further folder of tasks, which the user trusts.
         **chosen: Fields of `Setting` that pictures depend on, such as `cameras`.
 
     Returns:
@@ -83,7 +80,7 @@ def render(root: Path, out: Path, watcher: Watcher, **chosen: Any) -> list[Candi
         UnfaithfulReplayError: If an episode does not go as it was recorded.
         UserError: If the setting is impossible, or the folder in other use.
     """
-    config = _config(root, out, chosen)
+    config = _config(root, out, chosen | {"tasks_dir": tasks_dir})
     config.check()
     chosen |= {"obs": "pixels", "extras": config.setting(config.tasks[0]).extras}
     with claim(out, config.provenance) as work:
@@ -102,13 +99,14 @@ def render(root: Path, out: Path, watcher: Watcher, **chosen: Any) -> list[Candi
 
 
 def _config(root: Path, out: Path, chosen: dict[str, Any]) -> RecordingConfig:
-    if not (root / RECORDING).exists():
+    recording = read_recording(root)
+    if recording is None:
         raise ForeignDatasetError(
             f"{root} has no {RECORDING}: labutopia-record did not make it, or a tool of LeRobot "
             "has edited it. Draw what it was made of anew, and edit that"
         )
     known = {option.name for option in fields(RecordingConfig)}
-    recorded = {n: v for n, v in read_json(root, RECORDING)["config"].items() if n in known}
+    recorded = {name: v for name, v in recording["config"].items() if name in known}
     forces = {FORCES} & set(recorded.get("extras", ()))  # are in the tables, or are not
     if FORCES in chosen.get("extras", ()) and not forces:
         raise UserError(f"{root} has no {FORCES}, which no picture tells: record them")
@@ -129,16 +127,17 @@ def _draw_all(
     for folder in source.glob("candidate_*"):
         if not read_candidate(folder).stored(config.keep) and not (work / folder.name).exists():
             shutil.copytree(folder, work / folder.name)
-    player = Player()
+    tasks_dir = config.setting(config.tasks[0]).tasks_dir
+    player = Player(tasks_dir)
     try:
-        for row, frames in frames_of_episodes(root, read_json(root, INFO), read_episodes(root)):
+        for row, frames in frames_of_episodes(root, read_episodes(root)):
             before = annotated_candidate(row, config.seed)
             place = candidate_folder(work, before.task, before.index)
             if place.exists():  # drawn before an interruption
                 continue
             unfinished = Path(tempfile.mkdtemp(dir=work, suffix=UNFINISHED))
             with _Drawing(unfinished, config) as drawing:
-                played = player.play(drawn_with(row, **chosen), frames, drawing)
+                played = player.play(drawn_with(row, tasks_dir, **chosen), frames, drawing)
             _require_faithful(root, row, played)
             arrays: dict[str, Any] = _columns(source / place.name / COLUMNS)
             np.savez(unfinished / COLUMNS, **(arrays | drawing.statistics()))

@@ -5,13 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from labutopia_lerobot.datasets.playback import Player
-from labutopia_lerobot.datasets.tables import (
-    INFO,
-    SEED,
-    frames_of_episodes,
-    read_episodes,
-    read_json,
-)
+from labutopia_lerobot.datasets.tables import SEED, frames_of_episodes, read_episodes
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.task import SUCCESS
 
@@ -42,13 +36,20 @@ class Replay:
         return self.outcome == SUCCESS and self.first_difference is None
 
 
-def replay(root: Path, episodes: int | None = None) -> Iterator[Replay]:
+def replay(
+    root: Path, episodes: int | None = None, tasks_dir: str | None = None
+) -> Iterator[Replay]:
     """Replay the first episodes of a dataset, or all; draws no pictures.
+
+    Args:
+        root: Folder of the dataset.
+        episodes: How many; None for all.
+        tasks_dir: A further folder of tasks, which the user trusts.
 
     Raises:
         ForeignDatasetError: If no episode tells its seed.
         DamagedDatasetError: If a file is missing or cannot be read.
-        UnknownTaskError: If a task is no longer there.
+        UnknownTaskError: If a task is not there.
     """
     rows = read_episodes(root)
     if all(row.get(SEED) is None for row in rows):
@@ -56,8 +57,8 @@ def replay(root: Path, episodes: int | None = None) -> Iterator[Replay]:
             f"{root} tells no seeds: labutopia-record did not make it, or LeRobot's delete or "
             "split, which drop them, made it of another"
         )
-    player = Player()
-    for row, frames in frames_of_episodes(root, read_json(root, INFO), rows[:episodes]):
+    player = Player(tasks_dir)
+    for row, frames in frames_of_episodes(root, rows[:episodes]):
         played = player.play(row, frames)
         if played is not None:
             first = None if played.difference is None else played.difference.frame

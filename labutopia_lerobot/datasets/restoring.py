@@ -24,15 +24,19 @@ from labutopia_lerobot.datasets.candidate import (
     candidate_of,
 )
 from labutopia_lerobot.datasets.declaration import IMAGES
-from labutopia_lerobot.datasets.tables import (
-    INFO,
+from labutopia_lerobot.datasets.description import (
     RECORDING,
+    DamagedDatasetError,
+    read_info,
+    read_recording,
+)
+from labutopia_lerobot.datasets.tables import (
     Row,
     column,
     frames_of_episodes,
     read_episode_statistics,
     read_episodes,
-    read_json,
+    video_file,
 )
 from labutopia_lerobot.pictures import camera_and_kind
 from labutopia_lerobot.runtime.video import copy_frames
@@ -51,13 +55,15 @@ def restore_candidates(root: Path, work: Path) -> None:
     Raises:
         DamagedDatasetError: If a file of the dataset is missing or cannot be read.
     """
-    info, recording = read_json(root, INFO), read_json(root, RECORDING)
+    info, recording = read_info(root), read_recording(root)
+    if recording is None:
+        raise DamagedDatasetError(f"{root} has no {RECORDING}")
     episodes, statistics = read_episodes(root), read_episode_statistics(root)
     for fields in recording["failures"]:
         candidate = candidate_of(fields)
         if not candidate.stored(recording["config"]["keep"]):
             _keep(work, candidate, lambda folder: None)
-    for row, frames in frames_of_episodes(root, info, episodes):
+    for row, frames in frames_of_episodes(root, episodes):
         columns = {
             key: column(frames, key)
             for key, feature in info["features"].items()
@@ -101,10 +107,8 @@ def _fill(
             continue
         name = key.removeprefix(IMAGES)
         depth = camera_and_kind(name)[1] == DEPTH  # LeRobot divides the others by 255
-        chunk, file = (row[f"videos/{key}/{part}_index"] for part in ("chunk", "file"))
-        video = root / info["video_path"].format(video_key=key, chunk_index=chunk, file_index=file)
         first = round(row[f"videos/{key}/from_timestamp"] * info["fps"])
-        copy_frames(video, folder / f"{name}.mp4", first, row["length"])
+        copy_frames(video_file(root, row, key), folder / f"{name}.mp4", first, row["length"])
         for of, values in statistics.items():
             if of.rpartition("/")[0] == key:
                 statistic = of.rpartition("/")[2]

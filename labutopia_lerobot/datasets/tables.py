@@ -1,7 +1,10 @@
-"""Where things are in a dataset of ours, beyond what every LeRobotDataset v3 has; reading tables.
+"""The tables of a dataset: episodes, with the columns that are ours, and frames.
 
 Reads the files directly, so that a look at a dataset costs neither torch nor a cache folder, and
 frames a row group at a time, an episode of ours, so that memory does not grow with the dataset.
+
+Anybody may have made a dataset. What is read here has the types that it should have, and no text in
+it becomes a path: files lie where LeRobot puts them, and links lead nowhere else.
 """
 
 import json
@@ -10,22 +13,20 @@ from contextlib import contextmanager
 from dataclasses import fields
 from itertools import groupby
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
+from labutopia_lerobot.datasets.description import DamagedDatasetError
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.foreign_files import checked, inside, parse_json, printable
+from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.setting import Setting
 
-RECORDING = "meta/labutopia.json"
-"""Configuration, code, versions, machines, renderers and failures of the recording."""
-
-INFO = "meta/info.json"
 TASKS = "meta/tasks.parquet"
-STATISTICS = "meta/stats.json"
 EPISODES = "meta/episodes"
 
 SETTING = "labutopia/setting"
@@ -49,21 +50,57 @@ Row = dict[str, Any]
 """An episode: column of the episode table -> value."""
 
 
-class DamagedDatasetError(UserError):
-    """A file of a dataset is missing or cannot be read; the message names it."""
+_LOCAL = "tasks_dir"
+"""The field of `Setting` that only means something where it was chosen."""
+
+_LARGEST_NUMBER = 2**62
+
+_COUNTED = (
+    "episode_index",
+    "length",
+    "dataset_from_index",
+    "dataset_to_index",
+    "data/chunk_index",
+    "data/file_index",
+)
+"""Columns that every row of the episode table has: whole numbers from 0 on."""
+
+_WORDS = (OUTCOME, CAUSE, MACHINE, RENDERER)
+_JSON = (SETTING, DRAWN, VOLUMES, PARAPHRASES, PRIVILEGED, SEGMENTS)
+"""Our own columns, which a row may lack: texts, and JSON in texts."""
 
 
-def read_json(root: Path, name: str) -> dict[str, Any]:
-    """Return a JSON file of the dataset.
+class PlayedIn(TypedDict):
+    """What is always there in the column `SETTING`."""
+
+    task: str
+
+
+def data_file(root: Path, row: Mapping[str, Any]) -> Path:
+    """Return the file in which an episode's frames are (LeRobot, `DEFAULT_DATA_PATH`).
 
     Raises:
-        DamagedDatasetError: If it is missing or no JSON.
+        DamagedDatasetError: If it lies outside the dataset.
+    """
+    chunk, file = row["data/chunk_index"], row["data/file_index"]
+    return inside(root, f"data/chunk-{chunk:03d}/file-{file:03d}.parquet", DamagedDatasetError)
+
+
+def video_file(root: Path, row: Mapping[str, Any], key: str) -> Path:
+    """Return the file in which an episode's video is (LeRobot, `DEFAULT_VIDEO_PATH`).
+
+    Raises:
+        DamagedDatasetError: If it lies outside the dataset, or the episode does not tell.
     """
     try:
-        content: dict[str, Any] = json.loads((root / name).read_text())
-    except (OSError, ValueError) as error:
-        raise DamagedDatasetError(f"{root / name} cannot be read: {error}") from None
-    return content
+        chunk, file = (int(row[f"videos/{key}/{part}_index"]) for part in ("chunk", "file"))
+    except (KeyError, TypeError, ValueError, OverflowError):
+        raise DamagedDatasetError(
+            f"{root / EPISODES} does not tell where the video {key} of episode "
+            f"{row['episode_index']} is"
+        ) from None
+    name = f"videos/{key}/chunk-{chunk:03d}/file-{file:03d}.mp4"
+    return inside(root, name, DamagedDatasetError)
 
 
 def read_episodes(root: Path) -> list[Row]:
@@ -76,7 +113,32 @@ def read_episodes(root: Path) -> list[Row]:
     """
     table = _read_tables(root, EPISODES, lambda name: not name.startswith("stats/"))
     rows: list[Row] = table.to_pylist()
+    if not rows:
+        raise DamagedDatasetError(f"{root / EPISODES} holds no episode")
+    for place, row in enumerate(rows):
+        _check_row(row, f"{root / EPISODES}: row {place}")
     return rows
+
+
+def _check_row(row: Row, where: str) -> None:
+    for name in _COUNTED:
+        if not _counts(row.get(name)):
+            raise DamagedDatasetError(f"{where} has {name} {row.get(name)!r}, which is no number")
+    checked(list[str], row.get("tasks"), f"{where}, tasks", DamagedDatasetError)
+    if row.get(SEED) is not None and not _counts(row[SEED]):
+        raise DamagedDatasetError(f"{where} has {SEED} {row[SEED]!r}, which is no number")
+    for name in (*_WORDS, *_JSON):
+        if row.get(name) is not None:
+            checked(str, row[name], f"{where}, {name}", DamagedDatasetError)
+    for name in _JSON:
+        if row.get(name) is not None:
+            said = parse_json(row[name], f"{where}, {name}", DamagedDatasetError)
+            if name == SETTING:
+                checked(PlayedIn, said, f"{where}, {name}", DamagedDatasetError)
+
+
+def _counts(value: object) -> bool:
+    return type(value) is int and 0 <= value < _LARGEST_NUMBER
 
 
 def read_episode_statistics(root: Path) -> dict[str, NDArray[np.float64]]:
@@ -102,14 +164,11 @@ def read_frames(root: Path) -> pa.Table:
     return _read_tables(root, "data")
 
 
-def frames_of_episodes(
-    root: Path, info: Mapping[str, Any], episodes: list[Row]
-) -> Iterator[tuple[Row, pa.Table]]:
+def frames_of_episodes(root: Path, episodes: list[Row]) -> Iterator[tuple[Row, pa.Table]]:
     """Yield episodes with the table of their frames, one row group in memory at a time.
 
     Args:
         root: Folder of the dataset.
-        info: Its `meta/info.json`.
         episodes: Rows of the episode table, in their order.
 
     Raises:
@@ -118,7 +177,7 @@ def frames_of_episodes(
     for (chunk, file), rows in groupby(
         episodes, lambda row: (row["data/chunk_index"], row["data/file_index"])
     ):
-        path = root / info["data_path"].format(chunk_index=chunk, file_index=file)
+        path = data_file(root, {"data/chunk_index": chunk, "data/file_index": file})
         with _reading(path), pq.ParquetFile(path) as table:
             groups = _RowGroups(table)
             first = groups.rows(0, 1)
@@ -139,31 +198,57 @@ def column(table: pa.Table, key: str) -> NDArray[Any]:
     A feature of one element may be stored as numbers or as lists of one.
     """
     values = table[key]
+    if values.null_count:
+        raise DamagedDatasetError(f"Column {printable(key)} lacks {values.null_count} values")
     if pa.types.is_string(values.type) or pa.types.is_large_string(values.type):
         return np.array(values.to_pylist())
     return _numbers(values)
 
 
-def episode_setting(row: Row) -> Setting | None:
+def setting_column(setting: Setting) -> str:
+    """Return what the column `SETTING` holds."""
+    return json.dumps(setting.described)
+
+
+def episode_setting(row: Row, tasks_dir: str | None = None) -> Setting | None:
     """Return the setting that an episode was recorded in, None where that is not known.
 
-    Options that are new since then have their defaults.
+    Options that are new since then have their defaults. A folder of tasks is never taken from a
+    dataset: it holds Python, which would run.
+
+    Args:
+        row: Of the episode table.
+        tasks_dir: A further folder of tasks, which the user trusts.
 
     Raises:
-        UnknownTaskError: If its task is no longer there.
+        UnknownTaskError: If its task is not there.
+        DamagedDatasetError: If there cannot be such a setting.
     """
     if row.get(SETTING) is None:
         return None
+    where = f"{SETTING} of episode {row['episode_index']}"
     stored = json.loads(row[SETTING])
-    known = {option.name for option in fields(Setting)}
-    return Setting(**{name: value for name, value in stored.items() if name in known})
+    known = {option.name for option in fields(Setting)} - {_LOCAL}
+    chosen = {name: value for name, value in stored.items() if name in known}
+    try:
+        return Setting(**chosen, tasks_dir=tasks_dir)
+    except UnknownTaskError as error:
+        raise UnknownTaskError(
+            f"{error}. If {where} was recorded with a task of somebody's own, and you trust its "
+            "file, name its folder with --tasks-dir"
+        ) from None
+    except (UserError, TypeError, ValueError) as error:
+        raise DamagedDatasetError(f"{where} cannot be: {error}") from None
 
 
 def _numbers(values: pa.ChunkedArray) -> NDArray[Any]:
     flat = values.combine_chunks()
     while pa.types.is_list(flat.type) or pa.types.is_fixed_size_list(flat.type):
         flat = flat.flatten()
-    return np.asarray(flat.to_numpy(zero_copy_only=False)).reshape(len(values), -1)
+    numbers = np.asarray(flat.to_numpy(zero_copy_only=False))
+    if len(values) == 0 or numbers.size % len(values):
+        raise DamagedDatasetError(f"A column of {len(values)} rows has {numbers.size} numbers")
+    return numbers.reshape(len(values), -1)
 
 
 class _RowGroups:
@@ -194,7 +279,10 @@ def _read_tables(
     root: Path, folder: str, wanted: Callable[[str], bool] = lambda column: True
 ) -> pa.Table:
     """Return the tables of a folder as one, those columns of them whose names are wanted."""
-    paths = sorted((root / folder).glob("chunk-*/file-*.parquet"))
+    paths = [
+        inside(root, path.relative_to(root), DamagedDatasetError)
+        for path in sorted((root / folder).glob("chunk-*/file-*.parquet"))
+    ]
     if not paths:
         raise DamagedDatasetError(f"{root / folder} holds no chunk-*/file-*.parquet")
     tables = []
@@ -216,6 +304,8 @@ def _reading(path: Path) -> Iterator[None]:
         DamagedDatasetError: If it cannot be read.
     """
     try:
+        if path.exists() and not path.is_file():
+            raise DamagedDatasetError(f"{path} cannot be read: it is no file")
         yield
-    except (OSError, pa.ArrowException) as error:
+    except (OSError, LookupError, ValueError, pa.ArrowException) as error:
         raise DamagedDatasetError(f"{path} cannot be read: {error}") from None

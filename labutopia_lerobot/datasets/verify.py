@@ -1,16 +1,18 @@
 """The one judge of a dataset: is every file whole, and is it what the environment does?"""
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from labutopia_lerobot.datasets.description import RECORDING, DamagedDatasetError
 from labutopia_lerobot.datasets.tables import (
     EPISODES,
     OUTCOME,
-    RECORDING,
     SEED,
     SETTING,
-    DamagedDatasetError,
+    column,
+    frames_of_episodes,
 )
 from labutopia_lerobot.datasets.verification.environment import check_features, check_replay
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
@@ -22,10 +24,17 @@ from labutopia_lerobot.datasets.verification.structure import (
     check_videos,
 )
 from labutopia_lerobot.datasets.verification.subject import Subject
+from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.task import SUCCESS
 
 PICTURES = 4
 """Frames of each episode that are drawn again by default."""
+
+
+type Check = Callable[[Subject], Iterator[Finding]]
+
+_DAMAGE = (ArithmeticError, LookupError, MemoryError, TypeError, ValueError)
+"""What computing with numbers and texts of the wrong kind raises."""
 
 
 @dataclass(frozen=True)
@@ -41,18 +50,20 @@ class Verdict:
     unchecked: list[str]
 
 
-def verify(root: Path, pictures: int = PICTURES) -> Verdict:
+def verify(root: Path, pictures: int = PICTURES, tasks_dir: str | None = None) -> Verdict:
     """Check everything about a dataset that can be checked.
 
     Args:
         root: Its folder.
         pictures: How many frames of each episode to draw again, `environment.ALL` for every frame.
+        tasks_dir: A further folder of tasks, which the user trusts: its files run.
     """
     return _verdict(
         root,
+        tasks_dir,
         [
             *_CHEAP,
-            check_statistics,
+            _whatever_comes(check_statistics),
             check_features,
             lambda subject: check_replay(subject, pictures),
         ],
@@ -61,7 +72,7 @@ def verify(root: Path, pictures: int = PICTURES) -> Verdict:
 
 def find_problems(root: Path) -> list[str]:
     """Return what is wrong with the files of a dataset, without playing anything again."""
-    return _verdict(root, _CHEAP).faults
+    return _verdict(root, None, _CHEAP).faults
 
 
 def require_intact(root: Path) -> None:
@@ -75,10 +86,10 @@ def require_intact(root: Path) -> None:
         raise DamagedDatasetError(f"{root} is damaged:\n" + "\n".join(f"  {p}" for p in problems))
 
 
-def _verdict(root: Path, checks: list[Callable[[Subject], Iterator[Finding]]]) -> Verdict:
+def _verdict(root: Path, tasks_dir: str | None, checks: list[Check]) -> Verdict:
     findings: list[Finding] = []
     try:
-        subject = Subject.of(root)
+        subject = Subject.of(root, tasks_dir)
         for check in checks:
             findings += check(subject)
     except DamagedDatasetError as error:
@@ -104,16 +115,55 @@ def _check_recording(subject: Subject) -> Iterator[Finding]:
             )
         if successes < len(subject.episodes) and config["keep"] != "failures":
             yield Fault(f"{EPISODES}: failures, but {RECORDING} keeps successes only")
-    seeded = [row for row in subject.episodes if row.get(SEED) is not None]
-    seeds = [(row.get(SETTING), row[SEED]) for row in seeded]
-    if len(set(seeds)) < len(seeds):
-        yield Fault(f"{EPISODES}: a seed occurs twice in {SEED}")
 
 
-_CHEAP: list[Callable[[Subject], Iterator[Finding]]] = [
-    check_info,
-    check_episodes,
-    check_frames,
-    check_videos,
-    _check_recording,
+def _check_seeds(subject: Subject) -> Iterator[Finding]:
+    """Yield where an episode stands there twice.
+
+    Recordings that were merged may have seeds in common, where they differ in code or machine.
+    """
+    rows = subject.episodes
+    seeds = Counter((row.get(SETTING), row[SEED]) for row in rows if row.get(SEED) is not None)
+    again = {seed for seed, count in seeds.items() if count > 1}
+    before: dict[object, int] = {}
+    if not again:
+        return
+    for row, frames in frames_of_episodes(subject.root, rows):
+        seed = (row.get(SETTING), row.get(SEED))
+        if seed not in again:
+            continue
+        same = seed if subject.edited is None else (seed, column(frames, ACTION).tobytes())
+        first = before.setdefault(same, row["episode_index"])
+        if first != row["episode_index"]:
+            yield Fault(
+                f"{EPISODES}: episode {row['episode_index']} is episode {first} again: a seed "
+                f"occurs twice in {SEED}"
+            )
+
+
+def _whatever_comes(check: Check) -> Check:
+    """Return a check of files that calls every oddity a fault.
+
+    Tables of numbers and texts can be wrong in more ways than are told one by one.
+    """
+
+    def careful(subject: Subject) -> Iterator[Finding]:
+        try:
+            yield from check(subject)
+        except _DAMAGE as error:
+            yield Fault(f"{subject.root} cannot be read: {type(error).__name__}: {error}")
+
+    return careful
+
+
+_CHEAP: list[Check] = [
+    _whatever_comes(check)
+    for check in (
+        check_info,
+        check_episodes,
+        check_frames,
+        check_videos,
+        _check_recording,
+        _check_seeds,
+    )
 ]

@@ -3,7 +3,6 @@
 Reads only the JSON beside the weights, so that a mistake is told before torch is imported.
 """
 
-import json
 import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -28,8 +27,8 @@ from labutopia_lerobot.evaluation.find_checkpoint import (
 )
 from labutopia_lerobot.evaluation.policies import Policy
 from labutopia_lerobot.features import ACTION, environment_state_names
+from labutopia_lerobot.foreign_files import checked, read_json_object
 from labutopia_lerobot.robots import load_robot
-from labutopia_lerobot.runtime.json_object import read_json_object
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import CAMERAS, IMAGE_SIZE, Setting
 
@@ -192,9 +191,16 @@ def _trained_rename(folder: Path) -> dict[str, str]:
         before: after
         for step in steps
         if step["registry_name"] == _RENAMING
-        for before, after in step["config"].get("rename_map", {}).items()
+        for before, after in _rename_map(folder, step).items()
         if not before.startswith(_IMAGES) or not trained or trained & {before, after}
     }
+
+
+def _rename_map(folder: Path, step: Mapping[str, Any]) -> dict[str, str]:
+    said = step.get("config", {}).get("rename_map", {})
+    where = f"{folder / PREPROCESSOR}, rename_map"
+    names: dict[str, str] = checked(dict[str, str], said, where, CheckpointError)
+    return names
 
 
 def _cameras(
@@ -244,9 +250,12 @@ def element_names(folder: Path, key: str) -> tuple[Path, tuple[str, ...]] | None
     dataset = _read(folder / _TRAINING).get("dataset")
     if not isinstance(dataset, dict) or not isinstance(dataset.get("repo_id"), str):
         return None
-    root = Path(dataset.get("root") or _home() / dataset["repo_id"])
-    feature = _read(root / _INFO).get("features", {}).get(key, {})
-    names = feature.get("names")
+    root = _home() / dataset["repo_id"]
+    if isinstance(dataset.get("root"), str) and dataset["root"]:
+        root = Path(dataset["root"])
+    features = _read(root / _INFO).get("features")
+    feature = features.get(key) if isinstance(features, dict) else None
+    names = feature.get("names") if isinstance(feature, dict) else None
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         return None
     return root, tuple(names)
@@ -280,7 +289,6 @@ def _home() -> Path:
 def _read(file: Path) -> dict[str, Any]:
     """Return a JSON object, empty if there is none: what cannot be known is not checked."""
     try:
-        content = json.loads(file.read_text())
-    except (OSError, ValueError):
+        return read_json_object(file, CheckpointError)
+    except CheckpointError:
         return {}
-    return content if isinstance(content, dict) else {}

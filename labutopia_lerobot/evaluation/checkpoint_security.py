@@ -5,12 +5,15 @@ it got. Some of its policies load models with code of their own from wherever th
 says. PEFT imports modules that an adapter names.
 """
 
+import re
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath, PureWindowsPath
-from typing import Any
+from typing import Any, NotRequired, TypedDict
+
+from huggingface_hub import try_to_load_from_cache
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.runtime.json_object import read_json_object
+from labutopia_lerobot.foreign_files import checked, read_json_object
 
 PREPROCESSOR = "policy_preprocessor.json"
 POSTPROCESSOR = "policy_postprocessor.json"
@@ -27,7 +30,24 @@ _ADAPTERS = ("LORA",)
 _IMPORTING = ("megatron_config", "loftq_config", "corda_config", "eva_config", "lora_ga_config")
 """Keys of an adapter by which PEFT imports modules or reads other files."""
 
+_LARGEST = {"layers": 1_000, "heads": 10_000, "dim": 1_000_000, "size": 1_000_000}
+"""What the name of a number of a network contains -> the most that it can be."""
+
+_REPEATED_GROUP = re.compile(r"\)[*+{]")
+_REPETITION = re.compile(r"[*+{]")
+_MOST_REPETITIONS = 3
+"""In a pattern: with more of them, matching the names of all modules takes minutes."""
+
+_TOKENIZER = "tokenizer_name"
+_TOKENIZER_FILES = ("tokenizer_config.json", "tokenizer.json")
+
 _CURE = "Save the policy with LeRobot's save_pretrained, or do not use it if it is not yours"
+
+
+class ProcessorStep(TypedDict):
+    """What is read of a step of a processor."""
+
+    config: NotRequired[dict[str, Any]]
 
 
 class CheckpointError(UserError):
@@ -47,8 +67,10 @@ def require_safe_checkpoint(folder: Path) -> None:
     """
     require_safe_model(folder)
     for name in (PREPROCESSOR, POSTPROCESSOR):
-        for problem in _problems(folder, read_steps(folder / name)):
+        steps = read_steps(folder / name)
+        for problem in _problems(folder, steps):
             raise CheckpointError(f"{folder / name} is refused: {problem}. {_CURE}")
+        _require_tokenizers(folder, name, steps)
 
 
 def require_safe_model(folder: Path) -> None:
@@ -72,18 +94,24 @@ def read_steps(file: Path) -> list[dict[str, Any]]:
     Raises:
         CheckpointError: If it cannot be read, or lists no steps.
     """
-    steps = read_json_object(file, CheckpointError).get("steps")
-    if not isinstance(steps, list) or not all(isinstance(step, dict) for step in steps):
-        raise CheckpointError(f"{file} is refused: it lists no `steps`. {_CURE}")
+    said = read_json_object(file, CheckpointError).get("steps")
+    steps: list[dict[str, Any]] = checked(
+        list[ProcessorStep], said, f"{file}, steps", CheckpointError
+    )
     return steps
 
 
 def _model_problems(config: dict[str, Any]) -> Iterator[str]:
-    if config.get("type") in FOREIGN_CODE:
+    if not isinstance(config.get("type"), str):
+        yield "it does not tell the type of the policy"
+    elif config["type"] in FOREIGN_CODE:
         yield f"LeRobot runs code from elsewhere for policies of type '{config['type']}'"
     for key, value in _leaves(config):
         if key == "trust_remote_code" and value:
             yield f"it wants to run code from elsewhere ({key})"
+        for part, most in _LARGEST.items():
+            if part in key and isinstance(value, int | float) and not value <= most:
+                yield f"{key} is {value}, and at most {most:,} can be"
 
 
 def _adapter_problems(adapter: dict[str, Any]) -> Iterator[str]:
@@ -92,6 +120,11 @@ def _adapter_problems(adapter: dict[str, Any]) -> Iterator[str]:
     for key in _IMPORTING:
         if adapter.get(key):
             yield f"it has {key}, which may import code or read other files"
+    for _, value in _leaves(adapter):
+        if isinstance(value, str) and (
+            _REPEATED_GROUP.search(value) or len(_REPETITION.findall(value)) > _MOST_REPETITIONS
+        ):
+            yield f"the pattern {value[:80]!r} may take for ever to match"
 
 
 def _problems(folder: Path, steps: list[dict[str, Any]]) -> Iterator[str]:
@@ -106,10 +139,32 @@ def _problems(folder: Path, steps: list[dict[str, Any]]) -> Iterator[str]:
         for key, value in _leaves(step):
             if key == "trust_remote_code" and value:
                 yield f"{where} wants to run code from elsewhere ({key})"
-            if isinstance(value, str) and _leaves_folder(value):
+            if isinstance(value, str) and leaves_folder(value):
                 yield f"{where} names the path {value!r}, which is not inside the checkpoint"
         if "state_file" in step:
             yield from _state_problems(folder, where, step["state_file"])
+
+
+def _require_tokenizers(folder: Path, name: str, steps: list[dict[str, Any]]) -> None:
+    """Make sure that no step of a checkpoint makes LeRobot ask the Hub for what nobody named."""
+    for key, value in (leaf for step in steps for leaf in _leaves(step)):
+        if key != _TOKENIZER or value is None:
+            continue
+        if not isinstance(value, str) or not value:
+            raise CheckpointError(f"{folder / name} is refused: {_TOKENIZER} is {value!r}. {_CURE}")
+        if not (folder / value).is_dir() and not _cached(value):
+            raise CheckpointError(
+                f"{folder / name} wants the tokenizer {value!r} of the Hugging Face Hub, which is "
+                f"not on this machine. If you trust it: hf download {value}"
+            )
+
+
+def _cached(repo: str) -> bool:
+    """Tell whether a tokenizer of the Hub is in the cache of this machine."""
+    try:
+        return any(isinstance(try_to_load_from_cache(repo, f), str) for f in _TOKENIZER_FILES)
+    except ValueError:  # no name of the Hub
+        return False
 
 
 def _trusts(step: dict[str, Any]) -> bool:
@@ -137,7 +192,8 @@ def _leaves(value: object, key: str = "") -> Iterator[tuple[str, object]]:
         yield key, value
 
 
-def _leaves_folder(text: str) -> bool:
+def leaves_folder(text: str) -> bool:
+    """Tell whether a text is a path that leads out of the folder that it is read in."""
     # Both kinds, so that what is refused does not depend on the machine.
     paths = PurePosixPath(text), PureWindowsPath(text)
     absolute = text.startswith(("~", "/", "\\", "file:")) or any(p.is_absolute() for p in paths)

@@ -21,7 +21,7 @@ from labutopia_lerobot.evaluation.checkpoint_security import (
     PREPROCESSOR,
     CheckpointError,
 )
-from labutopia_lerobot.runtime.json_object import read_json_object
+from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.runtime.shipped import shipped
 
 WEIGHTS = "model.safetensors"
@@ -140,7 +140,8 @@ def adapted(folder: Path) -> Path | None:
         )
     base: Path | None = Path(named)
     if not Path(named).is_dir():
-        base = download(f"{named}@{revision}" if revision else named)
+        of_hub = folder.parent.name == "snapshots"  # the user named a Hub id
+        base = download(f"{named}@{revision}" if revision else named, ask=of_hub)
     if base is None:
         raise CheckpointError(
             f"{folder} adapts the policy in {named}, which is not there. Put it there, or name "
@@ -171,11 +172,12 @@ _WANTED = ["*.json", "*.safetensors"]
 """Pickles are not even downloaded."""
 
 
-def download(hub_id: str) -> Path | None:
+def download(hub_id: str, ask: bool = True) -> Path | None:
     """Return the folder of a checkpoint of the Hub, downloaded if it is not in the cache.
 
     Args:
         hub_id: `org/name` or `org/name@revision`.
+        ask: Whether the Hub may be asked; only what the user names is asked for.
 
     Returns:
         The folder, or None if `hub_id` is none.
@@ -188,16 +190,26 @@ def download(hub_id: str) -> Path | None:
         return None
     try:
         return Path(
-            snapshot_download(named["repo"], revision=named["revision"], allow_patterns=_WANTED)
+            snapshot_download(
+                named["repo"],
+                revision=named["revision"],
+                allow_patterns=_WANTED,
+                local_files_only=not ask,
+            )
         )
     except GatedRepoError:
         reason = "its owner wants you to agree to terms: open its page, then run `hf auth login`"
     except (RepositoryNotFoundError, RevisionNotFoundError):
         reason = "the Hub has no such model or revision, or it is private (`hf auth login`)"
     except (LocalEntryNotFoundError, OfflineModeIsEnabled, HfHubHTTPError, OSError) as error:
+        why = (
+            f"the Hub cannot be reached ({type(error).__name__}) and"
+            if ask
+            else "nobody but a file of the checkpoint names it, and"
+        )
         reason = (
-            f"the Hub cannot be reached ({type(error).__name__}) and it is not in the cache. On a "
-            f"machine with a network: hf download {named['repo']}"
+            f"{why} it is not in the cache. On a machine with a network, if you trust it: "
+            f"hf download {named['repo']}"
         )
     raise CheckpointError(
         f"policy.path={hub_id} is no folder here, and as a Hub id it cannot be had: {reason}"

@@ -1,12 +1,11 @@
 """A policy that LeRobot trained, played as `lerobot-eval` plays it. Imports torch."""
 
-from collections.abc import Mapping
-from contextlib import nullcontext, redirect_stdout
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, nullcontext, redirect_stdout
 from io import StringIO
 from pathlib import Path
 
 import torch
-from draccus.utils import DecodingError
 from lerobot.configs import PreTrainedConfig
 from lerobot.envs import preprocess_observation
 from lerobot.policies import PreTrainedPolicy, make_pre_post_processors
@@ -62,21 +61,18 @@ class LearnedPolicy:
         if base is not None:
             require_safe_model(base)
         torch.set_num_threads(1)
-        config = _config(folder)
-        self.device = config.device = _require_device(device)
-        config.pretrained_path = folder
-        if hasattr(config, "pretrained_backbone_weights"):
-            # They would be downloaded, only to be overwritten by those of the checkpoint.
-            config.pretrained_backbone_weights = None
-        self._policy = _load(folder, base, config)
-        overrides = {"device_processor": {"device": config.device}}
-        if rename is not None:
-            overrides["rename_observations_processor"] = {"rename_map": dict(rename)}
-        self._preprocessor, self._postprocessor = make_pre_post_processors(
-            config,
-            pretrained_path=str(folder),
-            preprocessor_overrides=overrides,
-        )
+        self.device = _require_device(device)
+        with _loading(folder):
+            config = _config(folder, self.device)
+            self._policy = _load(folder, base, config)
+            overrides = {"device_processor": {"device": config.device}}
+            if rename is not None:
+                overrides["rename_observations_processor"] = {"rename_map": dict(rename)}
+            self._preprocessor, self._postprocessor = make_pre_post_processors(
+                config,
+                pretrained_path=str(folder),
+                preprocessor_overrides=overrides,
+            )
         self._precision = (
             torch.autocast(torch.device(config.device).type) if config.use_amp else nullcontext()
         )
@@ -109,27 +105,47 @@ def _require_device(device: str | None) -> str:
     return device
 
 
-def _config(folder: Path) -> PreTrainedConfig:
-    register_third_party_plugins()  # as LeRobot's programs do: `lerobot_policy_*` packages
+@contextmanager
+def _loading(folder: Path) -> Iterator[None]:
+    """Name the checkpoint that cannot be loaded.
+
+    Files that somebody else wrote, or that were cut short, make LeRobot, torch, safetensors and
+    PEFT raise errors of any kind.
+
+    Raises:
+        UnusableWeightsError: If it cannot.
+    """
     try:
-        return PreTrainedConfig.from_pretrained(folder)
-    except (ValueError, ImportError, DecodingError) as error:
-        raise UnusableWeightsError(f"{folder} cannot be loaded: {error}") from None
+        yield
+    except UserError:
+        raise
+    except Exception as error:
+        raise UnusableWeightsError(
+            f"{folder} cannot be loaded: {type(error).__name__}: {error}"
+        ) from None
+
+
+def _config(folder: Path, device: str) -> PreTrainedConfig:
+    register_third_party_plugins()  # as LeRobot's programs do: `lerobot_policy_*` packages
+    config = PreTrainedConfig.from_pretrained(folder)
+    config.device = device
+    config.pretrained_path = folder
+    if hasattr(config, "pretrained_backbone_weights"):
+        # They would be downloaded, only to be overwritten by those of the checkpoint.
+        config.pretrained_backbone_weights = None
+    return config
 
 
 def _load(folder: Path, base: Path | None, config: PreTrainedConfig) -> PreTrainedPolicy:
     printed = StringIO()  # not where it would cut the progress bar
-    try:
-        with redirect_stdout(printed):
-            kind = get_policy_class(config.type)
-            policy = kind.from_pretrained(base or folder, config=config, strict=True)
-            _, failure, reason = printed.getvalue().partition(NOT_LOADED)
-            if failure:
-                raise RuntimeError(failure + reason)
-            _leave_in_evaluation_mode(policy)
-            return policy if base is None else _adapt(policy, folder)
-    except (RuntimeError, ImportError, OSError, ValueError) as error:
-        raise UnusableWeightsError(f"{folder} cannot be loaded: {error}") from None
+    with redirect_stdout(printed):
+        kind = get_policy_class(config.type)
+        policy = kind.from_pretrained(base or folder, config=config, strict=True)
+    _, failure, reason = printed.getvalue().partition(NOT_LOADED)
+    if failure:
+        raise UnusableWeightsError(f"{folder} cannot be loaded: {failure + reason}")
+    _leave_in_evaluation_mode(policy)
+    return policy if base is None else _adapt(policy, folder)
 
 
 def _leave_in_evaluation_mode(policy: PreTrainedPolicy) -> None:

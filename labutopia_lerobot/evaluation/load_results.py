@@ -14,7 +14,7 @@ from labutopia_lerobot.evaluation.rows import (
     from_columns,
     summarise,
 )
-from labutopia_lerobot.runtime.json_object import read_json_object
+from labutopia_lerobot.foreign_files import read_json_object
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ from labutopia_lerobot.evaluation.find_checkpoint import WEIGHTS, checkpoint_fil
 from labutopia_lerobot.evaluation.jobs import EvaluationJob
 from labutopia_lerobot.evaluation.policies import StagedPolicyMaker
 from labutopia_lerobot.evaluation.rows import Row
+from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.runtime import provenance
-from labutopia_lerobot.runtime.json_object import read_json_object
 from labutopia_lerobot.scenes import room_label
 
 _FREE = ("out", "workers", "videos")

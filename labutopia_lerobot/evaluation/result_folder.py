@@ -26,8 +26,8 @@ from labutopia_lerobot.evaluation.rows import (
     UnreadableResultError,
     from_columns,
 )
+from labutopia_lerobot.foreign_files import parse_json, read_json_object, read_text
 from labutopia_lerobot.runtime.claim import differences, locked, write_whole
-from labutopia_lerobot.runtime.json_object import read_json_object
 
 ROWS = "rows.jsonl"
 """One JSON row per finished episode, in the order in which they finished."""
@@ -212,10 +212,10 @@ def read_actions(file: Path) -> dict[EpisodeKey, dict[str, Any]]:
 
 def _lines(file: Path, what: str) -> list[dict[str, Any]]:
     lines = []
-    for number, line in enumerate(file.read_text().split("\n")[:-1], start=1):
+    for number, line in enumerate(read_text(file, UnreadableResultError).split("\n")[:-1], start=1):
         try:
-            content = json.loads(line)
-        except ValueError:
+            content = parse_json(line, file, UnreadableResultError)
+        except UnreadableResultError:
             content = None
         if not isinstance(content, dict):
             raise UnreadableResultError(f"Line {number} of {file} is no {what}: delete that line")

@@ -6,12 +6,13 @@ from dataclasses import MISSING, asdict, dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
 from statistics import fmean
-from typing import Any
+from typing import Any, get_type_hints
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.condition import Condition
 from labutopia_lerobot.evaluation.uncertainty.anytime import confidence_sequence
 from labutopia_lerobot.evaluation.uncertainty.intervals import Interval, exact, wilson
+from labutopia_lerobot.foreign_files import checked
 from labutopia_lerobot.robots import DEFAULT_ROBOT
 from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.scenes import DEFAULT_ROOM
@@ -150,8 +151,9 @@ def from_columns[Kind](kind: type[Kind], columns: Mapping[str, Any], file: Path)
         file: Where they came from.
 
     Raises:
-        UnreadableResultError: If a column is missing.
+        UnreadableResultError: If a column is missing, or holds what it cannot.
     """
+    refusal = UnreadableResultError
     known = fields(kind)  # type: ignore[arg-type]  # mypy cannot say "dataclass"
     missing = [
         column.name
@@ -163,7 +165,14 @@ def from_columns[Kind](kind: type[Kind], columns: Mapping[str, Any], file: Path)
             f"{file} lacks the columns {', '.join(missing)}: it is no result of `eval/run.py`, or "
             "of a version too old. Make it anew"
         )
-    return kind(**{c.name: columns[c.name] for c in known if c.name in columns})
+    hints = get_type_hints(kind)
+    return kind(
+        **{
+            c.name: checked(hints[c.name], columns[c.name], f"{file}, {c.name}", refusal)
+            for c in known
+            if c.name in columns
+        }
+    )
 
 
 def _kind(renderer: str | None) -> str | None:

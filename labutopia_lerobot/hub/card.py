@@ -11,6 +11,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.condition import Condition
 from labutopia_lerobot.evaluation.load_results import LoadedResult
 from labutopia_lerobot.evaluation.rows import EvaluationSummary
+from labutopia_lerobot.foreign_files import printable
 
 CITATION = """\
 @misc{li2025labutopia,
@@ -31,10 +32,29 @@ class UnfinishedResultError(UserError):
 
 TAGS = ("LeRobot", "labutopia", "laboratory", "mujoco", "robotics", "simulation")
 
+_MARKUP = {"<": "&lt;", "![": "!\\[", "|": "\\|"}
+"""What would begin HTML, a picture or another column -> how Markdown shows it as it is."""
+
+
+class _Finished(str):
+    """A text that is Markdown or YAML already."""
+
+
+def _escaped(value: object) -> object:
+    """Return what a card tells of somebody's files, in one line and without markup."""
+    if not isinstance(value, str) or isinstance(value, _Finished):
+        return value
+    text = printable(value)
+    for mark, shown in _MARKUP.items():
+        text = text.replace(mark, shown)
+    return text
+
+
 _TEMPLATES = Environment(
     loader=PackageLoader("labutopia_lerobot.hub"),
     undefined=StrictUndefined,
     autoescape=False,  # Markdown, not HTML
+    finalize=_escaped,
     trim_blocks=True,
     lstrip_blocks=True,
     keep_trailing_newline=True,
@@ -103,4 +123,6 @@ def options(condition: Condition) -> str:
 
 
 def _filled(template: str, metadata: str, content: dict[str, Any]) -> str:
-    return _TEMPLATES.get_template(template).render(metadata=metadata, citation=CITATION, **content)
+    return _TEMPLATES.get_template(template).render(
+        metadata=_Finished(metadata), citation=_Finished(CITATION), **content
+    )

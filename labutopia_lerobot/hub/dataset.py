@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
 
-from labutopia_lerobot.datasets.tables import DamagedDatasetError
+from labutopia_lerobot.datasets.description import DamagedDatasetError
 from labutopia_lerobot.datasets.verify import verify
 from labutopia_lerobot.evaluation.load_results import LoadedResult
 from labutopia_lerobot.hub.card import finished_summaries
@@ -12,9 +12,15 @@ from labutopia_lerobot.hub.dataset_card import card_of_dataset
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts, dataset_files
 from labutopia_lerobot.hub.repository import CARD, Repository
 from labutopia_lerobot.hub.strip import STRIP, picture_strip
+from labutopia_lerobot.registry import require_task
 
 
-def dataset_repository(root: Path, repo_id: str, results: Sequence[LoadedResult]) -> Repository:
+def dataset_repository(
+    root: Path,
+    repo_id: str,
+    results: Sequence[LoadedResult],
+    tasks_dir: str | None = None,
+) -> Repository:
     """Verify a dataset and return what is to lie on the Hub.
 
     LeRobot and its visualiser look for the format's version as a tag.
@@ -23,18 +29,22 @@ def dataset_repository(root: Path, repo_id: str, results: Sequence[LoadedResult]
         root: Folder of the dataset.
         repo_id: Its name on the Hub, for the commands in its card.
         results: What was measured, for its card.
+        tasks_dir: A further folder of tasks, which the user trusts.
 
     Raises:
+        UnknownTaskError: If it was recorded with a task that is not there.
         DamagedDatasetError: If anything is wrong with it.
         UntoldDatasetError: If it does not say how it was recorded.
         UnfinishedResultError: If a result is not finished.
     """
     summaries = list(chain(*finished_summaries(results)))
-    faults = verify(root).faults
+    faults = verify(root, tasks_dir=tasks_dir).faults
     if faults:
         listed = "\n".join(f"  {fault}" for fault in faults)
         raise DamagedDatasetError(f"{root} has faults and is not published:\n{listed}")
     facts = DatasetFacts.read(root)
+    for task in facts.tasks:
+        require_task(task, tasks_dir)  # one that cannot be played again is not vouched for
     files: dict[str, Path | bytes] = {**dataset_files(root)}
     strip = picture_strip(root, facts.info)
     if strip is not None:

@@ -5,17 +5,29 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from labutopia_lerobot.datasets.tables import (
+from labutopia_lerobot.datasets.description import (
     INFO,
-    OUTCOME,
     RECORDING,
-    SEED,
     STATISTICS,
     DamagedDatasetError,
-    read_episodes,
-    read_json,
+    read_info,
+    read_recording,
+    read_statistics,
 )
+from labutopia_lerobot.datasets.tables import OUTCOME, SEED, TASKS, read_episodes
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.foreign_files import inside, read_json_object
+
+_FILES = (
+    INFO,
+    STATISTICS,
+    TASKS,
+    RECORDING,
+    "meta/episodes/chunk-*/file-*.parquet",
+    "data/chunk-*/file-*.parquet",
+    "videos/*/chunk-*/file-*.mp4",
+)
+"""What is sent of a dataset, and nothing else that lies beside it."""
 
 _TOLD = ("min", "max", "mean", "std")
 """The statistics that a card tells; LeRobot stores more."""
@@ -53,18 +65,20 @@ class DatasetFacts:
             UntoldDatasetError: If something else made it, or it was edited since.
             DamagedDatasetError: If a file is missing or cannot be read.
         """
-        if not (root / RECORDING).exists():
+        recording = read_recording(root)
+        if recording is None:
             raise UntoldDatasetError(
                 f"{root} has no {RECORDING}: labutopia-record did not make it, or a tool of "
                 "LeRobot has edited it. Publish it with LeRobot's push_to_hub"
             )
-        statistics, episodes = read_json(root, STATISTICS), read_episodes(root)
+        statistics, episodes = read_statistics(root), read_episodes(root)
         return cls(
-            info=read_json(root, INFO),
+            info=read_info(root),
             statistics={
-                key: {name: values[name] for name in _TOLD} for key, values in statistics.items()
+                key: {name: values[name] for name in _TOLD if name in values}
+                for key, values in statistics.items()
             },
-            recording=read_json(root, RECORDING),
+            recording=recording,
             columns=[name for name in episodes[0] if name.startswith("labutopia/")],
             episodes=[_told(row) for row in episodes],
             size_bytes=sum(file.stat().st_size for file in dataset_files(root).values()),
@@ -77,7 +91,7 @@ class DatasetFacts:
         Raises:
             DamagedDatasetError: If it cannot be read.
         """
-        return cls(**read_json(file.parent, file.name))
+        return cls(**read_json_object(file, DamagedDatasetError))
 
     def save(self, file: Path) -> None:
         """Write them as JSON, so that the card can be made again without the dataset."""
@@ -100,12 +114,11 @@ def dataset_files(root: Path) -> dict[str, Path]:
     """Return path in the dataset -> file, for everything that belongs to a LeRobotDataset v3.
 
     Raises:
-        DamagedDatasetError: If there is none.
+        DamagedDatasetError: If there is none, or one is a link that leads out of the dataset.
     """
-    patterns = ("meta/**/*.json", "meta/**/*.parquet", "data/**/*.parquet", "videos/**/*.mp4")
     files = {
-        path.relative_to(root).as_posix(): path
-        for pattern in patterns
+        path.relative_to(root).as_posix(): inside(root, path.relative_to(root), DamagedDatasetError)
+        for pattern in _FILES
         for path in sorted(root.glob(pattern))
     }
     if INFO not in files:

@@ -1,27 +1,36 @@
 """A trained policy as a repository of the Hub: weights, processors, and what it achieved."""
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from huggingface_hub import EvalResult, ModelCardData
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.evaluation.checkpoint_security import require_safe_checkpoint
+from labutopia_lerobot.evaluation.checkpoint_security import (
+    POSTPROCESSOR,
+    PREPROCESSOR,
+    leaves_folder,
+    read_steps,
+    require_safe_checkpoint,
+)
 from labutopia_lerobot.evaluation.condition import ID, SINGLE, Condition
 from labutopia_lerobot.evaluation.find_checkpoint import adapted, checkpoint_files
 from labutopia_lerobot.evaluation.load_results import LoadedResult
 from labutopia_lerobot.evaluation.origin import weight_hashes
 from labutopia_lerobot.evaluation.rows import EvaluationSummary
+from labutopia_lerobot.foreign_files import inside, read_json_object
 from labutopia_lerobot.hub.card import TAGS, finished_summaries, model_card, options, summary_row
 from labutopia_lerobot.hub.dataset_card import LOCAL
 from labutopia_lerobot.hub.repository import CARD, Repository
-from labutopia_lerobot.runtime.json_object import read_json_object
 
 _CONFIG = "config.json"
 _TRAINING = "train_config.json"
 _PLACES = ("", "pretrained_model", "checkpoints/last/pretrained_model")
-_SENT = {".json", ".safetensors"}
-"""Neither pickles, which can run any code, nor states of optimisers."""
+
+_PLACES_TOLD = ("output_dir", "root", "config_path", "checkpoint_path", "job_name")
+"""Entries of the training's configuration that say something of the machine only."""
 
 
 class UnpublishablePolicyError(UserError):
@@ -52,10 +61,34 @@ def policy_repository(folder: Path, repo_id: str, results: Sequence[LoadedResult
     config = read_json_object(folder / _CONFIG, UnpublishablePolicyError)
     own = _own_summaries(folder, results) if results else []
     files: dict[str, Path | bytes] = {
-        file.name: file for file in sorted(folder.iterdir()) if file.suffix in _SENT
+        name: inside(folder, name, UnpublishablePolicyError) for name in sorted(_names(folder))
     }
+    if _TRAINING in files:
+        training = read_json_object(folder / _TRAINING, UnpublishablePolicyError)
+        files[_TRAINING] = (json.dumps(_without_places(training), indent=4) + "\n").encode()
     files[CARD] = _card(config["type"], _dataset(folder), repo_id, own).encode()
     return Repository("model", files)
+
+
+def _names(folder: Path) -> set[str]:
+    """Return the names of what is sent: what the policy is, and how it was trained.
+
+    Neither pickles, which can run any code, nor states of optimisers, nor what else lies there.
+    """
+    steps = [s for name in (PREPROCESSOR, POSTPROCESSOR) for s in read_steps(folder / name)]
+    states = {step["state_file"] for step in steps if "state_file" in step}
+    training = {_TRAINING} if (folder / _TRAINING).is_file() else set()
+    return {*checkpoint_files(folder), *states, *training}
+
+
+def _without_places(value: Any, key: str = "") -> Any:
+    """Return a configuration without folders of the machine that trained."""
+    if isinstance(value, dict):
+        return {name: _without_places(inner, name) for name, inner in value.items()}
+    if isinstance(value, list):
+        return [_without_places(inner, key) for inner in value]
+    local = isinstance(value, str) and (key in _PLACES_TOLD or leaves_folder(value))
+    return None if local else value
 
 
 def _own_summaries(folder: Path, results: Sequence[LoadedResult]) -> list[EvaluationSummary]:
@@ -101,9 +134,9 @@ def _dataset(folder: Path) -> str | None:
     """Return the name of the dataset that it was trained on, if its folder tells."""
     if not (folder / _TRAINING).is_file():
         return None
-    training = read_json_object(folder / _TRAINING, UnpublishablePolicyError)
-    name: str | None = training.get("dataset", {}).get("repo_id")
-    return name
+    dataset = read_json_object(folder / _TRAINING, UnpublishablePolicyError).get("dataset")
+    name = dataset.get("repo_id") if isinstance(dataset, dict) else None
+    return name if isinstance(name, str) else None
 
 
 def _card(

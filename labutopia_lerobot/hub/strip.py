@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from labutopia_lerobot.datasets.declaration import IMAGES
-from labutopia_lerobot.datasets.tables import read_episodes
+from labutopia_lerobot.datasets.description import VIDEO
+from labutopia_lerobot.datasets.tables import read_episodes, video_file
 from labutopia_lerobot.pictures import COLOR, camera_and_kind
 from labutopia_lerobot.runtime.video import read_frames
 
@@ -28,12 +29,12 @@ def picture_strip(root: Path, info: dict[str, Any]) -> bytes | None:
         root: Folder of the dataset.
         info: LeRobot's description of it.
     """
-    frames = read_episodes(root)[0]["length"]
-    wanted = np.linspace(0, frames - 1, _PICTURES).round().astype(int).tolist()
+    first = read_episodes(root)[0]
+    wanted = np.linspace(0, first["length"] - 1, _PICTURES).round().astype(int).tolist()
     videos = [
-        root / info["video_path"].format(video_key=key, chunk_index=0, file_index=0)
+        video_file(root, first, key)
         for key, feature in info["features"].items()
-        if feature["dtype"] == "video" and camera_and_kind(key.removeprefix(IMAGES))[1] == COLOR
+        if feature["dtype"] == VIDEO and camera_and_kind(key.removeprefix(IMAGES))[1] == COLOR
     ]
     if not videos:
         return None

@@ -11,9 +11,10 @@ import pyarrow.parquet as pq
 import pytest
 
 from labutopia_lerobot.cli import replay as program
+from labutopia_lerobot.datasets.description import INFO, RECORDING, read_info
 from labutopia_lerobot.datasets.rendering import UnfaithfulReplayError, render
 from labutopia_lerobot.datasets.replay import ForeignDatasetError
-from labutopia_lerobot.datasets.tables import INFO, RECORDING, read_episodes, read_frames, read_json
+from labutopia_lerobot.datasets.tables import read_episodes, read_frames
 from labutopia_lerobot.datasets.verify import verify
 from labutopia_lerobot.runtime.video import video_size_and_frames
 from recordings import StoppedError, Watch
@@ -74,7 +75,7 @@ def test_a_dataset_is_drawn_anew_with_the_same_episodes(picked: Path, tmp_path: 
     render(picked, out, rest, cameras=("top",), width=64, height=48)
     assert (first.new, rest.new) == ([0], [1, 2])
     assert verify(out).faults == []
-    info = read_json(out, INFO)
+    info = read_info(out)
     assert info["features"]["observation.images.top"]["shape"] == [48, 64, 3]
     here, there = read_frames(picked), read_frames(out)
     for key in ("action", "observation.state", "next.reward", "timestamp"):
@@ -99,6 +100,6 @@ def test_an_episode_that_goes_otherwise_is_not_drawn(picked: Path, tmp_path: Pat
 
 def test_a_foreign_dataset_is_not_drawn(picked: Path, tmp_path: Path) -> None:
     (tmp_path / "meta").mkdir()
-    (tmp_path / INFO).write_text(json.dumps(read_json(picked, INFO)))
+    (tmp_path / INFO).write_text(json.dumps(read_info(picked)))
     with pytest.raises(ForeignDatasetError, match=RECORDING):
         render(tmp_path, tmp_path / "drawn", Watch(), cameras=("top",))

@@ -13,18 +13,17 @@ from lerobot.datasets.lerobot_dataset import LeRobotDataset
 from labutopia_lerobot.cli.recipe import training_command
 from labutopia_lerobot.cli.record import parse
 from labutopia_lerobot.datasets.declaration import dataset_features
+from labutopia_lerobot.datasets.description import read_recording
 from labutopia_lerobot.datasets.disk_space import NoSpaceError
 from labutopia_lerobot.datasets.frames import Frames
 from labutopia_lerobot.datasets.tables import (
     CAUSE,
     OUTCOME,
-    RECORDING,
     SEED,
     SETTING,
     column,
     read_episodes,
     read_frames,
-    read_json,
 )
 from labutopia_lerobot.datasets.trials import HopelessExpertError
 from labutopia_lerobot.datasets.verify import find_problems, verify
@@ -119,7 +118,7 @@ def test_one_step_is_recorded_from_where_the_expert_comes_to_it(tmp_path: Path) 
     root = recording(tmp_path / "dataset", *overrides)
     steps = column(read_frames(root), "annotation.step").tolist()
     assert set(steps) == {"close", ""}
-    assert read_json(root, RECORDING)["config"]["step"] == "close"
+    assert read_recording(root)["config"]["step"] == "close"
     (row,) = read_episodes(root)
     assert json.loads(row[SETTING])["step"] == "close"
     verdict = verify(root)
@@ -168,7 +167,7 @@ def test_failures_are_listed_and_the_lowest_successes_stored(workers: int, tmp_p
     watch = Watch()
     root = recording(tmp_path / "dataset", *overrides, workers=workers, watch=watch)
     stored = [row[SEED] for row in read_episodes(root)]
-    failed = read_json(root, RECORDING)["failures"]
+    failed = read_recording(root)["failures"]
     env = LabEnv(Setting("level1/moody", obs="state", split="train", tasks_dir=tmp_path))
     sulks = []
     for seed in range(stored[-1] + 1):

@@ -14,14 +14,9 @@ import pytest
 
 from killing import killed_at_any_moment
 from labutopia_lerobot.datasets.candidate import Candidate
+from labutopia_lerobot.datasets.description import read_recording, read_statistics
 from labutopia_lerobot.datasets.recording_folder import RecordingFolderError
-from labutopia_lerobot.datasets.tables import (
-    RECORDING,
-    SEED,
-    read_episodes,
-    read_frames,
-    read_json,
-)
+from labutopia_lerobot.datasets.tables import SEED, read_episodes, read_frames
 from labutopia_lerobot.datasets.verify import find_problems
 from labutopia_lerobot.runtime.video import video_size_and_frames
 from recordings import FILM, MOODY_TASK, PICK, StoppedError, Watch, assert_same_dataset, recording
@@ -149,7 +144,7 @@ def test_other_code_does_not_go_on_with_a_recording(tmp_path: Path) -> None:
         with pytest.raises(RecordingFolderError, match=rf"{part}\.{name}: 'of yesterday' there"):
             recording(root, *overrides)
     manifest.write_text(json.dumps(began))
-    told = read_json(recording(root, *overrides), RECORDING)
+    told = read_recording(recording(root, *overrides))
     assert {part: told[part] for part in began} == began
 
 
@@ -178,7 +173,7 @@ def test_a_finished_recording_is_extended_to_the_one_that_is_longer(
     assert watch.new == [2]
     at_once = recording(tmp_path / "at_once", *longer)
     assert read_frames(at_once).equals(read_frames(root))
-    assert read_json(at_once, "meta/stats.json") == read_json(root, "meta/stats.json")
+    assert read_statistics(at_once) == read_statistics(root)
     # The same pictures, as their statistics tell; the encoder may pack them in other bytes.
     for film in at_once.rglob("*.mp4"):
         other = root / film.relative_to(at_once)

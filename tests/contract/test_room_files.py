@@ -9,7 +9,8 @@ import pytest
 
 from labutopia_lerobot.cli import publish, replay, verify
 from labutopia_lerobot.cli.evaluate import parse as evaluated
-from labutopia_lerobot.datasets.tables import RECORDING, read_episodes, read_json
+from labutopia_lerobot.datasets.description import read_recording
+from labutopia_lerobot.datasets.tables import read_episodes
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.jobs import make_jobs
 from labutopia_lerobot.evaluation.origin import origin
@@ -75,7 +76,7 @@ def test_a_dataset_holds_no_path_and_is_replayed_with_the_file(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    label = read_json(dataset, RECORDING)["config"]["room"]
+    label = read_recording(dataset)["config"]["room"]
     (episode,) = read_episodes(dataset)
     assert str(file) not in json.dumps(episode)
     assert label in json.dumps(episode)

@@ -16,14 +16,15 @@ from lerobot.datasets.lerobot_dataset import LeRobotDataset
 from numpy.typing import NDArray
 
 from labutopia_lerobot.cli import verify as command
-from labutopia_lerobot.datasets.replay import ForeignDatasetError, replay
-from labutopia_lerobot.datasets.tables import (
-    DRAWN,
+from labutopia_lerobot.datasets.description import (
     RECORDING,
     STATISTICS,
     DamagedDatasetError,
-    read_json,
+    read_recording,
+    read_statistics,
 )
+from labutopia_lerobot.datasets.replay import ForeignDatasetError, replay
+from labutopia_lerobot.datasets.tables import DRAWN
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import Verdict, find_problems, require_intact, verify
 from labutopia_lerobot.runtime.video import VideoWriter, read_frames, video_size_and_frames
@@ -174,7 +175,7 @@ def test_a_wrong_instruction_is_found(copied: Path) -> None:
 @pytest.mark.parametrize("statistic", ["mean", "std", "max", "q50"])
 @pytest.mark.parametrize("key", ["action", "observation.images.front"])
 def test_wrong_statistics_are_found(key: str, statistic: str, copied: Path) -> None:
-    statistics = read_json(copied, STATISTICS)
+    statistics = read_statistics(copied)
     values = np.array(statistics[key][statistic])
     statistics[key][statistic] = (values + 0.02).tolist()
     (copied / STATISTICS).write_text(json.dumps(statistics))
@@ -201,7 +202,7 @@ def test_an_edited_draw_is_found(copied: Path) -> None:
 
 
 def test_on_another_build_it_is_told_how_far_the_states_are_off(copied: Path) -> None:
-    recording = read_json(copied, RECORDING)
+    recording = read_recording(copied)
     recording["versions"]["mujoco"] = "of yesterday"
     (copied / RECORDING).write_text(json.dumps(recording))
     assert verify(copied, 0) == Verdict([], [])  # here the other build happens to be the same

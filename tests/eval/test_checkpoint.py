@@ -167,7 +167,7 @@ def test_a_step_that_reaches_beyond_the_checkpoint_is_refused(
 def test_a_processor_file_without_steps_is_refused(save_checkpoint: Saver) -> None:
     folder = save_checkpoint()
     (folder / "policy_preprocessor.json").write_text('{"steps": {"a": 1}}')
-    with pytest.raises(CheckpointError, match="lists no `steps`"):
+    with pytest.raises(CheckpointError, match=r"steps: .* should be a list"):
         open_checkpoint(folder, "act", SETTING)
 
 

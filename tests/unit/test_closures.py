@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 
+from extremes import smallest_and_largest
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.glass.catalogue import catalogue, closed, vessels, ware
 from labutopia_lerobot.labware.glass.closure import Closure, Screw
@@ -18,7 +19,7 @@ CLOSED = [(kind, size) for kind, one in vessels().items() if one.closure for siz
 KINDS = [
     (kind, list(one.sizes)[len(one.sizes) // 2]) for kind, one in vessels().items() if one.closure
 ]
-every = pytest.mark.parametrize(("kind", "size"), CLOSED)
+every = pytest.mark.parametrize(("kind", "size"), smallest_and_largest(CLOSED))
 every_kind = pytest.mark.parametrize(("kind", "size"), KINDS, ids=[kind for kind, _ in KINDS])
 
 

@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 
+from extremes import smallest_and_largest
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.glass import outlines
 from labutopia_lerobot.labware.glass.catalogue import catalogue, glassware, vessels, ware
@@ -27,8 +28,7 @@ every_kind = pytest.mark.parametrize("kind", vessels())
 
 
 def over(pairs: list[tuple[str, str]]) -> pytest.MarkDecorator:
-    names = [f"{kind}-{size}".replace(" ", "") for kind, size in pairs]
-    return pytest.mark.parametrize(("kind", "size"), pairs, ids=names)
+    return pytest.mark.parametrize(("kind", "size"), smallest_and_largest(pairs))
 
 
 every, every_vessel, every_closed_vessel = over(WARE), over(VESSELS), over(CLOSED)

@@ -9,7 +9,8 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
-from labutopia_lerobot.datasets.tables import DamagedDatasetError, Row, column, frames_of_episodes
+from labutopia_lerobot.datasets.description import DamagedDatasetError
+from labutopia_lerobot.datasets.tables import Row, column, frames_of_episodes
 
 INFO = {"data_path": "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"}
 LENGTHS = (7, 1, 12, 5, 9)

@@ -69,7 +69,7 @@ def test_what_is_no_file_or_no_json_is_told(tmp_path):
     with pytest.raises(PlanError, match=r"none\.json cannot be read"):
         read_plan(tmp_path / "none.json")
     (tmp_path / "broken.json").write_text("{")
-    with pytest.raises(PlanError, match=r"broken\.json is no JSON"):
+    with pytest.raises(PlanError, match=r"broken\.json cannot be read: it is no JSON"):
         read_plan(tmp_path / "broken.json")
 
 

@@ -13,15 +13,14 @@ import numpy as np
 
 from labutopia_lerobot.datasets.declaration import dataset_features
 from labutopia_lerobot.datasets.demonstration import EXPERT_FAILED
+from labutopia_lerobot.datasets.description import INFO
 from labutopia_lerobot.datasets.playback import Playback, Player
 from labutopia_lerobot.datasets.tables import (
     DRAWN,
-    INFO,
     MACHINE,
     OUTCOME,
     SEGMENTS,
     VOLUMES,
-    DamagedDatasetError,
     Row,
     episode_setting,
     frames_of_episodes,
@@ -29,7 +28,7 @@ from labutopia_lerobot.datasets.tables import (
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
 from labutopia_lerobot.datasets.verification.pictures import PictureCheck
 from labutopia_lerobot.datasets.verification.subject import Subject
-from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences
 from labutopia_lerobot.scenario import canonical_task
@@ -49,8 +48,8 @@ def check_features(subject: Subject) -> Iterator[Finding]:
     settings = {}
     for row in subject.episodes:
         try:
-            setting = episode_setting(row)
-        except UserError as error:
+            setting = episode_setting(row, subject.tasks_dir)
+        except UnknownTaskError as error:
             yield Unchecked(f"features, replay and pictures of some episodes: {error}")
             return
         if setting is not None:
@@ -78,7 +77,7 @@ def _check_segments(subject: Subject, settings: Iterable[Setting]) -> Iterator[F
     segmented = [setting for setting in settings if SEGMENTATION in setting.extras]
     meant = {setting: list(segment_names(canonical_task(setting))) for setting in segmented}
     for row in subject.episodes:
-        here = meant.get(setting) if (setting := episode_setting(row)) else None
+        here = meant.get(setting) if (setting := episode_setting(row, subject.tasks_dir)) else None
         if here is not None and json.loads(row.get(SEGMENTS) or "null") != here:
             yield Fault(
                 f"{SEGMENTS} of episode {row['episode_index']} is {row.get(SEGMENTS)}, but the "
@@ -93,10 +92,11 @@ def check_replay(subject: Subject, pictures: int) -> Iterator[Finding]:
         subject: The dataset.
         pictures: How many frames of each episode to draw again; `ALL` for every frame.
     """
-    player, wrong, played, unknown = Player(), dict[int, list[str]](), 0, 0
+    player, wrong = Player(subject.tasks_dir), dict[int, list[str]]()
+    played = unknown = 0
     rng = np.random.default_rng(0)
     try:
-        for row, frames in frames_of_episodes(subject.root, subject.info, subject.episodes):
+        for row, frames in frames_of_episodes(subject.root, subject.episodes):
             every = np.arange(row["length"])
             wanted = every if pictures == ALL else rng.permutation(every)[:pictures]
             check = PictureCheck(subject, row, wanted.tolist())
@@ -108,7 +108,7 @@ def check_replay(subject: Subject, pictures: int) -> Iterator[Finding]:
             texts = [*_compare(row, playback), *_compare_pictures(check)]
             if texts:
                 wrong[row["episode_index"]] = texts
-    except (DamagedDatasetError, UserError) as error:
+    except UnknownTaskError as error:
         yield Unchecked(f"replay: {error}")
         return
     finally:

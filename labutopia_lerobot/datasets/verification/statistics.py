@@ -10,13 +10,12 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.datasets.description import STATISTICS, read_statistics
 from labutopia_lerobot.datasets.tables import (
     EPISODES,
-    STATISTICS,
     column,
     frames_of_episodes,
     read_episode_statistics,
-    read_json,
 )
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
 from labutopia_lerobot.datasets.verification.structure import WITHOUT_STATISTICS
@@ -54,9 +53,7 @@ def check_statistics(subject: Subject) -> Iterator[Finding]:
     if missing:
         yield Unchecked(f"{EPISODES} has no statistics of {', '.join(missing)} for every episode")
     together = {key: _Together() for key in numbers}
-    for number, (row, frames) in enumerate(
-        frames_of_episodes(subject.root, subject.info, subject.episodes)
-    ):
+    for number, (row, frames) in enumerate(frames_of_episodes(subject.root, subject.episodes)):
         for key in numbers:
             computed = statistics_of(column(frames, key).astype(float))
             together[key].add(computed, row["length"])
@@ -78,7 +75,7 @@ def _check_dataset(
     stored: Mapping[str, NDArray[np.float64]],
 ) -> Iterator[Finding]:
     lengths = [row["length"] for row in subject.episodes]
-    told = read_json(subject.root, STATISTICS)
+    told = read_statistics(subject.root)
     for key, together in computed.items():
         for wrong in wrong_statistics(_flat(told.get(key, {})), together.all, max(lengths)):
             yield Fault(f"{STATISTICS}: {wrong} of {key} is not that of the frames")

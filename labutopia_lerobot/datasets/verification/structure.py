@@ -7,16 +7,13 @@ from pathlib import Path
 import numpy as np
 import pyarrow as pa
 
-from labutopia_lerobot.datasets.tables import (
-    EPISODES,
+from labutopia_lerobot.datasets.description import (
     INFO,
     STATISTICS,
     DamagedDatasetError,
-    Row,
-    column,
-    frames_of_episodes,
-    read_json,
+    read_statistics,
 )
+from labutopia_lerobot.datasets.tables import EPISODES, Row, column, frames_of_episodes
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding
 from labutopia_lerobot.datasets.verification.subject import Subject
 from labutopia_lerobot.runtime.video import video_size_and_frames
@@ -36,7 +33,7 @@ def check_info(subject: Subject) -> Iterator[Finding]:
         said = {task for row in subject.episodes for task in row["tasks"]}
         for task in sorted(said - set(known)):
             yield Fault(f"meta/tasks: '{task}' of an episode is not there")
-        statistics = read_json(subject.root, STATISTICS)
+        statistics = read_statistics(subject.root)
     except DamagedDatasetError as error:
         yield Fault(str(error))
         return
@@ -66,7 +63,7 @@ def check_frames(subject: Subject) -> Iterator[Finding]:
     """Yield what is wrong with the table of frames: counters, shapes, numbers."""
     count = 0
     try:
-        for row, frames in frames_of_episodes(subject.root, subject.info, subject.episodes):
+        for row, frames in frames_of_episodes(subject.root, subject.episodes):
             yield from _check_frames_of(subject, row, frames)
             count += frames.num_rows
     except (DamagedDatasetError, pa.ArrowInvalid) as error:

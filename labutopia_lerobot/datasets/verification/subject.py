@@ -5,20 +5,26 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+import pyarrow as pa
 import pyarrow.parquet as pq
 
+from labutopia_lerobot.datasets.description import (
+    RECORDING,
+    VIDEO,
+    DamagedDatasetError,
+    read_info,
+    read_recording,
+)
 from labutopia_lerobot.datasets.tables import (
     EPISODES,
-    INFO,
-    RECORDING,
     SEED,
     SETTING,
     TASKS,
-    DamagedDatasetError,
     Row,
     read_episodes,
-    read_json,
+    video_file,
 )
+from labutopia_lerobot.foreign_files import inside
 
 
 @dataclass(frozen=True)
@@ -29,20 +35,22 @@ class Subject:
         root: Its folder.
         info: `meta/info.json`.
         episodes: The rows of its episode table, without the statistics.
+        tasks_dir: A further folder of tasks, which the user trusts.
     """
 
     root: Path
     info: dict[str, Any]
     episodes: list[Row]
+    tasks_dir: str | None = None
 
     @classmethod
-    def of(cls, root: Path) -> "Subject":
+    def of(cls, root: Path, tasks_dir: str | None = None) -> "Subject":
         """Read a dataset.
 
         Raises:
             DamagedDatasetError: If a file is missing or cannot be read.
         """
-        return cls(root, read_json(root, INFO), read_episodes(root))
+        return cls(root, read_info(root), read_episodes(root), tasks_dir)
 
     @property
     def features(self) -> dict[str, dict[str, Any]]:
@@ -53,7 +61,7 @@ class Subject:
     @property
     def cameras(self) -> list[str]:
         """Keys of the videos."""
-        return [key for key, feature in self.features.items() if feature["dtype"] == "video"]
+        return [key for key, feature in self.features.items() if feature["dtype"] == VIDEO]
 
     @cached_property
     def recording(self) -> dict[str, Any] | None:
@@ -62,7 +70,7 @@ class Subject:
         Raises:
             DamagedDatasetError: If it cannot be read.
         """
-        return read_json(self.root, RECORDING) if (self.root / RECORDING).exists() else None
+        return read_recording(self.root)
 
     @cached_property
     def tasks(self) -> dict[int, str]:
@@ -72,11 +80,12 @@ class Subject:
             DamagedDatasetError: If it cannot be read.
         """
         try:
-            columns = pq.read_table(self.root / TASKS).to_pydict()
-        except Exception as error:
+            file = inside(self.root, TASKS, DamagedDatasetError)
+            columns = pq.read_table(file).to_pydict()
+        except (OSError, pa.ArrowException) as error:
             raise DamagedDatasetError(f"{TASKS} cannot be read: {error}") from None
         words = columns.get("task", columns.get("__index_level_0__"))
-        if words is None:
+        if words is None or "task_index" not in columns:
             raise DamagedDatasetError(f"{TASKS} has no column of instructions")
         return dict(zip(columns["task_index"], words, strict=True))
 
@@ -97,11 +106,7 @@ class Subject:
 
     def video(self, row: Row, key: str) -> Path:
         """Return the file in which an episode's video is."""
-        chunk, file = row[f"videos/{key}/chunk_index"], row[f"videos/{key}/file_index"]
-        path: str = self.info["video_path"].format(
-            video_key=key, chunk_index=chunk, file_index=file
-        )
-        return self.root / path
+        return video_file(self.root, row, key)
 
     def first_frame(self, row: Row, key: str) -> int:
         """Return at which frame of its video file an episode begins."""

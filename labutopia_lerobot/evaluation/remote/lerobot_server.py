@@ -7,6 +7,7 @@ consists are looked up, and the numbers of tensors are read by the restricted lo
 """
 
 import io
+import math
 import pickle
 import time
 from collections import OrderedDict
@@ -23,15 +24,42 @@ from lerobot.transport.utils import grpc_channel_options, send_bytes_in_chunks
 from numpy.typing import NDArray
 
 from labutopia_lerobot.evaluation.remote.remote_policy import PolicyServerError
+from labutopia_lerobot.foreign_files import printable
 
 
 def _load_storage(content: bytes) -> Any:
     return torch.load(io.BytesIO(content), map_location="cpu", weights_only=True)
 
 
+def _rebuild_tensor(storage: Any, offset: int, size: Any, stride: Any, *others: Any) -> Any:
+    """Rebuild a tensor as torch does, if its storage has all of its elements."""
+    spans = (max(count - 1, 0) * step for count, step in zip(size, stride, strict=True))
+    last, stored = offset + sum(spans), storage._untyped_storage.nbytes() // storage.dtype.itemsize
+    if min(offset, *size, *stride) < 0 or last >= stored or math.prod(size) > _MOST_NUMBERS:
+        raise ValueError(f"a tensor of {tuple(size)} in {stored} numbers")
+    rebuild: Any = torch._utils._rebuild_tensor_v2
+    return rebuild(storage, offset, size, stride, *others)
+
+
+_MOST_NUMBERS = 1_000_000
+"""Of a tensor of actions: 10,000 of them have at most 100 elements."""
+
+_UNREADABLE = (
+    pickle.UnpicklingError,
+    AttributeError,
+    EOFError,
+    LookupError,
+    MemoryError,
+    OverflowError,
+    RuntimeError,
+    TypeError,
+    ValueError,
+)
+"""What damaged or hostile pickles raise."""
+
 _KNOWN = {
     (TimedAction.__module__, TimedAction.__name__): TimedAction,
-    ("torch._utils", "_rebuild_tensor_v2"): torch._utils._rebuild_tensor_v2,
+    ("torch._utils", "_rebuild_tensor_v2"): _rebuild_tensor,
     ("torch.storage", "_load_from_bytes"): _load_storage,
     ("collections", "OrderedDict"): OrderedDict,
 }
@@ -58,7 +86,7 @@ def read_actions(content: bytes) -> NDArray[np.float32]:
         answer = _ActionUnpickler(io.BytesIO(content)).load()
         rows = [np.asarray(timed.action, np.float32) for timed in answer]
         return np.stack(rows)
-    except (pickle.UnpicklingError, AttributeError, EOFError, RuntimeError, TypeError, ValueError):
+    except _UNREADABLE:
         raise PolicyServerError("The server's answer is no list of actions") from None
 
 
@@ -177,5 +205,5 @@ def _meaning(error: grpc.RpcError, address: str) -> Exception:
     if code == grpc.StatusCode.DEADLINE_EXCEEDED:
         return TimeoutError(f"{address} does not answer")
     if code in (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.CANCELLED):
-        return ConnectionError(f"{address} cannot be reached: {details}")
-    return PolicyServerError(f"The server at {address} refuses: {details}")
+        return ConnectionError(f"{address} cannot be reached: {printable(str(details))}")
+    return PolicyServerError(f"The server at {address} refuses: {printable(str(details))}")

@@ -8,10 +8,12 @@ is `__npgeneric__`, `data` and `dtype` (openpi, packages/openpi-client, "msgpack
 such a message can run code.
 """
 
+import socket
 import time
 from collections.abc import Mapping
 from contextlib import ExitStack
 from typing import Any
+from urllib.parse import urlsplit
 
 import msgpack
 import numpy as np
@@ -20,6 +22,7 @@ from websockets.exceptions import ConnectionClosed, InvalidHandshake, InvalidURI
 from websockets.sync.client import ClientConnection, connect
 
 from labutopia_lerobot.evaluation.remote.remote_policy import PolicyServerError
+from labutopia_lerobot.foreign_files import printable
 
 _ARRAY, _SCALAR = b"__ndarray__", b"__npgeneric__"
 _NUMBERS = "biufSU"
@@ -64,6 +67,12 @@ def _restored(entries: dict[Any, Any]) -> Any:
     return np.frombuffer(entries[b"data"], dtype).reshape(entries[b"shape"])
 
 
+_LARGEST = 64_000_000
+"""Bytes of an answer: 10,000 actions of 100 numbers have a tenth of that."""
+
+_MOST_LINES = 100
+"""Of what a server says is wrong."""
+
 _CLOSE_S = 1.0
 """How long a server may take to say goodbye [s]."""
 
@@ -97,7 +106,7 @@ class OpenPiServer:
         if isinstance(answer, str):
             self._close()
             raise PolicyServerError(
-                f"The policy raised in the server at {self._address}:\n{answer}"
+                f"The policy raised in the server at {self._address}:\n{_told(answer)}"
             )
         return self._actions(answer)
 
@@ -106,15 +115,18 @@ class OpenPiServer:
             try:
                 connecting = connect(
                     f"ws://{self._address}",
+                    # With a socket of ours no redirect to another machine is followed.
+                    sock=_socket(self._address, deadline),
                     open_timeout=_left(deadline),
                     close_timeout=_CLOSE_S,
                     compression=None,
-                    max_size=None,
+                    max_size=_LARGEST,
+                    proxy=None,
                     # A server that is busy with its policy may not answer pings for a while.
                     ping_interval=None,
                 )
                 self._connection = self._closing.enter_context(connecting)
-            except InvalidURI as error:
+            except (InvalidURI, ValueError) as error:
                 raise PolicyServerError(f"policy.address={self._address}: {error}") from None
             self._connection.recv(timeout=_left(deadline))
         return self._connection
@@ -130,6 +142,16 @@ class OpenPiServer:
             raise PolicyServerError(
                 f"The server at {self._address} does not answer as openpi's do: {error}"
             ) from None
+
+
+def _socket(address: str, deadline: float) -> socket.socket:
+    parts = urlsplit(f"//{address}")
+    return socket.create_connection((parts.hostname or "", parts.port or 80), _left(deadline))
+
+
+def _told(answer: str) -> str:
+    """Return the words of a server, without codes that a terminal would obey."""
+    return "\n".join(printable(line) for line in answer.splitlines()[:_MOST_LINES])
 
 
 def _left(deadline: float) -> float:

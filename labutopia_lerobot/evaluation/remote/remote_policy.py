@@ -18,7 +18,7 @@ from labutopia_lerobot.evaluation.config import EvaluationOptionError, PolicyCon
 from labutopia_lerobot.evaluation.find_checkpoint import find_checkpoint
 from labutopia_lerobot.evaluation.policies import Action, Policy, PolicyUnreachable
 from labutopia_lerobot.features import observation_features
-from labutopia_lerobot.runtime.json_object import read_json_object
+from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting, require_choices
 from labutopia_lerobot.world import CONTROL_HZ

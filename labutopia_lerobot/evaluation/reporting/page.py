@@ -26,7 +26,8 @@ from labutopia_lerobot.evaluation.reporting.result_tables import (
     precision_table,
 )
 from labutopia_lerobot.evaluation.result_folder import VIDEOS, film_of, film_of_expert
-from labutopia_lerobot.evaluation.rows import Row
+from labutopia_lerobot.evaluation.rows import Row, UnreadableResultError
+from labutopia_lerobot.foreign_files import inside
 from labutopia_lerobot.task import HOLD_S
 
 _PROGRAM = ("python", "eval/run.py")
@@ -164,14 +165,19 @@ def _film(entry: ReportEntry, row: Row) -> Path | None:
     Names of outcomes come from a file: whatever leads out of the folder of films is none.
     """
     film = film_of(entry.result.place, row)
-    inside = film.resolve().is_relative_to((entry.result.place / VIDEOS).resolve())
-    return film if inside and film.is_file() else None
+    try:
+        inside(entry.result.place / VIDEOS, film.name, UnreadableResultError)
+    except UnreadableResultError:
+        return None
+    return film if film.parent.name == VIDEOS and film.is_file() else None
 
 
 def write_page(file: Path, results: Sequence[LoadedResult]) -> None:
     """Write the page of results; the same results in the same place give the same bytes."""
     file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(page(results, file.parent))
+    written = file.with_name(f"{file.name}.tmp")
+    written.write_text(page(results, file.parent))
+    written.replace(file)  # where a link lies, it is replaced and not followed
 
 
 def page(results: Sequence[LoadedResult], folder: Path) -> str:
@@ -276,7 +282,7 @@ def _origin(result: LoadedResult) -> dict[str, Any]:
 def _described(provenance: Any) -> Iterator[tuple[str, str]]:
     """Yield what is told of where rows come from, in words."""
     for name, value in provenance:
-        if name == "versions":
+        if name == "versions" and isinstance(value, dict):
             value = ", ".join(f"{package} {v}" for package, v in value.items() if v is not None)
         elif isinstance(value, dict):
             value = json.dumps(value, separators=(", ", ": "))

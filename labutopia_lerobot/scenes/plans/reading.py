@@ -1,16 +1,17 @@
 """Reading a plan: what is wrong in a file is told by its place in it."""
 
-import json
-import types
-import typing
-from collections.abc import Mapping
-from dataclasses import MISSING, fields, is_dataclass
 from pathlib import Path
-from typing import Any, Literal
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.foreign_files import checked, parse_json, read_text
 from labutopia_lerobot.scenes.finishes import FLOOR_FINISHES, WALL_FINISHES
 from labutopia_lerobot.scenes.plan import Plan
+
+SMALLEST, LARGEST = 1.0, 100.0
+"""Lengths that a room may have [m]: the hundred rooms have 3 to 14.5 m."""
+
+MOST_PARTS = 500
+"""Walls, openings or pieces of a room at most; the hundred rooms have at most 44 pieces."""
 
 
 class PlanError(UserError, ValueError):
@@ -23,11 +24,7 @@ def read_plan(path: Path) -> Plan:
     Raises:
         PlanError: If it cannot be read, is no plan, or names what does not exist.
     """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise PlanError(f"{path} cannot be read: {error}") from error
-    return plan_from(text, str(path))
+    return plan_from(read_text(path, PlanError), str(path))
 
 
 def plan_from(text: str, source: str) -> Plan:
@@ -40,13 +37,30 @@ def plan_from(text: str, source: str) -> Plan:
     Raises:
         PlanError: If it is no plan, or names what does not exist.
     """
-    try:
-        said = json.loads(text)
-    except json.JSONDecodeError as error:
-        raise PlanError(f"{source} is no JSON: {error}") from error
-    plan: Plan = _value(Plan, said, source)
+    plan: Plan = checked(Plan, parse_json(text, source, PlanError), source, PlanError)
+    _check_sizes(plan, source)
     _check_names(plan, source)
     return plan
+
+
+def _check_sizes(plan: Plan, source: str) -> None:
+    for size in plan.size:
+        if not SMALLEST <= size <= LARGEST:
+            raise PlanError(
+                f"{source}: a size of {size:g} m; rooms have {SMALLEST:g} to {LARGEST:g} m"
+            )
+    for name in ("walls", "openings", "pieces", "work_places"):
+        parts = getattr(plan, name)
+        if len(parts) > MOST_PARTS:
+            raise PlanError(f"{source}: {len(parts)} {name}; a room has at most {MOST_PARTS}")
+        for place, part in enumerate(parts):
+            for value in vars(part).values():
+                for number in value if isinstance(value, tuple) else (value,):
+                    if isinstance(number, float) and not abs(number) <= LARGEST:
+                        raise PlanError(
+                            f"{source}, {name}[{place}]: {number:g} is no length in a room, which "
+                            f"has at most {LARGEST:g} m"
+                        )
 
 
 def _check_names(plan: Plan, source: str) -> None:
@@ -79,52 +93,3 @@ def _check_names(plan: Plan, source: str) -> None:
             )
     if not any(opening.kind == "door" for opening in plan.openings[:1]):
         raise PlanError(f"{source}: the first of openings must be the door by which one enters")
-
-
-def _value(kind: Any, said: Any, where: str) -> Any:
-    """Return what was said as a value of a type: a dataclass, tuple, literal or plain value."""
-    origin, arguments = typing.get_origin(kind), typing.get_args(kind)
-    if isinstance(kind, type) and is_dataclass(kind):
-        return _thing(kind, said, where)
-    if origin is tuple and isinstance(said, list):
-        if arguments[-1] is Ellipsis:
-            return tuple(_value(arguments[0], one, f"{where}[{n}]") for n, one in enumerate(said))
-        if len(said) == len(arguments):
-            parts = enumerate(zip(arguments, said, strict=True))
-            return tuple(_value(one, part, f"{where}[{n}]") for n, (one, part) in parts)
-    elif origin is Literal and said in arguments and not isinstance(said, bool):
-        return said
-    elif origin is types.UnionType:
-        return None if said is None else _value(arguments[0], said, where)
-    elif kind is float and isinstance(said, int | float) and not isinstance(said, bool):
-        return float(said)
-    elif isinstance(kind, type) and type(said) is kind:
-        return said
-    wanted = f"one of {list(arguments)}" if origin is Literal else _spelt(kind)
-    raise PlanError(f"{where}: {json.dumps(said)} should be {wanted}")
-
-
-def _thing(kind: type, said: Any, where: str) -> Any:
-    """Return a dataclass from what was said of its fields."""
-    if not isinstance(said, Mapping):
-        raise PlanError(f"{where}: {json.dumps(said)} should be {_spelt(kind)}")
-    types_of = typing.get_type_hints(kind)
-    known = {field.name: field for field in fields(kind)}
-    for key in said:
-        if key not in known:
-            raise PlanError(f"{where}: unknown key '{key}'. Keys: {', '.join(known)}")
-    for key, field in known.items():
-        if key not in said and field.default is MISSING:
-            raise PlanError(f"{where}: '{key}' is missing")
-    where = f"{where}, " if kind is Plan else f"{where}."
-    return kind(**{key: _value(types_of[key], said[key], f"{where}{key}") for key in said})
-
-
-def _spelt(kind: Any) -> str:
-    names = {float: "a number", int: "a whole number", str: "a text"}
-    if kind in names:
-        return names[kind]
-    arguments = typing.get_args(kind)
-    if arguments and arguments[-1] is not Ellipsis:
-        return f"{len(arguments)} numbers in brackets"
-    return "a list in brackets" if arguments else "a list of keys in braces"
