@@ -123,9 +123,8 @@ def test_one_step_is_recorded_from_where_the_expert_comes_to_it(tmp_path: Path) 
     assert json.loads(row[SETTING])["step"] == "close"
     verdict = verify(root)
     assert (verdict.faults, verdict.unchecked) == ([], [])
-    assert "--output_dir=outputs/train/act/" + f"{tmp_path.name}/dataset/close" in training_command(
-        "act", root, None, None, None
-    )
+    command = training_command("act", root, None, None, None)
+    assert "--output_dir=outputs/train/act/level2/operate_drawer/close" in command
     with pytest.raises(UserError, match=r"no step 'shut'\. Steps of this task: open, close"):
         recording(tmp_path / "other", *overrides, "step=shut")
 

@@ -40,21 +40,21 @@ def test_every_episode_gets_its_frames_whatever_the_row_groups(
     tmp_path: Path, rows_of_a_group: int
 ) -> None:
     rows = stored(tmp_path, rows_of_a_group)
-    for row, frames in frames_of_episodes(tmp_path, INFO, rows):
+    for row, frames in frames_of_episodes(tmp_path, rows):
         first = row["dataset_from_index"]
         assert column(frames, "state")[:, 0].tolist() == list(range(first, first + row["length"]))
 
 
 def test_episodes_are_found_in_any_order(tmp_path: Path) -> None:
     rows = stored(tmp_path, 4)[::-1]
-    firsts = [frames["index"][0].as_py() for _, frames in frames_of_episodes(tmp_path, INFO, rows)]
+    firsts = [frames["index"][0].as_py() for _, frames in frames_of_episodes(tmp_path, rows)]
     assert firsts == [row["dataset_from_index"] for row in rows]
 
 
 def test_one_row_group_is_in_memory_and_not_the_file(tmp_path: Path) -> None:
     rows = stored(tmp_path, 10, [10] * 20, width=20_000)
     before, most = pa.total_allocated_bytes(), 0
-    for _ in frames_of_episodes(tmp_path, INFO, rows):
+    for _ in frames_of_episodes(tmp_path, rows):
         most = max(most, pa.total_allocated_bytes() - before)
     group = 10 * 20_000 * 8
     assert group <= most < 5 * group
@@ -64,4 +64,4 @@ def test_frames_that_a_file_lacks_are_named(tmp_path: Path) -> None:
     rows = stored(tmp_path, 4)
     rows[-1]["length"] += 1
     with pytest.raises(DamagedDatasetError, match="9 frames of episode 4, not 10"):
-        list(frames_of_episodes(tmp_path, INFO, rows))
+        list(frames_of_episodes(tmp_path, rows))
