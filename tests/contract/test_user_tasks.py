@@ -103,7 +103,7 @@ def test_tasks_that_clash_do_not_break_the_import(tasks_dir, monkeypatch):
         ("time_limit_s=15.0", "time_limit=15.0", 14, "Did you mean 'time_limit_s'?"),
         ("y=(-0.07, 0.07)", "y=(0.07, -0.07)", 16, "write y=(least, greatest)"),
         ("y=(-0.07, 0.07)", "y=0.07", 16, "y=0.07 is no range"),
-        ("500 ml", "501 ml", 12, "choose one of: 300 ml, 500 ml, 1000 ml"),
+        ("500 ml", "501 ml", 12, "sizes: 300 ml, 500 ml, 1000 ml"),
         ("faster_than=0.4", "", 19, "missing a required keyword-only argument: 'faster_than'"),
         ("    return Task(", "    return Task((", 14, "was never closed"),
         (
