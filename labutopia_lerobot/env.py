@@ -184,5 +184,5 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def _info(self) -> Info:
         workcell, scenario, failures = self._episode
-        drawn = {"seed": self.seed, "drawn": dict(scenario.drawn), "prelude_failures": failures}
+        drawn = {"seed": self.seed, "drawn": dict(scenario.drawn), "setup_failures": failures}
         return workcell.info() | drawn

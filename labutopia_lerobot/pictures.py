@@ -16,7 +16,7 @@ millimetres so far. Bench and robot are nearer than 3 m to every camera."""
 
 BACKGROUND, ROBOT, LIQUID = "background", "robot", "liquid"
 """What a segmentation calls 0, 1 and 2: room and bench; arm and hand; whatever flows, wherever it
-is. Things of the task follow, in the order of its start, and then bystanders. A vessel
+is. Things of the task follow, in the order of its start, and then distractors. A vessel
 is seen where its glass is, and so hides the liquid behind it, as it does in depth."""
 
 

@@ -1,4 +1,4 @@
-"""The memory of an episode: latched milestones, the hold clock, the first breach."""
+"""The memory of an episode: latched substeps, the hold clock, the first breach."""
 
 from dataclasses import dataclass
 
@@ -10,8 +10,8 @@ from labutopia_lerobot.task import (
     RUNNING,
     SUCCESS,
     TIMEOUT,
-    Milestone,
     Step,
+    Substep,
     Task,
 )
 from labutopia_lerobot.world import CONTROL_HZ, World
@@ -47,16 +47,16 @@ class Progress:
 
     Args:
         task: What is judged.
-        after: Step behind which the episode begins: its milestones and those before have latched.
+        after: Step behind which the episode begins: its substeps and those before have latched.
         until: Step with which it ends, as soon as that is done; the last is done when the goal has
             held. None for the last.
 
     Attributes:
         history: Every named predicate of the task, when it held; what only some steps forbid is
             looked at in those steps.
-        milestones: Milestone -> time at which it latched [s], or None.
-        counted: How much of its count the first milestone that has not latched has seen.
-        outcome: "running", "success", "timeout", "diverged", "interrupted" (a milestone's `keeping`
+        substeps: Substep -> time at which it latched [s], or None.
+        counted: How much of its count the first substep that has not latched has seen.
+        outcome: "running", "success", "timeout", "diverged", "interrupted" (a substep's `keeping`
             broke), or the key of the breach (see `Task.forbidden`).
         ever: Whether the goal held at any instant after the last step, or `until` was done.
 
@@ -71,8 +71,8 @@ class Progress:
         whole = len(played) == len(task.steps)
         self._goal, hold_s = (task.goal, HOLD_S) if whole else ((), 0.0)
         self._hold_steps = round(hold_s * CONTROL_HZ)
-        self._course = [(step, milestone) for step in played for milestone in step.milestones]
-        self._latched = sum(len(step.milestones) for step in done)
+        self._course = [(step, substep) for step in played for substep in step.substeps]
+        self._latched = sum(len(step.substeps) for step in done)
         self._last = played[-1]
         self._forbidden = {step.name: task.forbidden(step) for step in played}
         self._asked = {
@@ -80,9 +80,9 @@ class Progress:
             for step, forbidden in self._forbidden.items()
         }
         self.history = {name: History() for name in task.facts}
-        self.milestones: dict[str, float | None] = {
-            milestone.name: 0.0 if index < self._latched else None
-            for index, milestone in enumerate(task.milestones)
+        self.substeps: dict[str, float | None] = {
+            substep.name: 0.0 if index < self._latched else None
+            for index, substep in enumerate(task.substeps)
         }
         self.outcome = RUNNING
         self.ever = False
@@ -109,15 +109,15 @@ class Progress:
 
     @property
     def awaited(self) -> tuple[Predicate, ...]:
-        """What must hold next: for the first milestone that has not latched, or else the goal."""
+        """What must hold next: for the first substep that has not latched, or else the goal."""
         if self._latched == len(self._course):
             return self._goal
-        milestone = self._course[self._latched][1]
-        if self._passed == len(milestone.via):
-            following = milestone.when
+        substep = self._course[self._latched][1]
+        if self._passed == len(substep.via):
+            following = substep.when
         else:
-            following = (milestone.via[self._passed],)
-        return (*following, *(milestone.keeping if self._passed or self.counted else ()))
+            following = (substep.via[self._passed],)
+        return (*following, *(substep.keeping if self._passed or self.counted else ()))
 
     @property
     def counting(self) -> Count | None:
@@ -156,30 +156,30 @@ class Progress:
         return all(self.history[fact.name].holds for fact in facts)
 
     def _latch(self, world: World) -> None:
-        for _, milestone in self._course[self._latched :]:
-            if not self._pass_through(milestone, world):
+        for _, substep in self._course[self._latched :]:
+            if not self._pass_through(substep, world):
                 return
-            self.milestones[milestone.name] = world.time
+            self.substeps[substep.name] = world.time
             self._latched += 1
             self._passed, self.counted, self._counter = 0, 0.0, None
 
-    def _pass_through(self, milestone: Milestone, world: World) -> bool:
-        """Advance along the course of a milestone; tell whether it latches now."""
-        course = milestone.via
+    def _pass_through(self, substep: Substep, world: World) -> bool:
+        """Advance along the course of a substep; tell whether it latches now."""
+        course = substep.via
         while self._passed < len(course) and self._holds(course[self._passed]):
             self._passed += 1
-        enough, kept = self._passed == len(course), self._holds(*milestone.keeping)
-        if milestone.count is not None and enough:
+        enough, kept = self._passed == len(course), self._holds(*substep.keeping)
+        if substep.count is not None and enough:
             if kept or self.counted:
-                self._counter = self._counter or milestone.count.counter()
+                self._counter = self._counter or substep.count.counter()
                 self.counted = self._counter.add(world)
             else:
                 self._counter = None  # what comes before is not counted
-            enough = self.counted >= milestone.count.needed
+            enough = self.counted >= substep.count.needed
         if (self._passed or self.counted) and not kept:
             self.outcome = INTERRUPTED
             return False
-        return enough and self._holds(*milestone.when)
+        return enough and self._holds(*substep.when)
 
     def _clock_the_goal(self) -> None:
         if self.step is None and self._holds(*self._goal):

@@ -30,7 +30,7 @@ SUCCESS = "success"
 TIMEOUT = "timeout"
 DIVERGED = "diverged"
 INTERRUPTED = "interrupted"
-"""Outcome of an episode in which a milestone's `keeping` broke."""
+"""Outcome of an episode in which a substep's `keeping` broke."""
 BROKEN = "broken"
 """Outcome of an episode in which something movable was knocked or pressed too hard."""
 COLLIDED = "collided"
@@ -65,16 +65,16 @@ class TaskError(UserError, ValueError):
 
 
 @dataclass(frozen=True)
-class Milestone:
+class Substep:
     """A moment on the way: latched, in the order of the task, once all of `when` holds together.
 
     Attributes:
         name: A participle; a column of the result tables.
         when: What must hold together at the moment of latching.
-        via: What must have held before, one after the other, since the previous milestone.
+        via: What must have held before, one after the other, since the previous substep.
         keeping: What must not cease to hold from the first of `via`, or of what is counted, until
             the latch; if it does, the episode is over. Nothing is counted while it does not hold.
-        count: What must have added up since the previous milestone, behind the last of `via`.
+        count: What must have added up since the previous substep, behind the last of `via`.
 
     Raises:
         TaskError: If anything is of the wrong kind.
@@ -94,18 +94,18 @@ class Milestone:
 
     @property
     def facts(self) -> tuple[Predicate, ...]:
-        """Every predicate of the milestone."""
+        """Every predicate of the substep."""
         return (*self.via, *self.keeping, *self.when)
 
 
 @dataclass(frozen=True)
 class Step:
-    """One action of the paper, such as its "Pick": done when its last milestone has latched.
+    """One action of the paper, such as its "Pick": done when its last substep has latched.
 
     Attributes:
         name: A verb, such as `pick`.
         skills: What the scripted expert plays.
-        milestones: What latches within it, in this order.
+        substeps: What latches within it, in this order.
         touches: What the hand is to touch, buttons among it: in this step, and in the next one, in
             which the hand leaves it. When arm or hand push against anything else, or a button that
             is not named clicks, the episode ends. What no step of a task names must stay where it
@@ -117,12 +117,12 @@ class Step:
         notes: Facts that are told of beside, and judge nothing.
 
     Raises:
-        TaskError: If it has no milestone, or anything is of the wrong kind.
+        TaskError: If it has no substep, or anything is of the wrong kind.
     """
 
     name: str
     skills: tuple[Skill, ...]
-    milestones: tuple[Milestone, ...]
+    substeps: tuple[Substep, ...]
     touches: tuple[Thing, ...] = ()
     never: Mapping[str, Predicate] = field(default_factory=dict)
     transfers: tuple[Transfer, ...] = ()
@@ -130,17 +130,17 @@ class Step:
 
     def __post_init__(self) -> None:
         _require_all(Skill, self.skills, f"`skills` of step '{self.name}'")
-        _require_all(Milestone, self.milestones, f"`milestones` of step '{self.name}'")
+        _require_all(Substep, self.substeps, f"`substeps` of step '{self.name}'")
         _require_all(Transfer, self.transfers, f"`transfers` of step '{self.name}'")
         _require_all(Predicate, self.notes, f"`notes` of step '{self.name}'")
         _require_outcomes(self.never, f"step '{self.name}'")
-        if not self.milestones:
-            raise TaskError(f"Step '{self.name}' has no milestone: say what tells that it is done")
+        if not self.substeps:
+            raise TaskError(f"Step '{self.name}' has no substep: say what tells that it is done")
 
     def named(self, name: str) -> "Step":
-        """Return the same step under another name, which its milestones bear before their own."""
-        milestones = (replace(m, name=f"{name}/{m.name}") for m in self.milestones)
-        return replace(self, name=name, milestones=tuple(milestones))
+        """Return the same step under another name, which its substeps bear before their own."""
+        substeps = (replace(m, name=f"{name}/{m.name}") for m in self.substeps)
+        return replace(self, name=name, substeps=tuple(substeps))
 
 
 @dataclass(frozen=True)
@@ -154,14 +154,14 @@ class Task:
         goal: What must hold together for `HOLD_S` after the last step.
         never: Outcome that ends the episode -> the fact that must not occur at any time.
         time_limit_s: Simulated time after which the episode is over [s].
-        prelude: Skills that the expert has played when the episode starts, such as the pick
+        setup: Skills that the expert has played when the episode starts, such as the pick
             before a pour (paper: "relies on Pick as a prerequisite").
         contents: What vessels hold from the beginning.
         view: Where the two fixed cameras are.
         paraphrases: Other ways to say the instruction.
 
     Raises:
-        TaskError: If two steps or two milestones share a name, two predicates share a name without
+        TaskError: If two steps or two substeps share a name, two predicates share a name without
             being the same, an outcome is reserved, or anything is of the wrong kind.
     """
 
@@ -171,7 +171,7 @@ class Task:
     goal: tuple[Predicate, ...]
     never: Mapping[str, Predicate]
     time_limit_s: float
-    prelude: tuple[Skill, ...] = ()
+    setup: tuple[Skill, ...] = ()
     contents: Mapping[Piece, Filling] = field(default_factory=dict)
     view: View = VESSEL_VIEW
     paraphrases: tuple[str, ...] = ()
@@ -182,7 +182,7 @@ class Task:
         _require_all(str, self.paraphrases, "`paraphrases` of the task")
         _require_outcomes(self.never, "the task")
         _require_unique("step", [step.name for step in self.steps])
-        _require_unique("milestone", [milestone.name for milestone in self.milestones])
+        _require_unique("substep", [substep.name for substep in self.substeps])
         _require_unique("thing", [piece.name for piece in self.start])
         named: dict[str, Predicate] = {}
         forbidden = (self.forbidden(step).values() for step in self.steps)
@@ -195,9 +195,9 @@ class Task:
                 )
 
     @property
-    def milestones(self) -> tuple[Milestone, ...]:
-        """The milestones of all steps, in order."""
-        return tuple(milestone for step in self.steps for milestone in step.milestones)
+    def substeps(self) -> tuple[Substep, ...]:
+        """The substeps of all steps, in order."""
+        return tuple(substep for step in self.steps for substep in step.substeps)
 
     @property
     def skills(self) -> tuple[Skill, ...]:
@@ -213,7 +213,7 @@ class Task:
     def watched(self) -> tuple[Predicate, ...]:
         """What is asked at every control step, whichever step is being done."""
         steps = (
-            (*(fact for milestone in step.milestones for fact in milestone.facts), *step.notes)
+            (*(fact for substep in step.substeps for fact in substep.facts), *step.notes)
             for step in self.steps
         )
         return (*chain(*steps), *self.goal, *self.never.values())
@@ -228,7 +228,7 @@ class Task:
         """Return outcome -> what must not occur during a step: what it says, and the task, and all.
 
         Args:
-            step: One of the steps; None before the first, while the prelude is played.
+            step: One of the steps; None before the first, while the setup is played.
         """
         index = len(self.steps) if step is None else self.steps.index(step)
         near = self.steps if step is None else self.steps[max(index - 1, 0) : index + 1]

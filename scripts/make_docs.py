@@ -214,7 +214,7 @@ def failure_table(rows: Rows) -> list[str]:
         stuck = Counter(row.expert_failure for row in played if row.expert_failure is not None)
         cells = [f"`{task_id}`", str(line.n)]
         cells += [_counted(line.outcomes), _counted(line.causes), _counted(stuck)]
-        anew = [row.prelude_failures for row in played if row.prelude_failures is not None]
+        anew = [row.setup_failures for row in played if row.setup_failures is not None]
         cells.append(str(sum(anew)) if anew else "not recorded")
         lines.append(f"| {' | '.join(cells)} |")
     return lines

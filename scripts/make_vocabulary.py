@@ -26,7 +26,7 @@ from labutopia_lerobot.robots import ROBOTS
 from labutopia_lerobot.setting import option_help
 from labutopia_lerobot.skills import posture, skill
 from labutopia_lerobot.substances import filling
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 from piece_pictures import makers, needs_only_a_name, picture
 from word_tables import asks, cell, code, functions, members, pieces, summary, with_attributes
 
@@ -61,9 +61,9 @@ def _chapters() -> Iterator[str]:
     yield "unless a name says others. Predicates, skills and pieces of your own may stand in your"
     yield "task file."
     yield ""
-    yield from _chapter("Task, step, milestone", "labutopia_lerobot.task")
+    yield from _chapter("Task, step, substep", "labutopia_lerobot.task")
     kinds = (predicates.Predicate, predicates.Count, predicates.Transfer)
-    for kind in (task.Task, task.Step, task.Milestone, *kinds):
+    for kind in (task.Task, task.Step, task.Substep, *kinds):
         yield from with_attributes(kind)
     yield "`~fact` is the fact that a predicate does not hold."
     yield ""
@@ -96,8 +96,8 @@ def _chapters() -> Iterator[str]:
         yield from with_attributes(kind)
     yield from _chapter("Actions", "labutopia_lerobot.tasks.actions")
     yield from functions(f for f in vars(actions).values() if _defined_in(f, actions))
-    yield from _chapter("Mishaps", "labutopia_lerobot.tasks.mishaps")
-    yield from functions(f for f in vars(mishaps).values() if _defined_in(f, mishaps))
+    yield from _chapter("Failures", "labutopia_lerobot.tasks.failures")
+    yield from functions(f for f in vars(failures).values() if _defined_in(f, failures))
     yield from _chapter("Predicates", "labutopia_lerobot.predicates")
     facts = (getattr(predicates, name) for name in predicates.__all__)
     yield from functions(fact for fact in facts if not inspect.isclass(fact))

@@ -50,7 +50,7 @@ def a_step_can_begin_where_the_one_before_is_done(env: LabEnv) -> None:
     *before, _ = env.workcell.task.steps
     if before:
         info = env.reset(seed=100, options={"after": before[-1].name})[1]
-        tries = info["prelude_failures"] + 1
+        tries = info["setup_failures"] + 1
         require(tries == 1, f"seed 100: it took {tries} tries to play the steps before one by one")
         _finish(env)
         outcome = env.workcell.progress.outcome

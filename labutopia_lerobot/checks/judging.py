@@ -13,7 +13,7 @@ from labutopia_lerobot.env import LabEnv
 def the_goal_is_false_at_the_start(env: LabEnv) -> None:
     """Nobody succeeds by being there.
 
-    Where things end as they began, it is the sub-steps that are missing.
+    Where things end as they began, it is the substeps that are missing.
     """
     _, info = env.reset(seed=0)
     require(not info["is_success"], "the episode begins with a success")
@@ -21,7 +21,7 @@ def the_goal_is_false_at_the_start(env: LabEnv) -> None:
     latched = [name for name, time in info["substeps"].items() if np.isfinite(time)]
     require(
         not (goal and len(latched) == len(info["substeps"])),
-        "the whole goal holds at the start, and every sub-step has latched",
+        "the whole goal holds at the start, and every substep has latched",
     )
 
 

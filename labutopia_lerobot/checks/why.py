@@ -18,13 +18,13 @@ def why_failed(task: Task, progress: Progress, expert: Expert, world: World) -> 
     """
     if progress.outcome == SUCCESS:
         return []
-    missing = [name for name, time in progress.milestones.items() if time is None]
+    missing = [name for name, time in progress.substeps.items() if time is None]
     step = "the goal" if progress.step is None else f"step '{progress.step.name}'"
     lines = [
         f"Ended in {step}: {_ending(task, progress, world)}",
         f"Expert: {_expert(expert)}",
         *([] if expert.finished else [f"Hand: {expert.shortfall}"]),
-        f"Milestones not reached: {', '.join(missing) or 'none'}",
+        f"Substeps not reached: {', '.join(missing) or 'none'}",
     ]
     false = [_missed(fact, world) for fact in progress.awaited if not progress.facts[fact.name]]
     awaited = f"for '{missing[0]}'" if missing else "for the goal"
@@ -57,7 +57,7 @@ def _ending(task: Task, progress: Progress, world: World) -> str:
             f"(the goal has to hold for {HOLD_S:g} s)"
         )
     if progress.outcome == INTERRUPTED:
-        return "what a milestone must keep ceased to hold"
+        return "what a substep must keep ceased to hold"
     breach = task.forbidden(progress.step or task.steps[-1]).get(progress.outcome)
     if breach is None:
         return progress.outcome

@@ -119,7 +119,7 @@ def _help() -> str:
     return (
         "Usage: labutopia-eval level1/pick policy=NAME [name=value ...]\n"
         "       labutopia-eval level1/pick policy.path=CHECKPOINT [name=value ...]\n\n"
-        "Play a policy, count its successes per task and sub-step, film a few episodes. In a\n"
+        "Play a policy, count its successes per task and substep, film a few episodes. In a\n"
         "checkout, `python eval/run.py` is the same. Interrupted, the same command goes on.\n\n"
         f"Policies: {', '.join(_policies())}\n\n"
         f"{ABOUT}\nWith their defaults:\n"

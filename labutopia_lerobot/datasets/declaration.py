@@ -32,8 +32,8 @@ become an output of LeRobot's policies."""
 REWARD, DONE, SUCCEEDED = "next.reward", "next.done", "next.success"
 """What came of the action of a frame, under the names that LeRobot's own recorder uses."""
 
-STEP, MILESTONE, PHASE = "annotation.step", "annotation.milestone", "annotation.phase"
-"""The step of the task that is being done, the milestone that has latched last, the phase of the
+STEP, SUBSTEP, PHASE = "annotation.step", "annotation.substep", "annotation.phase"
+"""The step of the task that is being done, the substep that has latched last, the phase of the
 expert; empty where there is none."""
 
 
@@ -58,7 +58,7 @@ def dataset_features(setting: Setting) -> dict[str, dict[str, Any]]:
         Feature(REWARD, "float32", (1,), (REWARD,)),
         Feature(DONE, "bool", (1,), (DONE,)),
         Feature(SUCCEEDED, "bool", (1,), (SUCCEEDED,)),
-        *(Feature(key, "string", (1,), (key,)) for key in (STEP, MILESTONE, PHASE)),
+        *(Feature(key, "string", (1,), (key,)) for key in (STEP, SUBSTEP, PHASE)),
     ]
     if setting.obs == "pixels":
         names = tuple(f"element_{index}" for index in range(PRIVILEGED_SIZE))

@@ -23,6 +23,10 @@ _LARGEST_RATE = 10_000
 _LARGEST_SIZE = 1_000_000
 
 
+_FORMER_NAMES = {"annotation.milestone": "annotation.substep"}
+"""What a feature was called in datasets of earlier versions -> what it is called now."""
+
+
 class DamagedDatasetError(UserError):
     """A file of a dataset is missing or cannot be read; the message names it."""
 
@@ -65,6 +69,11 @@ class Recording(TypedDict):
     failures: list[dict[str, Any]]
 
 
+def present_name(key: str) -> str:
+    """Return what a feature is called now that an earlier version may have called otherwise."""
+    return _FORMER_NAMES.get(key, key)
+
+
 def read_info(root: Path) -> dict[str, Any]:
     """Return `meta/info.json`.
 
@@ -72,6 +81,7 @@ def read_info(root: Path) -> dict[str, Any]:
         DamagedDatasetError: If it is missing, or does not describe a LeRobotDataset.
     """
     info: dict[str, Any] = dict(_read(root, INFO, Info))
+    info["features"] = {present_name(key): told for key, told in info["features"].items()}
     if not 1 <= info["fps"] <= _LARGEST_RATE:
         raise DamagedDatasetError(f"{root / INFO}: fps is {info['fps']}, not 1 to {_LARGEST_RATE}")
     for key, feature in info["features"].items():
@@ -104,7 +114,8 @@ def read_statistics(root: Path) -> dict[str, dict[str, Any]]:
     Raises:
         DamagedDatasetError: If it is missing or holds something else.
     """
-    told: dict[str, dict[str, Any]] = _read(root, STATISTICS, dict[str, dict[str, Any]])
+    said = _read(root, STATISTICS, dict[str, dict[str, Any]])
+    told = {present_name(key): statistics for key, statistics in said.items()}
     for key, statistics in told.items():
         for name, values in statistics.items():
             try:

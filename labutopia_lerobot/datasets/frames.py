@@ -9,11 +9,11 @@ from labutopia_lerobot.datasets.declaration import (
     COMMAND,
     DONE,
     FORCE,
-    MILESTONE,
     PHASE,
     REWARD,
     STATE,
     STEP,
+    SUBSTEP,
     SUCCEEDED,
     privileged_state,
 )
@@ -50,7 +50,7 @@ class Frames:
             phase: What the expert is about.
         """
         progress = self._env.workcell.progress
-        latched = [name for name, time in progress.milestones.items() if time is not None]
+        latched = [name for name, time in progress.substeps.items() if time is not None]
         key, state = privileged_state(self._env.environment_state(), self._obs)
         self._rows.append(
             {
@@ -58,7 +58,7 @@ class Frames:
                 **({FORCE: observation[FORCES]} if FORCES in observation else {}),
                 key: state,
                 STEP: "" if progress.step is None else progress.step.name,
-                MILESTONE: latched[-1] if latched else "",
+                SUBSTEP: latched[-1] if latched else "",
                 PHASE: phase,
             }
         )

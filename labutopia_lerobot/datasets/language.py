@@ -1,7 +1,7 @@
 """LeRobot's language columns: what is said and done of every frame, in its own form.
 
 Its styles have their meanings: `task_aug` for paraphrases, `subtask` for steps, `memory` for
-milestones (what has been achieved), `motion` for the expert's phases.
+substeps (what has been achieved), `motion` for the expert's phases.
 """
 
 import json
@@ -16,7 +16,7 @@ from lerobot.annotations.steerable_pipeline.staging import EpisodeStaging
 from lerobot.annotations.steerable_pipeline.writer import LanguageColumnsWriter
 from lerobot.datasets.language import language_feature_info
 
-from labutopia_lerobot.datasets.declaration import MILESTONE, PHASE, STEP
+from labutopia_lerobot.datasets.declaration import PHASE, STEP, SUBSTEP
 from labutopia_lerobot.datasets.description import INFO, read_info
 from labutopia_lerobot.datasets.tables import (
     PARAPHRASES,
@@ -26,7 +26,7 @@ from labutopia_lerobot.datasets.tables import (
     read_episodes,
 )
 
-_STYLES = {STEP: "subtask", MILESTONE: "memory", PHASE: "motion"}
+_STYLES = {STEP: "subtask", SUBSTEP: "memory", PHASE: "motion"}
 
 
 def add_language_columns(root: Path) -> None:

@@ -42,7 +42,7 @@ class RecordingConfig:
         episodes: How many successful demonstrations of each task to store; more than a finished
             recording has extend it.
         keep: `successes`, or `failures`: those that fail on the way are stored beside.
-        language: Whether to write LeRobot's language columns too: paraphrases, steps, milestones
+        language: Whether to write LeRobot's language columns too: paraphrases, steps, substeps
             and phases.
         workers: Processes that play candidates; the dataset does not depend on it.
         launcher: `local`, or `ray`: on every machine of a Ray cluster, whatever `workers` says.

@@ -20,7 +20,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
-from labutopia_lerobot.datasets.description import DamagedDatasetError
+from labutopia_lerobot.datasets.description import DamagedDatasetError, present_name
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.foreign_files import checked, inside, parse_json, printable
 from labutopia_lerobot.registry import UnknownTaskError
@@ -270,7 +270,8 @@ class _RowGroups:
         last = min(first + count, self._starts[-1])
         groups = np.flatnonzero((self._starts[:-1] < last) & (self._starts[1:] > first)).tolist()
         if groups != self._groups:
-            self._held = self._table.read_row_groups(groups)
+            held = self._table.read_row_groups(groups)
+            self._held = held.rename_columns([present_name(name) for name in held.column_names])
             self._groups = groups
         return self._held.slice(first - self._starts[groups[0]] if groups else 0, count)
 

@@ -14,7 +14,7 @@ SINGLE = "single"
 """One policy plays all steps (the paper's SP and, step by step, S1 to Sk)."""
 
 STAGED = "staged"
-"""One policy per step, switched on the milestones of the steps (the paper's A1 to Ak)."""
+"""One policy per step, switched on the substeps of the steps (the paper's A1 to Ak)."""
 
 EXPERT, RANDOM, STILL = "expert", "random", "still"
 REFERENCES = (EXPERT, RANDOM, STILL)

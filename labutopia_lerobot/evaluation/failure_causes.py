@@ -27,13 +27,13 @@ _GRIPS = (" gripped", " grasped")
 """How the facts end that tell of a thing in the hand."""
 
 _LETTING_GO = ("placed", "released", "withdrawn")
-"""Sub-steps that are about letting go."""
+"""Substeps that are about letting go."""
 
 
 def cause_of(row: Row) -> str | None:
     """Return why an episode is no success, or None if it is one.
 
-    "Too slow in" and "interrupted in" name the first sub-step that did not latch. A breach that is
+    "Too slow in" and "interrupted in" name the first substep that did not latch. A breach that is
     none of the usual ones is its own cause.
     """
     if row.success:
@@ -58,7 +58,7 @@ def _held(row: Row) -> bool | None:
 
 
 def _not_grasped(row: Row, step: str) -> str | None:
-    """Return why a sub-step that is about grasping or touching did not latch."""
+    """Return why a substep that is about grasping or touching did not latch."""
     last = step.rpartition("/")[2]
     if last == "pressed":
         touched = [fact["times"] for name, fact in row.history.items() if "finger on" in name]
@@ -67,7 +67,7 @@ def _not_grasped(row: Row, step: str) -> str | None:
         return None
     free = [_thing(name) for name in _grips(row) if not row.history[name]["times"]]
     if not free:
-        return MISSED_GRASP  # the fingers closed on it, but not as the sub-step wants it
+        return MISSED_GRASP  # the fingers closed on it, but not as the substep wants it
     moved = any(_changed(row, name) for name in row.history if name.startswith(tuple(free)))
     return MISSED_GRASP if moved else NEVER_REACHED
 
@@ -108,6 +108,6 @@ def _changed(row: Row, name: str) -> bool:
 
 
 def failed_in(row: Row) -> str:
-    """Return the first step that was not done; of rows that tell no steps, the first sub-step."""
+    """Return the first step that was not done; of rows that tell no steps, the first substep."""
     times = row.step_times or row.substeps
     return next((name for name, time in times.items() if time is None), "the goal")

@@ -22,9 +22,9 @@ class Precision:
     Places and directions are those of the goal, at the end of the episode. Volumes are those of the
     steps, each when it is done, since its vessel may be emptied again later, or else at the end.
 
-    What should not touch: the arm and anything; hand or pads and the bench, the room, a bystander
+    What should not touch: the arm and anything; hand or pads and the bench, the room, a distractor
     or what does not move of an instrument (bottles are there to be squeezed); a thing of the task
-    and the room or a bystander.
+    and the room or a distractor.
 
     Args:
         task: What is played.
@@ -45,10 +45,10 @@ class Precision:
         """Look at the world after a control step.
 
         Args:
-            substeps: Time at which every sub-step latched [s]; infinite before.
+            substeps: Time at which every substep latched [s]; infinite before.
         """
         for step in self._task.steps:
-            if step.name not in self._volumes and np.isfinite(substeps[step.milestones[-1].name]):
+            if step.name not in self._volumes and np.isfinite(substeps[step.substeps[-1].name]):
                 self._volumes[step.name] = self._off(_facts(step), "ml")
         self._contacts.update(f"{first} and {second}" for first, second in self._unwanted())
 
@@ -88,7 +88,7 @@ class Precision:
 
 
 def _facts(step: Step) -> Iterator[Predicate]:
-    return (fact for milestone in step.milestones for fact in milestone.when)
+    return (fact for substep in step.substeps for fact in substep.when)
 
 
 def _worst(amounts: list[float]) -> float | None:

@@ -162,8 +162,8 @@ def _row(job: EvaluationJob, seed: int, steps: int, info: Info, workcell: Workce
         outcome=info["outcome"],
         steps=steps,
         seconds=round(steps / CONTROL_HZ, 3),
-        substeps={m.name: latched[m.name] for step in workcell.steps for m in step.milestones},
-        step_times={step.name: latched[step.milestones[-1].name] for step in workcell.steps},
+        substeps={m.name: latched[m.name] for step in workcell.steps for m in step.substeps},
+        step_times={step.name: latched[step.substeps[-1].name] for step in workcell.steps},
         facts=info["facts"],
         history={
             name: {"first": _time(fact.first), "last": _time(fact.last), "times": fact.times}
@@ -179,7 +179,7 @@ def _row(job: EvaluationJob, seed: int, steps: int, info: Info, workcell: Workce
         ml_in_flight=_millilitres(info.get("ml_in_flight")),
         clipped_actions=info["clipped_actions"],
         nonfinite_actions=info["nonfinite_actions"],
-        prelude_failures=info["prelude_failures"],
+        setup_failures=info["setup_failures"],
     )
 
 

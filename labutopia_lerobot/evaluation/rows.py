@@ -18,6 +18,9 @@ from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.scenes import DEFAULT_ROOM
 from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
 
+_FORMER_NAMES = {"prelude_failures": "setup_failures"}
+"""What a column was called in results of earlier versions -> what it is called now."""
+
 
 class UnreadableResultError(UserError):
     """A result that cannot be read; the message names the file and what is wrong."""
@@ -41,7 +44,7 @@ class Row:
         outcome: How it ended.
         steps: Control steps played.
         seconds: The same in simulated time [s].
-        substeps: Sub-step -> time at which it latched [s], or None.
+        substeps: Substep -> time at which it latched [s], or None.
         facts: Every predicate of the task, as it was at the end.
         history: Predicate -> when it first and last held [s], and how often it came to hold.
         liquid: `on` or `off`; None for a task whose vessels are empty anyway.
@@ -53,7 +56,7 @@ class Row:
         ml_in_flight: Liquid outside all vessels that touches nothing [ml].
         clipped_actions: Actions beyond a limit of the robot.
         nonfinite_actions: Actions with an infinite or undefined element.
-        prelude_failures: Starts that were drawn anew, because the expert could not bring about from
+        setup_failures: Starts that were drawn anew, because the expert could not bring about from
             them what the task begins with.
         expert_failure: Which phase the expert could not finish ("pick/lower not done after 6 s"),
             or None; None for every other policy.
@@ -62,7 +65,7 @@ class Row:
         renderer: What drew the pictures that the policy saw, or None.
         robot: What played.
         room: Where.
-        step_times: Step (an action of the paper) -> time at which its last sub-step latched [s], or
+        step_times: Step (an action of the paper) -> time at which its last substep latched [s], or
             None; empty in rows of earlier versions.
         ml_off_target: Liquid missing from where it should have gone, or too much there [ml]; the
             worst of the task's pours (see `precision`). None where nothing is poured.
@@ -71,7 +74,7 @@ class Row:
         unwanted_contacts: "what and what" -> control steps in which they touched though they should
             not; None in rows of earlier versions.
         step: The step that was played alone, behind the expert's of those before it; then the row
-            has its sub-steps only, and success is that it was done. None for the whole task.
+            has its substeps only, and success is that it was done. None for the whole task.
         particles: In how many particles liquid was divided.
         after: Step behind which the episode began, or None for the start of the task.
     """
@@ -102,7 +105,7 @@ class Row:
     # Results of earlier versions, and rows that are kept in the repository, lack some of these.
     facts: dict[str, bool] = field(default_factory=dict)
     history: dict[str, dict[str, float | int | None]] = field(default_factory=dict)
-    prelude_failures: int | None = None
+    setup_failures: int | None = None
     expert_failure: str | None = None
     cause: str | None = None
     device: str | None = None
@@ -154,6 +157,7 @@ def from_columns[Kind](kind: type[Kind], columns: Mapping[str, Any], file: Path)
         UnreadableResultError: If a column is missing, or holds what it cannot.
     """
     refusal = UnreadableResultError
+    columns = {_FORMER_NAMES.get(name, name): value for name, value in columns.items()}
     known = fields(kind)  # type: ignore[arg-type]  # mypy cannot say "dataclass"
     missing = [
         column.name
@@ -197,7 +201,7 @@ class EvaluationSummary:
         exact95: Confidence interval of Clopper and Pearson.
         anytime95: Confidence interval that stays valid whenever one stops (see `anytime`).
         ever_rate: Share of the episodes in which the goal held at any instant.
-        substep_rates: Sub-step -> share of the episodes in which it and all before it latched.
+        substep_rates: Substep -> share of the episodes in which it and all before it latched.
         step_rates: Step -> share of the episodes in which it and all before it were done.
         mean_seconds_to_success: Mean simulated duration of the successes [s], or None.
         outcomes: Outcome -> number of episodes, the most frequent first.

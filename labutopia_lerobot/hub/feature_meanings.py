@@ -29,7 +29,7 @@ _MEANINGS = {
     "next.done": Meaning("", "whether the episode is over after the action"),
     "next.success": Meaning("", "whether it has succeeded after the action"),
     "annotation.step": Meaning("", "step of the task that is being done"),
-    "annotation.milestone": Meaning("", "milestone that has latched last"),
+    "annotation.substep": Meaning("", "substep that has latched last"),
     "annotation.phase": Meaning("", "phase of the expert"),
     "language_*": Meaning("", "LeRobot's language columns"),
     "action": Meaning(

@@ -15,7 +15,7 @@ from huggingface_hub.utils._validators import validate_repo_id
 from huggingface_hub.utils.sha import git_hash
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.hub.failures import told_clearly
+from labutopia_lerobot.hub.hub_errors import told_clearly
 from labutopia_lerobot.hub.repository import Repository
 from labutopia_lerobot.runtime.provenance import sha256
 

@@ -1,6 +1,6 @@
 """What adds up in an episode: turns of a rod, swings of a vessel, how far a drawer is pulled.
 
-Predicates have no memory. What must be gone through on the way to a milestone has: `Progress`
+Predicates have no memory. What must be gone through on the way to a substep has: `Progress`
 begins it anew for every episode and shows it the world once per control step.
 """
 

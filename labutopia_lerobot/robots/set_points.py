@@ -14,7 +14,7 @@ import numpy as np
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 from labutopia_lerobot.world.model import PHYSICS_HZ
 
-SUBSTEPS = PHYSICS_HZ // CONTROL_HZ
+PHYSICS_STEPS = PHYSICS_HZ // CONTROL_HZ
 """Physics steps in a control period."""
 
 SPAN = 4
@@ -24,9 +24,9 @@ SPAN = 4
 def _weights() -> tuple[FloatArray, FloatArray]:
     """Return the weights of the commands at the end of each physics step, and their rates [1/s].
 
-    Both are of shape (SUBSTEPS, SPAN).
+    Both are of shape (PHYSICS_STEPS, SPAN).
     """
-    t = np.arange(1, SUBSTEPS + 1) / SUBSTEPS
+    t = np.arange(1, PHYSICS_STEPS + 1) / PHYSICS_STEPS
     ones, none = np.ones_like(t), np.zeros_like(t)
     powers = np.column_stack([ones, t, t**2, t**3])
     slopes = np.column_stack([none, ones, 2.0 * t, 3.0 * t**2]) * CONTROL_HZ
@@ -44,7 +44,7 @@ def set_points(commands: FloatArray) -> tuple[FloatArray, FloatArray]:
         commands: The last four, the oldest first, shape (SPAN, elements).
 
     Returns:
-        Two arrays of shape (SUBSTEPS, elements).
+        Two arrays of shape (PHYSICS_STEPS, elements).
     """
     oldest = commands[0]
     # Relative to the oldest, that what does not move stays what it is to the last bit.

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from labutopia_lerobot.layout import Piece
-from labutopia_lerobot.scenario.bystanders import bystander_sets
+from labutopia_lerobot.scenario.distractors import distractor_sets
 from labutopia_lerobot.scenario.draw import Draw
 from labutopia_lerobot.scenes import rooms_to_draw
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
@@ -36,7 +36,7 @@ class Variation:
         brightness: Factor on all light.
         cameras: Displacement of both fixed cameras, shape (3,), metres, world frame.
         robot_start: Displacement of the arm at the start, shape (joints,), radians.
-        bystanders: Things that stand around.
+        distractors: Things that stand around.
         room: Where it is, instead of the room of the setting.
     """
 
@@ -45,7 +45,7 @@ class Variation:
     brightness: float = 1.0
     cameras: FloatArray | None = None
     robot_start: FloatArray | None = None
-    bystanders: tuple[Piece, ...] = ()
+    distractors: tuple[Piece, ...] = ()
     room: str | None = None
 
 
@@ -72,9 +72,9 @@ def draw_variation(draw: Draw, joints: int) -> Variation:
             "robot_start", joints, train=(0.0, 0.10), test=[(0.15, 0.25)]
         )
     if draw.varies("layout"):
-        sets = bystander_sets()
+        sets = distractor_sets()
         names = list(sets)
-        drawn["bystanders"] = sets[draw.choice("layout", train=names[:4], test=names[4:])]
+        drawn["distractors"] = sets[draw.choice("layout", train=names[:4], test=names[4:])]
     if draw.varies("room"):
         train, test = rooms_to_draw()
         drawn["room"] = draw.choice("room", train=train, test=test)

@@ -11,7 +11,7 @@ from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.robots.drives import Drives
-from labutopia_lerobot.robots.set_points import SPAN, SUBSTEPS, set_points
+from labutopia_lerobot.robots.set_points import PHYSICS_STEPS, SPAN, set_points
 from labutopia_lerobot.sim.button_contacts import ButtonContacts
 from labutopia_lerobot.sim.contact_record import ContactRecord
 from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
@@ -40,7 +40,7 @@ class Simulation:
         account: Where it is, as of the last control step.
         contacts: What touched what since the previous control step, how hard and how fast.
         set_points: What the servos were given at each physics step since then [rad or m], shape
-            (SUBSTEPS, elements).
+            (PHYSICS_STEPS, elements).
         watch: Called after every physics step, if anything.
         rest: Where bodies were after the reset, when all had come to rest: positions, shape
             (bodies, 3), metres, and orientations, shape (bodies, 9), world frame.
@@ -66,7 +66,7 @@ class Simulation:
         ]
         self.liquid = _liquid(scene, self.data) if scene.contents else None
         self.account = None if self.liquid is None else self.liquid.take_account()
-        self.set_points = np.tile(self._start, (SUBSTEPS, 1))
+        self.set_points = np.tile(self._start, (PHYSICS_STEPS, 1))
         self.watch: Callable[[], None] | None = None
         self.commands[:] = self._start
         self._built = scene.model.body_pos.copy()

@@ -15,7 +15,7 @@ from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.robots.action_filter import ActionFilter
 from labutopia_lerobot.robots.hand_kinematics import HandKinematics
 from labutopia_lerobot.scenario import Scenario
-from labutopia_lerobot.scenario.bystanders import place_bystanders
+from labutopia_lerobot.scenario.distractors import place_distractors
 from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import DEPTH, SEGMENTATION, Setting
 from labutopia_lerobot.sim.appearance import Appearance
@@ -54,7 +54,7 @@ class Workcell:
         self.steps = task.steps
         self.after: str | None = None
         self._halt: NDArray[np.float32] | None = None
-        pieces = (*task.start, *scenario.variation.bystanders)
+        pieces = (*task.start, *scenario.variation.distractors)
         robot = load_robot(setting.robot)
         room = load_room(scenario.variation.room or setting.room)
         self._workspace = Workspace.of(room, robot)
@@ -97,7 +97,7 @@ class Workcell:
         return Expert(skills, self.world, self.motion)
 
     def begin(self, scenario: Scenario, rng: np.random.Generator, after: str | None = None) -> bool:
-        """Begin an episode: things stand, vessels are full, the prelude has been played.
+        """Begin an episode: things stand, vessels are full, the setup has been played.
 
         Args:
             scenario: What the episode has drawn.
@@ -106,7 +106,7 @@ class Workcell:
                 for the start or, if a step is played alone, for the one before that.
 
         Returns:
-            Whether prelude and steps went well; if not, this start is no good.
+            Whether setup and steps went well; if not, this start is no good.
 
         Raises:
             TaskError: If the task has no step `after`, or none behind it.
@@ -126,8 +126,8 @@ class Workcell:
         variation = scenario.variation
         self._appearance.show(variation)
         layout = sample_layout(task.start, rng)
-        layout |= place_bystanders(
-            variation.bystanders,
+        layout |= place_distractors(
+            variation.distractors,
             layout,
             self._workspace,
             self.world.robot.vessel_approach.yaw,
@@ -136,7 +136,7 @@ class Workcell:
         self.simulation.reset(layout, variation.robot_start)
         self.simulation.fill(rng)
         self.filter.start(self.simulation.command)
-        if not self._play(task.prelude) or not self._play_steps(before):
+        if not self._play(task.setup) or not self._play_steps(before):
             return False
         self.filter.start(self.simulation.command)
         self.simulation.start_clock()
@@ -199,7 +199,7 @@ class Workcell:
     def info(self) -> dict[str, Any]:
         """Return what is so now: judge, account of the liquid, and what of the action acted."""
         progress, filtered, liquid = self.progress, self.filter, self.world.liquid
-        latched = progress.milestones.items()
+        latched = progress.substeps.items()
         return {
             "is_success": progress.outcome == SUCCESS,
             "ever_success": progress.ever,

@@ -78,7 +78,7 @@ class Workcells:
         task = scenario.task
         variant = (
             tuple(task.start),
-            scenario.variation.bystanders,
+            scenario.variation.distractors,
             scenario.variation.room,
             task.view,
             tuple(task.contents.items()),

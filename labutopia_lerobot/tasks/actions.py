@@ -40,7 +40,7 @@ from labutopia_lerobot.skills import Close, Open, Pick, Place, Pour, Press, Shak
 from labutopia_lerobot.skills.handle import Operable
 from labutopia_lerobot.skills.pour import Pourable
 from labutopia_lerobot.substances.filling import Filling
-from labutopia_lerobot.task import Milestone, Step
+from labutopia_lerobot.task import Step, Substep
 from labutopia_lerobot.world import BENCH, Button, Graspable, OpenVessel, Standing, Thing
 
 OFF_THE_BENCH = 0.10
@@ -68,7 +68,7 @@ def pick(
     return Step(
         "pick",
         (Pick(thing, lift, support),),
-        (Milestone("gripped", (held,)), Milestone("lifted", (held, lifted(thing, by=by), *also))),
+        (Substep("gripped", (held,)), Substep("lifted", (held, lifted(thing, by=by), *also))),
         (thing,),
     )
 
@@ -98,8 +98,8 @@ def pour(
         "pour",
         (Pour(vessel, into),),
         (
-            Milestone("poured", (enough,), (flowing,), keeping=(over_it,)),
-            Milestone("righted", (gripped(vessel), upright(vessel, within_deg=10))),
+            Substep("poured", (enough,), (flowing,), keeping=(over_it,)),
+            Substep("righted", (gripped(vessel), upright(vessel, within_deg=10))),
         ),
         (vessel,),
         transfers=(Transfer(origin, into),),
@@ -132,11 +132,11 @@ def place(
         "place",
         (Place(thing, on, hover, retreat=retreat, through=through),),
         (
-            Milestone("carried", (there, gripped(thing))),
-            Milestone("placed", (there, standing_on(thing, on))),
-            Milestone("released", (standing_on(thing, on), released(thing))),
+            Substep("carried", (there, gripped(thing))),
+            Substep("placed", (there, standing_on(thing, on))),
+            Substep("released", (standing_on(thing, on), released(thing))),
             # Paper: "the end effector retracts".
-            Milestone("retracted", (standing_on(thing, on), withdrawn(thing, by=away))),
+            Substep("retracted", (standing_on(thing, on), withdrawn(thing, by=away))),
         ),
         (thing,),
     )
@@ -161,9 +161,9 @@ def shake(vessel: Graspable, at: Destination) -> Step:
         "shake",
         (Shake(vessel, at),),
         (
-            Milestone("at_start", held_at(vessel, at)),
-            Milestone("shaken", in_hand, keeping=in_hand, count=three),
-            Milestone("returned", held_at(vessel, at)),
+            Substep("at_start", held_at(vessel, at)),
+            Substep("shaken", in_hand, keeping=in_hand, count=three),
+            Substep("returned", held_at(vessel, at)),
         ),
         (vessel,),
     )
@@ -194,9 +194,9 @@ def stir(rod: Graspable, vessel: Filled, filling: Filling) -> Step:
         "stir",
         (Stir(rod, vessel),),
         (
-            Milestone("inserted", inside),
-            Milestone("stirred", inside, keeping=inside, count=five),
-            Milestone("withdrawn", held_over(rod, vessel)),
+            Substep("inserted", inside),
+            Substep("stirred", inside, keeping=inside, count=five),
+            Substep("withdrawn", held_over(rod, vessel)),
         ),
         (rod,),
         notes=(liquid_moving(vessel, above=0.005),),
@@ -222,8 +222,8 @@ def open_by_handle(part: Operable, *, to: float, begun: float, pull: float) -> S
         "open",
         (Open(part, pull),),
         (
-            Milestone("gripped", (grasped(part.handle), less_open(part, than=begun))),
-            Milestone("opened", (opened(part, to=to),), count=by_handle),
+            Substep("gripped", (grasped(part.handle), less_open(part, than=begun))),
+            Substep("opened", (opened(part, to=to),), count=by_handle),
         ),
         (part.handle,),
     )
@@ -240,8 +240,8 @@ def close_by_handle(part: Operable, *, begun: float) -> Step:
         "close",
         (Close(part),),
         (
-            Milestone("touched", (touched(part.handle), opened(part, to=begun))),
-            Milestone("closed", (closed(part),)),
+            Substep("touched", (touched(part.handle), opened(part, to=begun))),
+            Substep("closed", (closed(part),)),
         ),
         (part.handle,),
         notes=(grasped(part.handle),),
@@ -256,5 +256,5 @@ def press(button: Button, *, hold: float) -> Step:
         hold: How long the expert keeps it in [s].
     """
     in_by_finger = (fingered(button), pressed(button), pushed(button, with_force=2.0))
-    pressing = Milestone("pressed", in_by_finger)
+    pressing = Substep("pressed", in_by_finger)
     return Step("press", (Press(button, hold),), (pressing,), (button,))

@@ -117,13 +117,13 @@ def skilled_until(env: LabEnv, label: str, *skills: Skill) -> Actions:
 
 
 def reached(info: dict[str, Any]) -> list[str]:
-    """Return the milestones that have latched."""
+    """Return the substeps that have latched."""
     return [name for name, time in info["substeps"].items() if time < np.inf]
 
 
 def latched(env: LabEnv) -> list[str]:
-    """Return the milestones that have latched by now."""
-    times = env.workcell.progress.milestones
+    """Return the substeps that have latched by now."""
+    times = env.workcell.progress.substeps
     return [name for name, time in times.items() if time is not None]
 
 
@@ -159,7 +159,7 @@ def never_close_the_hand(env: LabEnv) -> Actions:
 
 
 def give_up_half_way(env: LabEnv) -> Actions:
-    """Stop for good when the first milestone has latched."""
+    """Stop for good when the first substep has latched."""
     yield from until(env, lambda: bool(latched(env)))
 
 
@@ -202,7 +202,7 @@ def tremble(env: LabEnv) -> Actions:
         yield action + noise.astype(np.float32)
 
 
-def shove_a_bystander(label: str) -> Play:
+def shove_a_distractor(label: str) -> Play:
     """Make a play that shoves what stands around, on the right, with what is in the hand.
 
     From the beginning of a phase on; when something has been shoved, the hand goes back and the
@@ -213,7 +213,7 @@ def shove_a_bystander(label: str) -> Play:
         yield from until_phase(env, label)
         world, arm, skill = env.workcell.world, Arm(env), env.workcell.task.skills[-1]
         held = world.pose(skill.thing).position_w
-        standing = [thing for thing in world.movable if thing.name.startswith("bystander")]
+        standing = [thing for thing in world.movable if thing.name.startswith("distractor")]
         places = [world.pose(thing).position_w for thing in standing]
         there = min(places, key=lambda place: abs(place[1] - held[1] + 0.2))
         low = 0.03 + world.bench_height - held[2]

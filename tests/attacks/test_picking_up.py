@@ -15,7 +15,7 @@ from attacks.plays import (
     begun,
     outcome,
     reached,
-    shove_a_bystander,
+    shove_a_distractor,
     skilled,
     skilled_until,
     turned,
@@ -157,7 +157,7 @@ def test_what_is_not_so_in_the_end_has_not_been_done(task: str, play: Play, last
 @pytest.mark.parametrize("seed", [3, *(pytest.param(n, marks=pytest.mark.slow) for n in (1, 4, 9))])
 def test_a_flask_may_not_shove_what_stands_around(seed: int):
     env = begun("level1/pick", axes=("layout",))
-    assert outcome(env, shove_a_bystander("pick/lift"), seed)["outcome"] in {"displaced", "broken"}
+    assert outcome(env, shove_a_distractor("pick/lift"), seed)["outcome"] in {"displaced", "broken"}
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -14,7 +14,7 @@ from attacks.plays import (
     begun,
     outcome,
     reached,
-    shove_a_bystander,
+    shove_a_distractor,
     skilled,
     slow,
     turned,
@@ -123,7 +123,7 @@ def test_what_is_no_shake_is_not_counted(task: str, play: Play, liquid: str, las
 )
 def test_a_beaker_in_the_hand_may_not_shove_what_stands_around(seed: int):
     env = begun("level1/shake", axes=("layout",))
-    assert outcome(env, shove_a_bystander("shake/start"), seed)["outcome"] in {
+    assert outcome(env, shove_a_distractor("shake/start"), seed)["outcome"] in {
         "displaced",
         "broken",
     }

@@ -11,7 +11,7 @@ from labutopia_lerobot.cli import check
 LAZY = """
 from dataclasses import replace
 from labutopia_lerobot.predicates import upright
-from labutopia_lerobot.task import Milestone, Step
+from labutopia_lerobot.task import Substep, Step
 from labutopia_lerobot.tasks.level1.pick import pick
 
 
@@ -19,7 +19,7 @@ def lazy():
     task = pick()
     (flask,) = task.start
     stands = upright(flask, within_deg=5)
-    steps = (Step("stand", (), (Milestone("stood", (stands,)),)),)
+    steps = (Step("stand", (), (Substep("stood", (stands,)),)),)
     return replace(task, instruction="Stand.", steps=steps, goal=(stands,), time_limit_s=4.0)
 """
 
@@ -97,7 +97,7 @@ def test_what_fails_in_the_same_way_with_ten_seeds_is_told_once(monkeypatch, cap
     assert status == 1
     seeds = ", ".join(map(str, range(100, 110)))
     assert f"10 of 10 failed. seeds {seeds}: timeout; the first: Ended in step 'pick'" in lines[1]
-    assert lines[1].count("Milestones not reached") == 1
+    assert lines[1].count("Substeps not reached") == 1
 
 
 @pytest.mark.slow

@@ -137,8 +137,8 @@ def test_language_columns_say_what_the_annotations_say(tmp_path: Path) -> None:
     phases = column(read_frames(root), "annotation.phase").tolist()
     assert said["motion"] == list(dict.fromkeys(phases))
     lifted = next(row["timestamp"] for row in rows if row["content"] == "lifted")
-    milestones = column(read_frames(root), "annotation.milestone").tolist()
-    assert lifted == pytest.approx(milestones.index("lifted") / 30)
+    substeps = column(read_frames(root), "annotation.substep").tolist()
+    assert lifted == pytest.approx(substeps.index("lifted") / 30)
     assert lerobot_collate_fn([dataset[0], dataset[1]])["action"].shape == (2, 8)
 
 

@@ -136,11 +136,11 @@ def test_every_frame_tells_what_came_of_it_and_what_was_being_done(picked: Path)
         values = column(frames, key)[: last + 1, 0]
         assert np.flatnonzero(values).tolist() == [last]
     steps = column(frames, "annotation.step")[: last + 1].tolist()
-    milestones = column(frames, "annotation.milestone")[: last + 1].tolist()
+    substeps = column(frames, "annotation.substep")[: last + 1].tolist()
     phases = column(frames, "annotation.phase")[: last + 1].tolist()
     assert list(dict.fromkeys(steps)) == ["pick", ""]
-    assert list(dict.fromkeys(milestones)) == ["", "gripped", "lifted"]
-    assert steps.index("") == milestones.index("lifted")
+    assert list(dict.fromkeys(substeps)) == ["", "gripped", "lifted"]
+    assert steps.index("") == substeps.index("lifted")
     labels = ["hover", "lower", "reach", "settle", "close", "lift", "hold"]
     assert list(dict.fromkeys(phases)) == [f"pick/{label}" for label in labels]
 

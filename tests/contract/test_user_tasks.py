@@ -110,7 +110,7 @@ def test_tasks_that_clash_do_not_break_the_import(tasks_dir, monkeypatch):
             "(held,), touches=(glass,)",
             "held, touches=(glass,)",
             17,
-            "not the Milestone 'gripped' (is a comma missing?)",
+            "not the Substep 'gripped' (is a comma missing?)",
         ),
         ("    glass =", "    {}['a']\n    glass =", 12, "KeyError: 'a'"),
     ],

@@ -49,7 +49,7 @@ def test_a_success_is_told_in_a_line_and_leaves_a_picture_and_a_film(tmp_path):
         assert sum(1 for _ in film.decode(video=0)) > 100
 
 
-def test_a_failure_is_told_with_step_phase_milestones_and_what_did_not_hold(tmp_path, hasty):
+def test_a_failure_is_told_with_step_phase_substeps_and_what_did_not_hold(tmp_path, hasty):
     out = ("--out", str(tmp_path), "--tasks-dir", str(hasty))
     done = view("level1/hasty", *SMALL, *out)
     assert done.returncode == 0, done.stderr
@@ -57,7 +57,7 @@ def test_a_failure_is_told_with_step_phase_milestones_and_what_did_not_hold(tmp_
     assert "step 'pick': the time limit of 1 s ran out" in done.stdout
     assert "Expert: was in phase pick/hover" in done.stdout
     assert re.search(r"Hand: \d+ mm and \d+ deg from the target of pick/hover", done.stdout)
-    assert "Milestones not reached: gripped, lifted" in done.stdout
+    assert "Substeps not reached: gripped, lifted" in done.stdout
     assert "Did not hold at the end, for 'gripped': flask gripped" in done.stdout
 
 

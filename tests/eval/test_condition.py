@@ -131,3 +131,10 @@ def test_a_summary_is_written_column_by_column() -> None:
     assert columns["task"] == "level2/pour_liquid"
     assert (columns["particles"], columns["robot"], columns["n"]) == (PARTICLES, "panda", 5)
     assert "condition" not in columns
+
+
+def test_a_column_of_an_earlier_version_is_read_under_its_present_name(tmp_path: Path) -> None:
+    row = asdict(written("level1/pick", "act", 0.5, n=1)[0])
+    row["prelude_failures"] = row.pop("setup_failures")
+    again = from_columns(Row, row | {"prelude_failures": 3}, tmp_path)
+    assert again.setup_failures == 3

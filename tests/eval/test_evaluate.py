@@ -140,10 +140,10 @@ def test_a_row_tells_which_phase_the_expert_could_not_finish(
 def test_a_row_counts_the_starts_that_were_drawn_anew(
     moody: Callable[[str, float], EvaluationJob],
 ) -> None:
-    job = moody("prelude=(Sulk(),), time_limit_s=0.5", 0.05)
+    job = moody("setup=(Sulk(),), time_limit_s=0.5", 0.05)
     env = LabEnv(job.setting)
-    failures = {seed: env.reset(seed=seed)[1]["prelude_failures"] for seed in range(12)}
+    failures = {seed: env.reset(seed=seed)[1]["setup_failures"] for seed in range(12)}
     assert 0 in failures.values()
     hard = max(failures, key=lambda seed: failures[seed])
     assert failures[hard] > 0
-    assert play(job, hard).row.prelude_failures == failures[hard]
+    assert play(job, hard).row.setup_failures == failures[hard]

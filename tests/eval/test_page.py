@@ -141,7 +141,7 @@ def test_the_page_shows_all_that_rows_tell(written_page: Path) -> None:
     text = written_page.read_text()
     for heading in ("Level 1 and level 2", "Level 3", "Size test", "Under shift"):
         assert f"<h2>{heading}</h2>" in text
-    for heading in ("Sub-steps", "Failures", "Films", "Precision", "Level 4: liquid_fusion"):
+    for heading in ("Substeps", "Failures", "Films", "Precision", "Level 4: liquid_fusion"):
         assert f"<h2>{heading}</h2>" in text
     assert text.count('<video controls muted loop playsinline preload="metadata" src="data:') == 2
     assert "success, after" in text

@@ -71,7 +71,7 @@ def test_columns_of_a_later_version_are_left_aside(tmp_path: Path) -> None:
 
 
 def test_rows_of_an_earlier_version_are_read(tmp_path: Path) -> None:
-    later = ("prelude_failures", "expert_failure", "cause", "device", "renderer", "step_times")
+    later = ("setup_failures", "expert_failure", "cause", "device", "renderer", "step_times")
     old = {k: v for k, v in asdict(ROWS[0]).items() if k not in later}
     write(tmp_path / "a", finished=False, rows=[old])
     (found,) = load_results(tmp_path)

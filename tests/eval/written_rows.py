@@ -32,7 +32,7 @@ STEPS = {
         }.items()
     },
 }
-"""Task -> its steps, each with its sub-steps."""
+"""Task -> its steps, each with its substeps."""
 
 LEVEL_4 = ("level4/clean_beaker", "level4/drying_beakers", "level4/liquid_fusion")
 

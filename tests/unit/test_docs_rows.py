@@ -40,7 +40,7 @@ def row(task: str, seed: int, **columns: object) -> dict:
         "step_times": {},
         "facts": {"x": True},
         "history": {"x": {"first": 0.0, "last": 5.0, "times": 1}},
-        "prelude_failures": 1,
+        "setup_failures": 1,
     }
     return told | columns
 

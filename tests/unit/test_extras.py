@@ -146,7 +146,7 @@ def test_numbers_mean_the_same_in_every_episode_of_a_task():
         assert names[:3] == ("background", "robot", "liquid")
         drawn = draw_scenario(Setting(task, split="train", axes=(ALL,)), 1)
         assert segment_names(drawn.task) == names, task
-        assert {piece.name for piece in drawn.variation.bystanders} <= set(names), task
+        assert {piece.name for piece in drawn.variation.distractors} <= set(names), task
 
 
 def test_the_pads_feel_what_the_hand_presses_with_and_nothing_in_the_air():

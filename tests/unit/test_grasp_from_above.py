@@ -15,7 +15,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.places import OnTop
 from labutopia_lerobot.predicates import gripped, lifted, released, standing_on, withdrawn
 from labutopia_lerobot.skills import Pick, Place
-from labutopia_lerobot.task import Milestone, Step, Task
+from labutopia_lerobot.task import Substep, Step, Task
 
 DISH = ((0.0285, 0.0), (0.0300, 0.0015), (0.0300, 0.0150))  # 60 mm x 15 mm
 
@@ -23,8 +23,8 @@ DISH = ((0.0285, 0.0), (0.0300, 0.0015), (0.0300, 0.0150))  # 60 mm x 15 mm
 def move_dish():
     dish = Vessel("dish", Profile(DISH, wall=0.0015, bottom=0.0015), grip_height=0.0075)
     plate = TargetPlate("plate")
-    picked = Milestone("picked", (gripped(dish), lifted(dish, by=0.1)))
-    placed = Milestone("placed", (standing_on(dish, OnTop(plate)),))
+    picked = Substep("picked", (gripped(dish), lifted(dish, by=0.1)))
+    placed = Substep("placed", (standing_on(dish, OnTop(plate)),))
     return Task(
         instruction="Move the dish onto the plate.",
         start={

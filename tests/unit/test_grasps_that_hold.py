@@ -9,7 +9,7 @@ from labutopia_lerobot.world import Thing
 
 
 def held(task: str) -> tuple[LabEnv, Thing]:
-    """Return an environment in which a prelude has picked something up, at rest."""
+    """Return an environment in which a setup has picked something up, at rest."""
     env = LabEnv(Setting(task, obs="state", liquid="off"))
     env.reset(seed=0)
     for _ in range(30):

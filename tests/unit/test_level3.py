@@ -163,12 +163,12 @@ def test_axes_all_shifts_every_axis_at_once(task):
 @pytest.mark.parametrize("task", TASKS)
 def test_state_limits_and_sub_steps_are_the_same_for_every_draw(task):
     canonical = canonical_task(Setting(task))
-    milestones = [milestone.name for milestone in canonical.milestones]
+    substeps = [substep.name for substep in canonical.substeps]
     for scenario in (*scenarios(task, "id"), *scenarios(task, "ood", ALL)):
         drawn = scenario.task
         assert environment_state_names(drawn) == environment_state_names(canonical)
         assert drawn.max_steps == canonical.max_steps
-        assert [milestone.name for milestone in drawn.milestones] == milestones
+        assert [substep.name for substep in drawn.substeps] == substeps
 
 
 def test_starts_are_no_narrower_than_level_1_s():

@@ -43,4 +43,4 @@ def test_the_first_job_left_out_is_no_success(env):
     steps = [step for step in env.workcell.task.steps if not step.name.startswith(first)]
     info = play(env, *(skill for step in steps for skill in step.skills))
     assert info["outcome"] in {"struck", "collided", "running"}
-    assert not np.isfinite(info["substeps"][steps[0].milestones[0].name])
+    assert not np.isfinite(info["substeps"][steps[0].substeps[0].name])

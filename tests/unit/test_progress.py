@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.progress import Progress
-from labutopia_lerobot.task import Milestone, Step, Task
+from labutopia_lerobot.task import Step, Substep, Task
 
 
 class Story:
@@ -32,7 +32,7 @@ def fact(name: str) -> Predicate:
 TASK = Task(
     instruction="Do a, then b.",
     start={},
-    steps=(Step("do", (), (Milestone("first", (fact("a"),)), Milestone("second", (fact("b"),)))),),
+    steps=(Step("do", (), (Substep("first", (fact("a"),)), Substep("second", (fact("b"),)))),),
     goal=(fact("goal"),),
     never={"dropped": fact("drop")},
     time_limit_s=10.0,
@@ -49,20 +49,20 @@ def tell(progress: Progress, world: Story, *facts: str, steps: int = 1) -> None:
 def test_sub_steps_latch_in_order_only():
     progress, world = Progress(TASK), Story()
     tell(progress, world, "b")
-    assert progress.milestones == {"first": None, "second": None}
+    assert progress.substeps == {"first": None, "second": None}
     tell(progress, world, "a")
-    assert progress.milestones["first"] is not None
-    assert progress.milestones["second"] is None
+    assert progress.substeps["first"] is not None
+    assert progress.substeps["second"] is None
     tell(progress, world, "b")
-    assert progress.milestones["second"] is not None
+    assert progress.substeps["second"] is not None
 
 
 def test_a_latched_sub_step_stays():
     progress, world = Progress(TASK), Story()
     tell(progress, world, "a")
-    latched = progress.milestones["first"]
+    latched = progress.substeps["first"]
     tell(progress, world, steps=5)
-    assert progress.milestones["first"] == latched
+    assert progress.substeps["first"] == latched
 
 
 def test_the_goal_without_its_sub_steps_is_no_success():
@@ -110,7 +110,7 @@ def test_the_time_limit_counts_control_steps():
 
 def test_what_is_awaited_is_the_next_of_a_course_with_what_is_kept_and_at_last_the_goal():
     kept, left, end = fact("kept"), fact("left"), fact("end")
-    swung = Milestone("swung", (end,), via=(left, fact("right")), keeping=(kept,))
+    swung = Substep("swung", (end,), via=(left, fact("right")), keeping=(kept,))
     progress, world = Progress(replace(TASK, steps=(Step("swing", (), (swung,)),))), Story()
 
     def awaited() -> list[str]:
@@ -128,8 +128,8 @@ def test_what_is_awaited_is_the_next_of_a_course_with_what_is_kept_and_at_last_t
 TWO = replace(
     TASK,
     steps=(
-        Step("begin", (), (Milestone("first", (fact("a"),)),), never={"early": fact("x")}),
-        Step("end", (), (Milestone("second", (fact("b"),)), Milestone("third", (fact("c"),)))),
+        Step("begin", (), (Substep("first", (fact("a"),)),), never={"early": fact("x")}),
+        Step("end", (), (Substep("second", (fact("b"),)), Substep("third", (fact("c"),)))),
     ),
 )
 
@@ -140,7 +140,7 @@ def test_a_step_that_is_played_alone_is_over_as_soon_as_it_is_done():
     assert progress.outcome == "running"
     tell(progress, world, "a")
     assert (progress.outcome, progress.ever, progress.step) == ("success", True, None)
-    assert progress.milestones["second"] is None
+    assert progress.substeps["second"] is None
 
 
 def test_a_step_that_is_played_alone_may_be_spoilt_even_while_it_is_done():

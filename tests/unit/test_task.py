@@ -9,14 +9,14 @@ from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import Predicate, Transfer, gripped, lifted
 from labutopia_lerobot.substances.filling import Filling
-from labutopia_lerobot.task import Milestone, Step, Task, TaskError
+from labutopia_lerobot.task import Step, Substep, Task, TaskError
 from labutopia_lerobot.tasks import actions
 
 SMALL, LARGE = (
     glassware("beaker", "250 ml", "small"),
     glassware("beaker", "800 ml", "large"),
 )
-HELD = Milestone("held", (gripped(SMALL),))
+HELD = Substep("held", (gripped(SMALL),))
 TASK = Task(
     instruction="Hold it.",
     start={},
@@ -27,19 +27,19 @@ TASK = Task(
 )
 
 
-def test_two_milestones_of_one_name_are_refused_within_and_across_steps():
-    with pytest.raises(TaskError, match="Two milestones are called held"):
+def test_two_substeps_of_one_name_are_refused_within_and_across_steps():
+    with pytest.raises(TaskError, match="Two substeps are called held"):
         replace(TASK, steps=(Step("hold", (), (HELD, HELD)),))
-    with pytest.raises(TaskError, match="Two milestones are called held"):
+    with pytest.raises(TaskError, match="Two substeps are called held"):
         replace(TASK, steps=(Step("hold", (), (HELD,)), Step("again", (), (HELD,))))
 
 
-def test_two_steps_of_one_name_are_refused_and_a_renamed_step_renames_its_milestones():
+def test_two_steps_of_one_name_are_refused_and_a_renamed_step_renames_its_substeps():
     with pytest.raises(TaskError, match="Two steps are called hold"):
         replace(TASK, steps=TASK.steps * 2)
     (step,) = TASK.steps
     twice = replace(TASK, steps=(step.named("1_hold"), step.named("2_hold")))
-    assert [milestone.name for milestone in twice.milestones] == ["1_hold/held", "2_hold/held"]
+    assert [substep.name for substep in twice.substeps] == ["1_hold/held", "2_hold/held"]
 
 
 def test_two_predicates_of_one_name_must_be_the_same():
@@ -73,7 +73,7 @@ def test_reserved_outcomes_are_refused(outcome):
 
 def test_a_forgotten_comma_is_told():
     with pytest.raises(TaskError, match="is a comma missing"):
-        Milestone("held", (gripped(SMALL)))  # type: ignore[arg-type]
+        Substep("held", (gripped(SMALL)))  # type: ignore[arg-type]
     with pytest.raises(TaskError, match="is a comma missing"):
         replace(TASK, steps=(Step("hold", (), (HELD,))))  # type: ignore[arg-type]
 
@@ -84,7 +84,7 @@ def test_what_is_no_predicate_is_told():
 
 
 def test_a_step_that_nothing_tells_is_done_is_refused():
-    with pytest.raises(TaskError, match="no milestone"):
+    with pytest.raises(TaskError, match="no substep"):
         Step("hold", (), ())
 
 
@@ -116,11 +116,11 @@ def test_a_step_forbids_what_only_others_touch_and_what_only_others_pour():
     heater = Heater("heater")
     steps = (
         Step("hold", (), (HELD,), (SMALL,)),
-        replace(TASK.steps[0], name="wait", milestones=(Milestone("a", (gripped(LARGE),)),)),
+        replace(TASK.steps[0], name="wait", substeps=(Substep("a", (gripped(LARGE),)),)),
         Step(
             "press",
             (),
-            (Milestone("b", (gripped(LARGE),)),),
+            (Substep("b", (gripped(LARGE),)),),
             (heater.button,),
             transfers=(Transfer(SMALL, LARGE),),
         ),

@@ -8,7 +8,7 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.layout import Workspace, sample_layout
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task, draw_scenario
-from labutopia_lerobot.scenario.bystanders import place_bystanders
+from labutopia_lerobot.scenario.distractors import place_distractors
 from labutopia_lerobot.scenario.variation import AXES
 from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import Setting, UnknownOptionError
@@ -79,7 +79,7 @@ def test_the_robot_starts_where_it_was_drawn():
     assert away == pytest.approx(info["drawn"]["robot_start"], abs=0.01)
 
 
-def test_bystanders_stand_out_of_the_way_and_the_state_does_not_tell_them():
+def test_distractors_stand_out_of_the_way_and_the_state_does_not_tell_them():
     env = begun(PICK, axes=("layout",))
     widths, seen = set(), set()
     for seed in range(12):
@@ -89,21 +89,21 @@ def test_bystanders_stand_out_of_the_way_and_the_state_does_not_tell_them():
         seen.add(info["drawn"]["layout"])
         places = {p.name: env.workcell.world.pose(p).position_w for p in pieces}
         for name, place in places.items():
-            if name.startswith("bystander"):
+            if name.startswith("distractor"):
                 assert np.linalg.norm(place - places["flask"]) > 0.15
     assert widths == {9}
     assert len(seen) == 4
 
 
-def test_bystanders_find_a_place_beside_an_open_door():
+def test_distractors_find_a_place_beside_an_open_door():
     """The first of them may leave no room for the last: then all begin anew."""
     setting = Setting("level1/close_door", obs="state", split="ood", axes=("layout",))
     workspace = Workspace.of(load_room(setting.room), load_robot(setting.robot))
     for seed in SEEDS:
         rng, scenario = np.random.default_rng(seed), draw_scenario(setting, seed)
         layout = sample_layout(scenario.task.start, rng)
-        pieces = scenario.variation.bystanders
-        assert len(place_bystanders(pieces, layout, workspace, 0.0, rng)) == len(pieces) > 1
+        pieces = scenario.variation.distractors
+        assert len(place_distractors(pieces, layout, workspace, 0.0, rng)) == len(pieces) > 1
 
 
 @pytest.mark.parametrize("axes", [("all",), ("robot_start",)])

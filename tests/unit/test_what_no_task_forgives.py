@@ -9,7 +9,7 @@ from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.predicates import contaminated, gripped
 from labutopia_lerobot.substances.filling import Filling
-from labutopia_lerobot.task import Milestone, Step, Task, TaskError
+from labutopia_lerobot.task import Step, Substep, Task, TaskError
 
 
 def wait(env: LabEnv, steps: int = 3) -> str:
@@ -37,14 +37,14 @@ def crowded() -> LabEnv:
 def test_what_stands_around_may_be_nudged_but_not_shoved(crowded):
     for by, outcome in ((0.015, "running"), (0.025, "displaced")):
         crowded.reset(seed=crowded.seed)
-        shove(crowded, "bystander", by)
+        shove(crowded, "distractor", by)
         assert wait(crowded) == outcome
 
 
 def test_what_stands_around_may_not_be_felled(crowded):
     crowded.reset(seed=crowded.seed)
     half = np.radians(40) / 2
-    crowded.workcell.simulation.data.joint("bystander_free").qpos[3:] = (
+    crowded.workcell.simulation.data.joint("distractor_free").qpos[3:] = (
         np.cos(half),
         np.sin(half),
         0.0,
@@ -55,7 +55,7 @@ def test_what_stands_around_may_not_be_felled(crowded):
 
 def test_what_stands_around_may_not_be_broken(crowded):
     crowded.reset(seed=crowded.seed)
-    shove(crowded, "bystander", 0.0, height=0.015)
+    shove(crowded, "distractor", 0.0, height=0.015)
     assert wait(crowded, steps=5) == "broken"
 
 
@@ -122,7 +122,7 @@ SMALL, BIG = (
 
 def test_liquid_in_a_vessel_inside_another_is_in_the_inner_one(monkeypatch):
     places = {BIG: OnBench(x=(0.3, 0.3), y=(0.0, 0.0)), SMALL: Inside(BIG, at=(0.0, 0.0, 0.006))}
-    held = Milestone("held", (gripped(SMALL),))
+    held = Substep("held", (gripped(SMALL),))
     task = Task(
         instruction="Hold it.",
         start=places,

@@ -9,7 +9,7 @@ from adversary import begun
 from labutopia_lerobot.checks.why import why_failed
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.progress import Progress
-from labutopia_lerobot.task import Milestone, Step
+from labutopia_lerobot.task import Step, Substep
 
 YES = Predicate("yes", lambda world: True)
 NO = Predicate("no", lambda world: False)
@@ -35,15 +35,15 @@ def told(env, **changes) -> str:
 
 
 def test_a_breach_is_told_with_its_fact(env):
-    step = Step("do", (), (Milestone("done", (NO,)),), never={"bad": YES})
+    step = Step("do", (), (Substep("done", (NO,)),), never={"bad": YES})
     why = told(env, steps=(step,), goal=(NO,))
     assert "Ended in step 'do': bad (yes)" in why
-    assert "Milestones not reached: done" in why
+    assert "Substeps not reached: done" in why
     assert "Did not hold at the end, for 'done': no" in why
 
 
 def test_what_makes_a_breach_hold_is_told_and_by_how_much_a_fact_is_missed(env):
-    step = Step("do", (), (Milestone("done", (NEARLY,)),), never={"bad": KNOWN})
+    step = Step("do", (), (Substep("done", (NEARLY,)),), never={"bad": KNOWN})
     why = told(env, steps=(step,), goal=(NO,))
     assert "Ended in step 'do': bad (bad): jar met bench\n" in why
     assert "Did not hold at the end, for 'done': nearly (off by 3.14 mm, 2 deg)" in why
@@ -68,17 +68,17 @@ def test_a_push_that_no_step_allows_is_told_with_who_what_how_hard_and_the_cure(
 
 
 def test_what_was_not_kept_is_told(env):
-    milestone = Milestone("done", (YES,), via=(YES,), keeping=(NO,))
-    why = told(env, steps=(Step("do", (), (milestone,)),), goal=(YES,))
-    assert "what a milestone must keep ceased to hold" in why
+    substep = Substep("done", (YES,), via=(YES,), keeping=(NO,))
+    why = told(env, steps=(Step("do", (), (substep,)),), goal=(YES,))
+    assert "what a substep must keep ceased to hold" in why
     assert "for 'done': no" in why
 
 
 def test_a_goal_that_did_not_hold_long_enough_is_told(env):
-    step = Step("do", (), (Milestone("done", (YES,)),))
+    step = Step("do", (), (Substep("done", (YES,)),))
     why = told(env, steps=(step,), goal=(YES,), time_limit_s=0.05)
     assert "Ended in the goal: the time limit of 0.05 s ran out" in why
-    assert "Milestones not reached: none" in why
+    assert "Substeps not reached: none" in why
     assert "All held at the end, for the goal, but not for long enough" in why
 
 

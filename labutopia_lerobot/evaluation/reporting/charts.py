@@ -20,7 +20,7 @@ _SEEDS = 4
 
 
 def funnel(entry: ReportEntry) -> dict[str, Any]:
-    """Return how many episodes came to each sub-step."""
+    """Return how many episodes came to each substep."""
     summary = entry.summary
     return {
         **_named(entry),

@@ -213,7 +213,7 @@ def _content(results: Sequence[LoadedResult], folder: Path) -> dict[str, Any]:
     sections = [
         *((id_, table.title) for id_, table in tables),
         *([("shift", "Under shift")] if shifted else []),
-        ("substeps", "Sub-steps"),
+        ("substeps", "Substeps"),
         *([("failures", "Failures")] if failed else []),
         *([("films", "Films")] if films else []),
         *([("precision", precision.title)] if precision.lines else []),

@@ -302,7 +302,7 @@ def precision_table(entries: Sequence[ReportEntry]) -> Table:
         "Medians with 95 % intervals (order statistics), of the worst of each episode: millilitres "
         "that are not where they should be, millimetres and degrees off the place at the end, "
         "seconds over the expert's with the same seed. Unwanted contact: episodes in which the arm "
-        "touched anything, or the hand the bench, a housing or a bystander."
+        "touched anything, or the hand the bench, a housing or a distractor."
     )
     if any(entry.sequential for entry in entries):
         note += " Intervals of medians are those of a number of episodes fixed beforehand."

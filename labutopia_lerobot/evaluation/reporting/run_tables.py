@@ -18,9 +18,9 @@ from labutopia_lerobot.evaluation.uncertainty.intervals import (
 from labutopia_lerobot.task import HOLD_S
 
 _NOTE = (
-    f"Success: the goal held for {HOLD_S:g} s without a break, after every sub-step and before any "
+    f"Success: the goal held for {HOLD_S:g} s without a break, after every substep and before any "
     "breach; per cent [95 %: {interval}]. Ever: the goal held at any instant. Time: mean simulated "
-    "time of the successes. Sub-steps: reached in their order, of all episodes."
+    "time of the successes. Substeps: reached in their order, of all episodes."
 )
 _STATE = "State: the policy is told the poses of all things and sees no pictures."
 _EMPTY = "Liquid=off: vessels are empty, pouring and spilling are told from tilts."
@@ -28,7 +28,7 @@ _MEAN = "Mean: each task counts the same."
 
 
 def run_tables(entries: Sequence[ReportEntry], *, level_means: bool) -> list[Table]:
-    """Return what a run has to tell: tables of tasks by their sub-steps, and a table per long task.
+    """Return what a run has to tell: tables of tasks by their substeps, and a table per long task.
 
     Args:
         entries: What it played, ordered by task.
@@ -63,7 +63,7 @@ def _title(entry: ReportEntry, entries: Sequence[ReportEntry]) -> str:
 
 
 def _by_task(title: str, entries: Sequence[ReportEntry], level_means: bool) -> Table:
-    """Return a line per task, with its sub-steps."""
+    """Return a line per task, with its substeps."""
     lines: list[tuple[Cell, ...]] = []
     for entry in entries:
         summary = entry.summary
@@ -84,7 +84,7 @@ def _by_task(title: str, entries: Sequence[ReportEntry], level_means: bool) -> T
     sequential = any(entry.sequential for entry in entries)
     interval = "confidence sequence, valid whenever one stops" if sequential else "Wilson"
     note = [_NOTE.format(interval=interval), *_notes(entries, level_means)]
-    head = ("Task", "Success", "Ever", "Time", "Sub-steps")
+    head = ("Task", "Success", "Ever", "Time", "Substeps")
     return Table(title, head, tuple(lines), " ".join(note))
 
 

@@ -11,7 +11,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, closed
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 # The original's expert pushes the door along an arc of 50 degrees. Ours starts 10 cm from the
 # handle; wider or turned further, the door would stand where the hand is.
@@ -38,7 +38,7 @@ def close_door() -> Task:
             closed(door),  # paper: "with no gaps"
             clear_of(door.handle, by=0.08),  # original: gripper to handle more than 0.08 m
         ),
-        never=mishaps.slamming(door, faster_than=HASTY),
+        never=failures.slamming(door, faster_than=HASTY),
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DOOR_VIEW,
     )

@@ -13,7 +13,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, faster, opened
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 OPEN_TO = math.radians(50)  # original: the arc that its expert pulls the door along
 BEGUN = math.radians(2)  # ours: further than a grip jolts a door
@@ -48,7 +48,7 @@ def open_oven(oven: Oven) -> Task:
             ~faster(door, than=math.radians(2)),  # ours: at rest
             clear_of(door.handle, by=0.04),  # original: gripper to handle more than 0.04 m
         ),
-        never=mishaps.slamming(door, faster_than=HASTY),
+        never=failures.slamming(door, faster_than=HASTY),
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DOOR_VIEW,
     )

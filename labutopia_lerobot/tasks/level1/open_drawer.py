@@ -11,7 +11,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import clear_of, faster, opened
 from labutopia_lerobot.scenes.views import DRAWER_VIEW
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 OPEN_TO = 0.13  # original: handle moved by more than 0.13 m
 BEGUN = 0.005  # ours: further than a grip jolts a drawer
@@ -39,7 +39,7 @@ def open_drawer() -> Task:
             ~faster(drawer, than=0.01),  # ours: at rest
             clear_of(drawer.handle, by=0.04),  # original: gripper to handle more than 0.04 m
         ),
-        never=mishaps.slamming(drawer, faster_than=HASTY),
+        never=failures.slamming(drawer, faster_than=HASTY),
         time_limit_s=1000 / 60,  # original: 1000 steps at 60 Hz
         view=DRAWER_VIEW,
     )

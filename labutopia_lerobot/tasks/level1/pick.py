@@ -8,7 +8,7 @@ from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import gripped, lifted, steady, upright
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def pick() -> Task:
@@ -33,6 +33,6 @@ def pick_up(flask: Vessel) -> Task:
             upright(flask, within_deg=20),  # ours: a quarter-full flask does not spill
             steady(flask, below=0.05),  # paper: "maintained steadily"; the number is ours
         ),
-        never=mishaps.handling(flask, spill=None),
+        never=failures.handling(flask, spill=None),
         time_limit_s=800 / 60,  # original: 800 steps at 60 Hz
     )

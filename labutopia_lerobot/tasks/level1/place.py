@@ -11,7 +11,7 @@ from labutopia_lerobot.predicates import struck
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def place() -> Task:
@@ -29,11 +29,11 @@ def place() -> Task:
             vessel: OnBench(x=(0.19, 0.34), y=(0.10, 0.25)),
             plate: OnBench(x=(0.18, 0.33), y=(-0.32, -0.17)),
         },
-        prelude=(Pick(vessel, lift=0.25),),
+        setup=(Pick(vessel, lift=0.25),),
         steps=(actions.place(vessel, OnTop(plate), within=within),),
         goal=actions.left_standing(vessel, OnTop(plate), within=within),
         never={
-            **mishaps.handling(vessel, spill=None),
+            **failures.handling(vessel, spill=None),
             "struck": struck(plate, but_for=frozenset({vessel.name})),
         },
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz

@@ -11,7 +11,7 @@ from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def pour() -> Task:
@@ -33,7 +33,7 @@ def pour_from(vessel: Vessel) -> Task:
             vessel: OnBench(x=(0.22, 0.37), y=(0.0, 0.15)),
             target: OnBench(x=(0.18, 0.33), y=(-0.32, -0.17)),
         },
-        prelude=(Pick(vessel, lift=0.25),),
+        setup=(Pick(vessel, lift=0.25),),
         steps=(actions.pour(vessel, target),),
         goal=(
             gripped(vessel),
@@ -43,7 +43,7 @@ def pour_from(vessel: Vessel) -> Task:
         ),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            **mishaps.handling(vessel, spill=0.05, into=target),
+            **failures.handling(vessel, spill=0.05, into=target),
             "struck": struck(target),
         },
         time_limit_s=1500 / 60,  # original: 1500 steps at 60 Hz

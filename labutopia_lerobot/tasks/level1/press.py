@@ -10,7 +10,7 @@ from labutopia_lerobot.layout import OnBench
 from labutopia_lerobot.predicates import Predicate, aligned, fingered, pressed, touched
 from labutopia_lerobot.scenes.views import PRESS_VIEW
 from labutopia_lerobot.skills import Press
-from labutopia_lerobot.task import Milestone, Step, Task
+from labutopia_lerobot.task import Step, Substep, Task
 from labutopia_lerobot.world import Button
 
 # Ours: see `ButtonPanel`. Turned by less than 20 degrees, the button furthest right drives the
@@ -43,8 +43,8 @@ def press() -> Task:
 def press_and_hold(button: Button) -> Step:
     """Return what is done; level 3 shares it."""
     *in_by_finger, on_axis = held_in(button)
-    milestones = Milestone("aligned", (on_axis,)), Milestone("pressed", tuple(in_by_finger))
-    return Step("press", (Press(button, hold=2.5),), milestones, (button,))
+    substeps = Substep("aligned", (on_axis,)), Substep("pressed", tuple(in_by_finger))
+    return Step("press", (Press(button, hold=2.5),), substeps, (button,))
 
 
 def held_in(button: Button) -> tuple[Predicate, ...]:

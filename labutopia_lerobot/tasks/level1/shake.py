@@ -10,7 +10,7 @@ from labutopia_lerobot.predicates import gripped, steady
 from labutopia_lerobot.skills import Pick
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def shake() -> Task:
@@ -29,7 +29,7 @@ def shake() -> Task:
         ),
         # Original: the same range, which is the paper's 15 cm x 15 cm.
         start={vessel: OnBench(x=(0.19, 0.34), y=(-0.075, 0.075))},
-        prelude=(Pick(vessel, lift=0.25),),
+        setup=(Pick(vessel, lift=0.25),),
         steps=(actions.shake(vessel, start),),
         goal=(
             *actions.held_at(vessel, start),
@@ -37,6 +37,6 @@ def shake() -> Task:
             steady(vessel, below=0.05),  # paper: "maintaining stability"; ours: as in Pick
         ),
         contents={vessel: Filling(ml=60)},  # ours: a good quarter of what it holds
-        never=mishaps.handling(vessel, spill=0.01),
+        never=failures.handling(vessel, spill=0.01),
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
     )

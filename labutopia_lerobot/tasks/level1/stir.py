@@ -12,7 +12,7 @@ from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
 from labutopia_lerobot.skills import Pick
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def stir() -> Task:
@@ -40,7 +40,7 @@ def stir() -> Task:
             rack: OnBench(x=(0.209, 0.359), y=(0.233, 0.383)),
             rod: Inside(rack, at=rack.middle),
         },
-        prelude=(Pick(rod, lift=0.23, support=rack.name),),
+        setup=(Pick(rod, lift=0.23, support=rack.name),),
         steps=(actions.stir(rod, vessel, filling),),
         goal=(
             *actions.held_over(rod, vessel),
@@ -48,7 +48,7 @@ def stir() -> Task:
             steady(rod, below=0.05),  # ours: as in Pick; a long rod shows every tremble of a hand
         ),
         contents={vessel: filling},
-        never=mishaps.stirring(rod, vessel, rack),
+        never=failures.stirring(rod, vessel, rack),
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
         view=WIDEST_VESSEL_VIEW,
     )

@@ -21,7 +21,7 @@ from labutopia_lerobot.predicates import (
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 YAW = (-math.radians(10), math.radians(10))  # ours: as far as the button stays within easy reach
 
@@ -63,7 +63,7 @@ def heat_on(heater: Heater) -> Task:
             fingers_clear_of(button, by=0.05),  # ours: the finger is gone
         ),
         contents={vessel: Filling(ml=60)},  # ours: a good quarter of what it holds
-        never=mishaps.handling(vessel, spill=0.01),
+        never=failures.handling(vessel, spill=0.01),
         time_limit_s=2500 / 60,  # original: 2500 steps at 60 Hz
         view=WIDE_VESSEL_VIEW,
     )

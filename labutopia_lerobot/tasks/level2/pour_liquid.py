@@ -12,7 +12,7 @@ from labutopia_lerobot.predicates import struck, upright
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def pour_liquid() -> Task:
@@ -46,7 +46,7 @@ def pour_from(vessel: Vessel) -> Task:
         goal=actions.left_standing(vessel, home, within=within),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            **mishaps.handling(vessel, spill=0.05, into=target),
+            **failures.handling(vessel, spill=0.05, into=target),
             "struck": struck(target),
         },
         # The original's 1000 steps at 60 Hz have no setting down; ours: twice the expert's median.

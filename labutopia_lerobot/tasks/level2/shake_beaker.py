@@ -10,7 +10,7 @@ from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import gripped, steady
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def shake_beaker() -> Task:
@@ -36,6 +36,6 @@ def shake_beaker() -> Task:
             steady(vessel, below=0.05),  # paper: "stabilized"; ours: as in Pick
         ),
         contents={vessel: Filling(ml=60)},  # ours: a good quarter of what it holds
-        never=mishaps.handling(vessel, spill=0.01),
+        never=failures.handling(vessel, spill=0.01),
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
     )

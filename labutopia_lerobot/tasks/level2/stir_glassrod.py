@@ -12,7 +12,7 @@ from labutopia_lerobot.predicates import steady, upright
 from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def stir_glassrod() -> Task:
@@ -47,7 +47,7 @@ def stir_glassrod() -> Task:
             steady(rod, below=0.05),  # ours: as in Pick; a long rod shows every tremble of a hand
         ),
         contents={vessel: filling},
-        never=mishaps.stirring(rod, vessel, rack),
+        never=failures.stirring(rod, vessel, rack),
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz
         view=WIDEST_VESSEL_VIEW,
     )

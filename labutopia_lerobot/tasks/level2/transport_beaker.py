@@ -12,7 +12,7 @@ from labutopia_lerobot.predicates import struck
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def transport_beaker() -> Task:
@@ -39,7 +39,7 @@ def transport_to(plate: TargetPlate) -> Task:
         goal=actions.left_standing(vessel, OnTop(plate), within=within),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds
         never={
-            **mishaps.handling(vessel, spill=0.01),  # ours, as in Shake
+            **failures.handling(vessel, spill=0.01),  # ours, as in Shake
             "struck": struck(plate, but_for=frozenset({vessel.name})),
         },
         time_limit_s=2000 / 60,  # original: 2000 steps at 60 Hz

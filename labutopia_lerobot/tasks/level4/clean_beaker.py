@@ -11,7 +11,7 @@ from labutopia_lerobot.predicates import struck
 from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 
 def clean_beaker() -> Task:
@@ -38,13 +38,13 @@ def clean_beaker() -> Task:
             waste: OnBench(x=(0.18, 0.30), y=(-0.36, -0.28)),
         },
         steps=(
-            *mishaps.sparing(
+            *failures.sparing(
                 (dirty,),
                 actions.pick(full, by=actions.OFF_THE_BENCH).named("1_pick"),
                 actions.pour(full, dirty).named("2_pour"),
                 actions.place(full, home, within=within).named("3_place"),
             ),
-            *mishaps.sparing(
+            *failures.sparing(
                 (full,),
                 actions.pick(dirty, by=actions.OFF_THE_BENCH).named("4_pick"),
                 actions.shake(dirty, middle).named("5_shake"),
@@ -58,9 +58,9 @@ def clean_beaker() -> Task:
         ),
         contents={full: Filling(ml=80)},  # ours: a quarter of what a beaker holds
         never={
-            **mishaps.of_any(
-                mishaps.handling(full, spill=0.05, into=dirty),
-                mishaps.handling(dirty, spill=0.05, into=waste),
+            **failures.of_any(
+                failures.handling(full, spill=0.05, into=dirty),
+                failures.handling(dirty, spill=0.05, into=waste),
             ),
             "waste_struck": struck(waste),
         },

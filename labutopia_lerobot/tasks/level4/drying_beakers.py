@@ -16,8 +16,8 @@ from labutopia_lerobot.places import OnShelf, OverBench
 from labutopia_lerobot.predicates import clear_of, faster, latched, less_open, opened, touching
 from labutopia_lerobot.scenes.views import OVEN_VIEW
 from labutopia_lerobot.skills import Close, Go, Open
-from labutopia_lerobot.task import Milestone, Step, Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.task import Step, Substep, Task
+from labutopia_lerobot.tasks import actions, failures
 from labutopia_lerobot.tasks.level1.open_door import BEGUN, HASTY, OPEN_TO
 
 OVEN = DryingOven("oven", latching=True, stand=0.20, shelf_height=0.14)  # original: 0.2 m up
@@ -47,8 +47,8 @@ LOADED = (
     CLEAR,
 )
 NEVER = {
-    **mishaps.slamming(OVEN.door, faster_than=HASTY),
-    **mishaps.of_any(mishaps.handling(LARGE, spill=None), mishaps.handling(SMALL, spill=None)),
+    **failures.slamming(OVEN.door, faster_than=HASTY),
+    **failures.of_any(failures.handling(LARGE, spill=None), failures.handling(SMALL, spill=None)),
     # Paper: no "contact between the beakers or with the cabinet structure"
     "struck": touching(LARGE, SMALL, OVEN, OVEN.door, OVEN.door.handle)
     | touching(SMALL, OVEN, OVEN.door, OVEN.door.handle),
@@ -64,8 +64,8 @@ def drying_beakers() -> Task:
         "close",
         (Go((INSIDE, OUTSIDE), HEADING), Close(door, HEADING, beyond=1.6)),
         (
-            Milestone("moved", (less_open(door, than=WIDE - BEGUN),)),
-            Milestone("latched", (latched(door),)),
+            Substep("moved", (less_open(door, than=WIDE - BEGUN),)),
+            Substep("latched", (latched(door),)),
         ),
         (door, door.handle),  # ours: by the handle or not
     )
@@ -98,7 +98,7 @@ def open_wide() -> Step:
     return replace(
         swing,
         skills=(Open(door, PULL, heading=HEADING),),
-        milestones=(*swing.milestones, Milestone("wide", wide)),  # pulled, or pushed from inside
+        substeps=(*swing.substeps, Substep("wide", wide)),  # pulled, or pushed from inside
         touches=(door, door.handle),
     )
 

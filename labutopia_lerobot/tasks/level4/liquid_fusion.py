@@ -22,7 +22,7 @@ from labutopia_lerobot.predicates import (
 from labutopia_lerobot.scenes.views import WIDEST_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Step, Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 
 YAW = (-math.radians(10), math.radians(10))  # ours: as heat_beaker
 
@@ -39,7 +39,7 @@ def liquid_fusion() -> Task:
     def add(vessel: Vessel, first: int) -> tuple[Step, ...]:
         """Return the three steps of one liquid, numbered from `first`."""
         home = WhereItStood(vessel)
-        return mishaps.sparing(
+        return failures.sparing(
             (other for other in sources if other is not vessel),
             actions.pick(vessel, by=actions.OFF_THE_BENCH).named(f"{first}_pick"),
             actions.pour(vessel, mixture).named(f"{first + 1}_pour"),
@@ -66,7 +66,7 @@ def liquid_fusion() -> Task:
             *add(blue, 1),
             *add(green, 4),
             *add(pink, 7),
-            *mishaps.sparing(sources, actions.press(heater.button, hold=0.3).named("10_press")),
+            *failures.sparing(sources, actions.press(heater.button, hold=0.3).named("10_press")),
         ),
         goal=(
             switched_on(heater.switch),
@@ -86,8 +86,8 @@ def liquid_fusion() -> Task:
             pink: Filling(60, "ethylene glycol"),
         },
         never={
-            **mishaps.of_any(
-                *(mishaps.handling(vessel, spill=0.05, into=mixture) for vessel in sources)
+            **failures.of_any(
+                *(failures.handling(vessel, spill=0.05, into=mixture) for vessel in sources)
             ),
             "mixture_struck": struck(mixture, but_for=frozenset({heater.name})),
         },

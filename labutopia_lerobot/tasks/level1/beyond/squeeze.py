@@ -20,7 +20,7 @@ from labutopia_lerobot.predicates import (
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.skills import Squeeze
 from labutopia_lerobot.substances.filling import Filling
-from labutopia_lerobot.task import Milestone, Step, Task
+from labutopia_lerobot.task import Step, Substep, Task
 
 _AMOUNT_ML = 20.0
 """A rinse of a 250 ml beaker; one firm stroke gives a little more."""
@@ -50,9 +50,9 @@ def squeeze() -> Task:
                 "squeeze",
                 (Squeeze(bottle, amount_ml=_AMOUNT_ML + 2.0),),
                 (
-                    Milestone("gripped", (gripped(bottle),)),
-                    Milestone("dispensed", (enough,)),
-                    Milestone("released", (released(bottle),)),
+                    Substep("gripped", (gripped(bottle),)),
+                    Substep("dispensed", (enough,)),
+                    Substep("released", (released(bottle),)),
                 ),
                 (bottle,),  # not its cap and spout, which are another body
                 transfers=(Transfer(bottle, target),),

@@ -11,7 +11,7 @@ from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import above, fingers_clear_of, switched_on
 from labutopia_lerobot.scenes.views import OVEN_VIEW
 from labutopia_lerobot.skills import Go
-from labutopia_lerobot.task import Milestone, Step, Task
+from labutopia_lerobot.task import Step, Substep, Task
 from labutopia_lerobot.tasks import actions
 from labutopia_lerobot.tasks.level4.drying_beakers import (
     CLEAR,
@@ -42,7 +42,7 @@ def device_operation() -> Task:
     lift = Step(
         "raise",
         (Go((HIGH,), HEADING),),
-        (Milestone("raised", (above(oven.door.handle, by=0.15), CLEAR)),),  # original: 0.15 m
+        (Substep("raised", (above(oven.door.handle, by=0.15), CLEAR)),),  # original: 0.15 m
     )
     # Ours: round the free edge of the open door, and out of the oven before the hand turns aside.
     pick = actions.pick(LARGE, by=actions.OFF_THE_BENCH)

@@ -20,7 +20,7 @@ from labutopia_lerobot.scenes.views import FURNACE_VIEW
 from labutopia_lerobot.skills import Go
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.tasks import actions, mishaps
+from labutopia_lerobot.tasks import actions, failures
 from labutopia_lerobot.tasks.level1.open_door import BEGUN, HASTY
 
 JOBS = {
@@ -50,20 +50,20 @@ def open_transport_pour(draw: Draw) -> Task:
     back = Go((OverBench("middle of the bench", ahead=0.40, height=0.35),), heading=0.0)
     pick_flask = actions.pick(flask, by=actions.OFF_THE_BENCH).named("pour_pick")
     steps = {
-        "open": mishaps.sparing(
+        "open": failures.sparing(
             (vessel, flask),
             actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=math.radians(33)).named(
                 "open"
             ),
             but_for=plates,
         ),
-        "transport": mishaps.sparing(
+        "transport": failures.sparing(
             (flask,),
             actions.pick(vessel, by=actions.OFF_THE_BENCH).named("transport_pick"),
             actions.place(vessel, OnTop(red), within=within).named("transport_place"),
             but_for=plates,
         ),
-        "pour": mishaps.sparing(
+        "pour": failures.sparing(
             (vessel,),
             replace(pick_flask, skills=(back, *pick_flask.skills)),
             actions.pour(flask, target).named("pour"),
@@ -94,11 +94,11 @@ def open_transport_pour(draw: Draw) -> Task:
         ),
         contents={vessel: Filling(ml=100), flask: Filling(ml=100)},  # ours: a third of each
         never={
-            **mishaps.of_any(
-                mishaps.handling(vessel, spill=0.01),  # as transport_beaker
-                mishaps.handling(flask, spill=0.05, into=target),
+            **failures.of_any(
+                failures.handling(vessel, spill=0.01),  # as transport_beaker
+                failures.handling(flask, spill=0.05, into=target),
             ),
-            **mishaps.slamming(door, faster_than=HASTY),
+            **failures.slamming(door, faster_than=HASTY),
             "target_struck": struck(target),
             "red_plate_struck": struck(red, but_for=frozenset({vessel.name})),
             "blue_plate_struck": struck(blue, but_for=frozenset({flask.name})),

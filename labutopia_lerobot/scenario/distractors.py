@@ -10,8 +10,8 @@ from labutopia_lerobot.labware.instruments.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import CLEARANCE, ImpossibleStartError, Piece, Placement, Workspace
 from labutopia_lerobot.world import FloatArray
 
-BYSTANDER_GAP = 0.13
-"""Least gap between a bystander and what the task needs [m]: the open hand passes, 0.2 m wide."""
+DISTRACTOR_GAP = 0.13
+"""Least gap between a distractor and what the task needs [m]: the open hand passes, 0.2 m wide."""
 INSTRUMENT_GAP = 0.45
 """The same before an instrument [m]: the drying oven's door sweeps so far."""
 
@@ -24,9 +24,9 @@ _ARRANGEMENTS = 10
 """How often all begin anew where the last of them finds no place."""
 
 
-def bystander_sets() -> dict[str, tuple[Piece, ...]]:
+def distractor_sets() -> dict[str, tuple[Piece, ...]]:
     """Return what can stand around; the first four sets are for training."""
-    name = "bystander"
+    name = "distractor"
     return {
         "bare": (),
         "a beaker": (glassware("beaker", "150 ml", name),),
@@ -50,8 +50,8 @@ def bystander_sets() -> dict[str, tuple[Piece, ...]]:
     }
 
 
-def place_bystanders(
-    bystanders: Sequence[Piece],
+def place_distractors(
+    distractors: Sequence[Piece],
     layout: Mapping[Piece, Placement],
     workspace: Workspace,
     approach: float,
@@ -62,7 +62,7 @@ def place_bystanders(
     They stand around the middle of the task's things, further out the more tries it takes.
 
     Args:
-        bystanders: The things.
+        distractors: The things.
         layout: Where what the task needs stands.
         workspace: The bench and the robot.
         approach: Yaw of the hand that comes to a vessel, to the left of the bearing [rad].
@@ -74,14 +74,14 @@ def place_bystanders(
     middle = np.mean([(stands.x, stands.y) for stands in layout.values()], axis=0)
     for _ in range(_ARRANGEMENTS):
         placed: dict[Piece, Placement] = {}
-        for piece in bystanders:
+        for piece in distractors:
             stands = _place(piece, middle, {**layout, **placed}, workspace, approach, rng)
             if stands is None:
                 break
             placed[piece] = stands
         else:
             return placed
-    names = ", ".join(piece.name for piece in bystanders)
+    names = ", ".join(piece.name for piece in distractors)
     raise ImpossibleStartError(f"There is no room on the bench for {names}")
 
 
@@ -118,10 +118,10 @@ def _out_of_the_way(
         thing = np.array([placement.x, placement.y])
         beside = piece.footprint_radius + other.footprint_radius
         if not other.movable and _is_behind(placement, point):
-            if math.dist(point, thing) < beside + BYSTANDER_GAP:
+            if math.dist(point, thing) < beside + DISTRACTOR_GAP:
                 return False
             continue
-        least = beside + (BYSTANDER_GAP if other.movable else INSTRUMENT_GAP)
+        least = beside + (DISTRACTOR_GAP if other.movable else INSTRUMENT_GAP)
         yaw = math.atan2(*(thing - robot)[::-1]) + approach
         hand = thing - HAND_REACH * np.array([math.cos(yaw), math.sin(yaw)])
         if min(_distance(point, thing, end) for end in (robot, hand)) < least:

@@ -58,10 +58,10 @@ def slamming(part: Operable, *, faster_than: float) -> dict[str, Predicate]:
 
 
 def sparing(
-    bystanders: Iterable[Thing], *steps: Step, but_for: frozenset[str] = frozenset()
+    distractors: Iterable[Thing], *steps: Step, but_for: frozenset[str] = frozenset()
 ) -> tuple[Step, ...]:
     """Return steps during which nothing but the bench, and what may, touches some things."""
-    spared = struck(*bystanders, but_for=but_for)
+    spared = struck(*distractors, but_for=but_for)
     return tuple(replace(step, never={**step.never, "struck": spared}) for step in steps)
 
 
