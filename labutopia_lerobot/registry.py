@@ -12,27 +12,19 @@ package with such folders), and those that the user names with `tasks_dir`.
 import difflib
 import importlib.metadata
 import importlib.util
-import inspect
-import sys
 import warnings
-from collections.abc import Callable, Iterable
-from contextlib import nullcontext
-from functools import cache
+from collections.abc import Iterable
 from pathlib import Path
-from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from labutopia_lerobot.errors import UserError, mistakes_located
-
-if TYPE_CHECKING:
-    from labutopia_lerobot.scenario.draw import Draw
-    from labutopia_lerobot.task import Task
+from labutopia_lerobot.errors import UserError
 
 LEVELS = (1, 2, 3, 4, 5)
 BEYOND = "beyond"
 """Name of the folders of tasks that the paper does not have."""
 ENTRY_POINT_GROUP = "labutopia.tasks"
-_PACKAGED = Path(__file__).parent / "tasks"
+PACKAGED = Path(__file__).parent / "tasks"
+"""Folder of the tasks in this package."""
 
 
 class UnknownTaskError(UserError, ValueError):
@@ -175,60 +167,10 @@ def _nearest(task_id: str, tasks: list[str]) -> list[str]:
     return [task for name in near for task in tasks if task.split("/")[1] == name][:3]
 
 
-@cache
-def task_function(task_id: str, tasks_dir: str | Path | None = None) -> "Callable[[Draw], Task]":
-    """Return the function that makes the task with this id of a draw.
-
-    A function without an argument, whose task is always the same, is called once.
-
-    Raises:
-        FileMistakeError: If the file, or what it calls, raises one of Python's own errors.
-        UnknownTaskError: If there is no such task, or its file defines no such function.
-    """
-    path = require_task(task_id, tasks_dir)
-    located = nullcontext if path.is_relative_to(_PACKAGED) else mistakes_located  # ours are bugs
-    folder = path.parents[2 if path.parent.name == BEYOND else 1]
-    with located(folder):
-        function = getattr(_import(task_id, path), path.stem, None)
-    if not callable(function):
-        raise UnknownTaskError(f"{path} must define the function `{path.stem}() -> Task`")
-
-    def made(*draw: "Draw") -> "Task":
-        with located(folder):
-            return _require_task_value(function(*draw), path)
-
-    if inspect.signature(function).parameters:
-        return made
-    task = made()
-    return lambda draw: task
-
-
-def _require_task_value(task: object, path: Path) -> "Task":
-    from labutopia_lerobot.task import Task  # here: listing tasks must not import what they need
-
-    if not isinstance(task, Task):
-        raise UnknownTaskError(f"`{path.stem}` in {path} returned {task!r}, which is no Task")
-    return task
-
-
-def _import(task_id: str, path: Path) -> ModuleType:
-    if path.is_relative_to(_PACKAGED):
-        dotted = ".".join(path.relative_to(_PACKAGED).with_suffix("").parts)
-        return importlib.import_module(f"labutopia_lerobot.tasks.{dotted}")
-    name = f"labutopia_user_tasks.{task_id.replace('/', '.')}"
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None:
-        raise UnknownTaskError(f"{path} cannot be imported as Python")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
 def _folders(tasks_dir: str | Path | None) -> list[Path]:
     entries = importlib.metadata.entry_points(group=ENTRY_POINT_GROUP)
     installed = [folder for entry in entries for folder in _installed(entry)]
-    return [_PACKAGED, *installed, *([Path(tasks_dir).resolve()] if tasks_dir else [])]
+    return [PACKAGED, *installed, *([Path(tasks_dir).resolve()] if tasks_dir else [])]
 
 
 def _installed(entry: importlib.metadata.EntryPoint) -> list[Path]:

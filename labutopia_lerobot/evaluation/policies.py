@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv, Observation
+from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.condition import EXPERT, RANDOM, STILL
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.world import CONTROL_HZ
@@ -18,6 +19,10 @@ Action = NDArray[np.float32]
 
 class PolicyUnreachable(Exception):  # noqa: N818  (an outcome of an episode, not a mistake)
     """Nobody answers for a policy any more: the episode is over, and the next one may be played."""
+
+
+class PolicyServerError(UserError):
+    """A server that cannot be used, or whose policy raised; the message has its own words."""
 
 
 class Policy(Protocol):

@@ -42,7 +42,7 @@ _JOINTS = (
 def _add_to(spec: "mujoco.MjSpec", parent: "mujoco.MjsBody") -> None:
     from labutopia_lerobot.robots.iiwa_model import add_iiwa  # here: it imports mujoco
 
-    add_iiwa(spec, parent)
+    add_iiwa(spec, parent, IIWA)
 
 
 IIWA = Robot(

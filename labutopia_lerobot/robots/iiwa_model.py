@@ -20,7 +20,6 @@ import math
 import mujoco
 
 from labutopia_lerobot.robots.franka_hand_model import add_franka_hand
-from labutopia_lerobot.robots.iiwa import IIWA
 from labutopia_lerobot.robots.parts import (
     Capsule,
     Vector,
@@ -30,6 +29,7 @@ from labutopia_lerobot.robots.parts import (
     add_visual_mesh,
     set_inertia,
 )
+from labutopia_lerobot.robots.robot import Robot
 
 _AXIS: tuple[Vector, ...] = (
     (0, 0, 1),
@@ -137,7 +137,7 @@ _NEIGHBOURS = (
 )
 
 
-def add_iiwa(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
+def add_iiwa(spec: mujoco.MjSpec, parent: mujoco.MjsBody, robot: Robot) -> None:
     """Build the arm with its hand onto a body (see `Robot.add_to`)."""
     for name, rgba in (
         (_GREY, (0.78, 0.79, 0.80, 1.0)),
@@ -145,25 +145,25 @@ def add_iiwa(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
         ("dark", (0.22, 0.23, 0.25, 1.0)),
     ):
         spec.add_material(name=name, rgba=rgba, specular=0.3, shininess=0.4)
-    hand = _add_arm(spec, parent).add_body(
-        name=IIWA.gripper.body,
+    hand = _add_arm(spec, parent, robot).add_body(
+        name=robot.gripper.body,
         pos=(0, 0, _FLANGE_RISE),
         quat=(math.cos(_HAND_TURN / 2), 0, 0, math.sin(_HAND_TURN / 2)),
         gravcomp=1,
     )
-    for i, joint in enumerate(IIWA.joints):
+    for i, joint in enumerate(robot.joints):
         add_joint_servo(spec, joint, _STIFFNESS[i], _DAMPING[i], _JOINT_TORQUE[i])
     add_franka_hand(spec, hand)
     for first, second in _NEIGHBOURS:
         spec.add_exclude(bodyname1=first, bodyname2=second)
 
 
-def _add_arm(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
+def _add_arm(spec: mujoco.MjSpec, parent: mujoco.MjsBody, robot: Robot) -> mujoco.MjsBody:
     """Add the base and the links; return the last one."""
-    body = parent.add_body(name=IIWA.base_body, gravcomp=1)
+    body = parent.add_body(name=robot.base_body, gravcomp=1)
     add_collision_box(body, "base_collision", (-0.01, 0.0, 0.079), (0.125, 0.12, 0.079))
     _add_mass_and_mesh(spec, body, 0)
-    for i, joint in enumerate(IIWA.joints):
+    for i, joint in enumerate(robot.joints):
         body = body.add_body(name=f"link{i + 1}", pos=(0, 0, _RISE[i]), gravcomp=1)
         body.add_joint(
             name=joint.name,

@@ -28,7 +28,7 @@ _JOINTS = (
 def _add_to(spec: "mujoco.MjSpec", parent: "mujoco.MjsBody") -> None:
     from labutopia_lerobot.robots.panda_model import add_panda  # here: it imports mujoco
 
-    add_panda(spec, parent)
+    add_panda(spec, parent, PANDA)
 
 
 PANDA = Robot(

@@ -19,7 +19,6 @@ from labutopia_lerobot.robots.franka_hand_model import (
     FRANKA_MESHES,
     add_franka_hand,
 )
-from labutopia_lerobot.robots.panda import PANDA
 from labutopia_lerobot.robots.parts import (
     Capsule,
     add_capsules,
@@ -28,6 +27,7 @@ from labutopia_lerobot.robots.parts import (
     add_visual_mesh,
     set_inertia,
 )
+from labutopia_lerobot.robots.robot import Robot
 
 _DENAVIT_HARTENBERG = (
     (0.0, 0.333, 0.0),
@@ -137,24 +137,24 @@ _NEIGHBOURS = (
 )
 
 
-def add_panda(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
+def add_panda(spec: mujoco.MjSpec, parent: mujoco.MjsBody, robot: Robot) -> None:
     """Build the arm with its hand onto a body (see `Robot.add_to`)."""
-    hand = _add_arm(spec, parent).add_body(
-        name=PANDA.gripper.body,
+    hand = _add_arm(spec, parent, robot).add_body(
+        name=robot.gripper.body,
         pos=(0, 0, _FLANGE_OFFSET),
         quat=(math.cos(_HAND_TURN / 2), 0, 0, math.sin(_HAND_TURN / 2)),
         gravcomp=1,
     )
-    for i, joint in enumerate(PANDA.joints):
+    for i, joint in enumerate(robot.joints):
         add_joint_servo(spec, joint, _STIFFNESS[i], _DAMPING[i], _JOINT_TORQUE[i])
     add_franka_hand(spec, hand)
     for first, second in _NEIGHBOURS:
         spec.add_exclude(bodyname1=first, bodyname2=second)
 
 
-def _add_arm(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
+def _add_arm(spec: mujoco.MjSpec, parent: mujoco.MjsBody, robot: Robot) -> mujoco.MjsBody:
     """Add the base and the seven links; return the last one."""
-    body = parent.add_body(name=PANDA.base_body, gravcomp=1)
+    body = parent.add_body(name=robot.base_body, gravcomp=1)
     add_collision_box(body, "link0_collision", (-0.041, 0.0, 0.07), (0.1, 0.08, 0.07))
     _add_mass_and_mesh(spec, body, 0)
     for i, (a, d, alpha) in enumerate(_DENAVIT_HARTENBERG):
@@ -165,9 +165,9 @@ def _add_arm(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
             gravcomp=1,
         )
         body.add_joint(
-            name=PANDA.joints[i].name,
+            name=robot.joints[i].name,
             axis=(0, 0, 1),
-            range=(PANDA.joints[i].lower, PANDA.joints[i].upper),
+            range=(robot.joints[i].lower, robot.joints[i].upper),
             armature=_JOINT_ARMATURE,
             damping=_JOINT_DAMPING,
         )

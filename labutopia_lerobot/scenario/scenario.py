@@ -4,9 +4,9 @@ import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from labutopia_lerobot.registry import task_function
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario.draw import Draw, Value
+from labutopia_lerobot.scenario.task_function import task_function
 from labutopia_lerobot.scenario.variation import Variation, draw_instruction, draw_variation
 from labutopia_lerobot.setting import ALL, Setting
 from labutopia_lerobot.task import Task

@@ -11,7 +11,8 @@ import pytest
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.gymnasium_ids import register_tasks
-from labutopia_lerobot.registry import UnknownTaskError, task_files, task_function
+from labutopia_lerobot.registry import UnknownTaskError, task_files
+from labutopia_lerobot.scenario.task_function import task_function
 from labutopia_lerobot.setting import Setting
 
 README = Path(__file__).parents[2] / "README.md"
@@ -136,6 +137,8 @@ def test_a_file_below_the_working_directory_is_told_as_it_is_typed(tasks_dir, mo
 
 def test_a_mistake_of_ours_is_no_mistake_of_the_user(monkeypatch):
     broken = SimpleNamespace(pick=lambda: {}["a"])
-    monkeypatch.setattr("labutopia_lerobot.registry._import", lambda task, path: broken)
+    monkeypatch.setattr(
+        "labutopia_lerobot.scenario.task_function._import", lambda task, path: broken
+    )
     with pytest.raises(KeyError):
         task_function.__wrapped__("level1/pick")

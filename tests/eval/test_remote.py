@@ -17,10 +17,9 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint import open_checkpoint
 from labutopia_lerobot.evaluation.config import EvaluationOptionError, PolicyConfig
 from labutopia_lerobot.evaluation.jobs import EvaluationJob
-from labutopia_lerobot.evaluation.policies import PolicyUnreachable
+from labutopia_lerobot.evaluation.policies import PolicyServerError, PolicyUnreachable
 from labutopia_lerobot.evaluation.remote.openpi_server import pack, unpack
 from labutopia_lerobot.evaluation.remote.remote_policy import (
-    PolicyServerError,
     RemoteServer,
     open_server,
 )

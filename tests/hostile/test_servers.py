@@ -11,9 +11,9 @@ import pytest
 import torch
 from websockets.sync.server import ServerConnection, serve
 
+from labutopia_lerobot.evaluation.policies import PolicyServerError
 from labutopia_lerobot.evaluation.remote.lerobot_server import read_actions
 from labutopia_lerobot.evaluation.remote.openpi_server import OpenPiServer
-from labutopia_lerobot.evaluation.remote.remote_policy import PolicyServerError
 
 OBSERVATION = {"observation/state": np.zeros(8, np.float32)}
 

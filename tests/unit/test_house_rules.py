@@ -5,6 +5,7 @@ import re
 import subprocess
 from collections import Counter
 from collections.abc import Iterator
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -60,6 +61,13 @@ def imports_of(path: Path) -> list[str]:
     return list(imported(ast.parse(path.read_text()).body))
 
 
+def called(path: Path) -> str:
+    return ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
+
+
+MODULES = {called(path) for path in SOURCES}
+
+
 def modules() -> list[Path]:
     return [path for path in SOURCES if path != PACKAGE / "__init__.py"]
 
@@ -77,6 +85,19 @@ def test_imports_point_down():
         if higher:
             upward[str(path.relative_to(PACKAGE))] = higher
     assert not upward
+
+
+def test_no_modules_import_each_other_in_a_circle():
+    """Not even for types, or when a function is called."""
+    graph = {}
+    for path in SOURCES:
+        named = set()
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.ImportFrom) and node.module:
+                whole = [f"{node.module}.{alias.name}" for alias in node.names]
+                named |= {name if name in MODULES else node.module for name in whole}
+        graph[called(path)] = (named & MODULES) - {called(path)}
+    TopologicalSorter(graph).prepare()
 
 
 def test_only_bodies_and_their_physics_import_mujoco():

@@ -11,8 +11,9 @@ import pytest
 from adversary import begun, play
 from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.labware.instruments.button_post import ButtonPost
-from labutopia_lerobot.registry import task_function, tasks_of_levels
+from labutopia_lerobot.registry import tasks_of_levels
 from labutopia_lerobot.scenario import AxisError, Draw, Scenario, canonical_task, draw_scenario
+from labutopia_lerobot.scenario.task_function import task_function
 from labutopia_lerobot.scenario.variation import AXES, draw_instruction, draw_variation
 from labutopia_lerobot.setting import ALL, Setting
 from labutopia_lerobot.skills import Press

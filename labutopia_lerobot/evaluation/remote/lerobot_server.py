@@ -23,7 +23,7 @@ from lerobot.transport import services_pb2, services_pb2_grpc
 from lerobot.transport.utils import grpc_channel_options, send_bytes_in_chunks
 from numpy.typing import NDArray
 
-from labutopia_lerobot.evaluation.remote.remote_policy import PolicyServerError
+from labutopia_lerobot.evaluation.policies import PolicyServerError
 from labutopia_lerobot.foreign_files import printable
 
 

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from websockets.exceptions import ConnectionClosed, InvalidHandshake, InvalidURI
 from websockets.sync.client import ClientConnection, connect
 
-from labutopia_lerobot.evaluation.remote.remote_policy import PolicyServerError
+from labutopia_lerobot.evaluation.policies import PolicyServerError
 from labutopia_lerobot.foreign_files import printable
 
 _ARRAY, _SCALAR = b"__ndarray__", b"__npgeneric__"

@@ -12,20 +12,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv, Observation
-from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.checkpoint_security import CONFIG, CheckpointError
 from labutopia_lerobot.evaluation.config import EvaluationOptionError, PolicyConfig
 from labutopia_lerobot.evaluation.find_checkpoint import find_checkpoint
-from labutopia_lerobot.evaluation.policies import Action, Policy, PolicyUnreachable
+from labutopia_lerobot.evaluation.policies import (
+    Action,
+    Policy,
+    PolicyServerError,
+    PolicyUnreachable,
+)
 from labutopia_lerobot.features import observation_features
 from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting, require_choices
 from labutopia_lerobot.world import CONTROL_HZ
-
-
-class PolicyServerError(UserError):
-    """A server that cannot be used, or whose policy raised; the message has its own words."""
 
 
 class Server(Protocol):

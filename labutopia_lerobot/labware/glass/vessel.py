@@ -12,7 +12,7 @@ from labutopia_lerobot.labware.glass.fittings import Fitting
 from labutopia_lerobot.labware.glass.material import BOROSILICATE, Material
 from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
 from labutopia_lerobot.labware.glass.thread import Thread
-from labutopia_lerobot.labware.glass.vessel_look import add_look
+from labutopia_lerobot.labware.glass.vessel_look import VesselLook, add_look
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.contact import FRICTION
 from labutopia_lerobot.labware.parts.form import Form
@@ -139,7 +139,7 @@ class Vessel(Loose):
             body.inertia = (transverse, transverse, axial)
         for site, height in ((f"{self.name}_grasp", self.grip_height), (self.rim, self.height)):
             body.add_site(name=site, pos=(0, 0, height), group=COLLISION_GROUP)
-        add_look(spec, body, self)
+        add_look(spec, body, self._look)
         self._add_base(body)
         for band, (lower, upper) in enumerate(pairwise(self.profile.inner)):
             self._add_wall(spec, body, band, lower, upper)
@@ -153,6 +153,19 @@ class Vessel(Loose):
         for fitting in self.fittings:
             fitting.add_to(spec, self.name, body)
         return body
+
+    @property
+    def _look(self) -> VesselLook:
+        return VesselLook(
+            self.name,
+            self.profile,
+            self.material,
+            self.stands,
+            self.graduated,
+            self.numbered,
+            self.one_mark,
+            self.thread,
+        )
 
     def _add_base(self, body: mujoco.MjsBody) -> None:
         """Close the bottom with a disc, and stand it on a ring of small spheres as on its rim."""

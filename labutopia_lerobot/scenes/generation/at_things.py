@@ -2,19 +2,15 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from labutopia_lerobot.scenes.generation.spots import Patch, points
+from labutopia_lerobot.scenes.generation.where import Standing, Walls
 from labutopia_lerobot.scenes.plan import Heading, Placed
 from labutopia_lerobot.scenes.space.boxes import Boxes
 from labutopia_lerobot.scenes.space.extent import Extent, extent
 from labutopia_lerobot.world import FloatArray
-
-if TYPE_CHECKING:
-    from labutopia_lerobot.scenes.generation.footprint import Region
-    from labutopia_lerobot.scenes.generation.sketch import Sketch
 
 _APART = 0.03
 """Between two things on a bench [m]."""
@@ -34,10 +30,10 @@ class On:
     edge = 1.0
     apart = 0.4
 
-    def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         around = np.array([0.0, _APART, 0.0])
-        for carrier, top in sketch.tops(self.kinds, region):
+        for carrier, top in standing.tops(self.kinds):
             facing: Heading = 0 if top.behind else 180
             sole = kind.sole.placed(facing)
             sole = Boxes(sole.low - around, sole.high + around)
@@ -65,10 +61,10 @@ class Before:
     edge = 0.0
     apart = 0.6
 
-    def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         front, back = -kind.hull.low[0, 0], kind.hull.high[0, 0]
-        for carrier, top in sketch.tops(self.kinds, region):
+        for carrier, top in standing.tops(self.kinds):
             facing: Heading = 180 if top.behind else 0
             edge = top.x[1] + front if top.behind else top.x[0] - front
             away = np.array([-0.25, 0.05, 0.45])  # under it, at it, clear of its drawers
@@ -99,9 +95,9 @@ class Facing:
     edge = 0.0
     apart = 0.0
 
-    def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
-        for faced in sketch.of_kind(self.kind, region):
+        for faced in standing.of_kind(self.kind):
             hull = extent(self.kind).hull
             front = float(hull.low[0, 0] + kind.hull.low[0, 0])
             x = points(front - self.away[1], front - self.away[0])

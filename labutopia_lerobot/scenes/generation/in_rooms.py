@@ -2,18 +2,14 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from labutopia_lerobot.scenes.generation.spots import Patch, points
+from labutopia_lerobot.scenes.generation.where import Standing, Walls
 from labutopia_lerobot.scenes.plan import Heading
 from labutopia_lerobot.scenes.space.boxes import Boxes
 from labutopia_lerobot.scenes.space.extent import Extent
-
-if TYPE_CHECKING:
-    from labutopia_lerobot.scenes.generation.footprint import Region
-    from labutopia_lerobot.scenes.generation.sketch import Sketch
 
 HEADINGS: tuple[Heading, ...] = (0, 90, 180, 270)
 _GAP = 0.01
@@ -46,11 +42,11 @@ class AtWall:
     def on_floor(self) -> bool:
         return self.height == 0.0
 
-    def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         for heading in HEADINGS:
-            if not self.outer or heading in region.outer:
-                x, y = _inside(_with_back_free(kind).placed(heading), region)
+            if not self.outer or heading in walls.outer:
+                x, y = _inside(_with_back_free(kind).placed(heading), walls)
                 yield _against(heading, x, y, self.height)
 
     def spelt(self, kind: Extent) -> str:
@@ -77,12 +73,12 @@ class Peninsula:
     def walkway(self) -> tuple[float, float, float]:
         return self.aisle, self.aisle, 0.0
 
-    def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         for wall in HEADINGS:
             for heading in HEADINGS:
                 if (wall - heading) % 180 == 90:
-                    x, y = _inside(kind.hull.placed(heading), region)
+                    x, y = _inside(kind.hull.placed(heading), walls)
                     yield _against(wall, x, y, 0.0, heading)
 
     def spelt(self, kind: Extent) -> str:
@@ -108,12 +104,12 @@ class InMiddle:
     def walkway(self) -> tuple[float, float, float]:
         return self.aisle, self.aisle, self.aisle
 
-    def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         around = np.array([self.aisle, self.aisle, 0.0])
         for heading in HEADINGS:
             hull = kind.hull.placed(heading)
-            x, y = _inside(Boxes(hull.low - around, hull.high + around), region)
+            x, y = _inside(Boxes(hull.low - around, hull.high + around), walls)
             yield Patch(points(*x, _COARSE), points(*y, _COARSE), heading)
 
     def spelt(self, kind: Extent) -> str:
@@ -131,10 +127,10 @@ class ToWorkAt:
     edge = 0.5
     apart = 0.0
 
-    def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         for heading in HEADINGS:
-            x, y = _inside(kind.hull.placed(heading), region)
+            x, y = _inside(kind.hull.placed(heading), walls)
             yield Patch(points(*x, _COARSE), points(*y, _COARSE), heading)
 
     def spelt(self, kind: Extent) -> str:
@@ -150,12 +146,12 @@ def _with_back_free(kind: Extent) -> Boxes:
     return Boxes(kind.hull.low, high)
 
 
-def _inside(hull: Boxes, region: "Region") -> tuple[tuple[float, float], tuple[float, float]]:
+def _inside(hull: Boxes, walls: Walls) -> tuple[tuple[float, float], tuple[float, float]]:
     """Return least and greatest x and y at which a box is in a region, a gap from its walls."""
     (x_low, y_low, _), (x_high, y_high, _) = hull.low[0], hull.high[0]
     return (
-        (region.x[0] + _GAP - x_low, region.x[1] - _GAP - x_high),
-        (region.y[0] + _GAP - y_low, region.y[1] - _GAP - y_high),
+        (walls.x[0] + _GAP - x_low, walls.x[1] - _GAP - x_high),
+        (walls.y[0] + _GAP - y_low, walls.y[1] - _GAP - y_high),
     )
 
 

@@ -75,6 +75,6 @@ def _nearness(entry: Entry, near: str, sketch: Sketch) -> float:
     """Return 1 beside what it needs, less the farther [1/m]."""
     away = min(
         abs(other.x - entry.piece.x) + abs(other.y - entry.piece.y)
-        for other in sketch.of_kind(near, entry.region)
+        for other in sketch.standing(entry.region).of_kind(near)
     )
     return 1 / (1 + away)

@@ -1,15 +1,15 @@
 """A plan that is being made: what stands already, and whether another piece fits."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.parts.top import Top
 from labutopia_lerobot.scenes.generation.berth import WORK_BENCH, Berth, berth, work_place
 from labutopia_lerobot.scenes.generation.family import Need
 from labutopia_lerobot.scenes.generation.footprint import Footprint, Region
+from labutopia_lerobot.scenes.generation.where import Standing
 from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Heading, Placed, WorkPlace
 from labutopia_lerobot.scenes.space.boxes import TOUCHING, Boxes, joined
@@ -57,11 +57,9 @@ class Sketch:
         self._maps[0].add(masonry(wall, openings, ceiling) for wall in self.footprint.walls)
         self._reaches = [Reach.of(self._maps[0], openings[0])]
 
-    def tops(self, kinds: Sequence[str], region: Region) -> Iterator[tuple[Placed, Top]]:
-        """Yield what can be stood on in a region, of some kinds."""
-        for entry in self.entries:
-            if entry.region == region and entry.piece.kind in kinds:
-                yield from ((entry.piece, top) for top in extent(entry.piece.kind).tops)
+    def standing(self, region: Region) -> Standing:
+        """Return what stands in a region."""
+        return Standing(tuple(entry.piece for entry in self.entries if entry.region == region))
 
     def fitting(
         self, need: Need, region: Region, rng: np.random.Generator | None, tries: int
@@ -74,7 +72,7 @@ class Sketch:
             rng: Draws their order; else they are taken evenly from the whole grid.
             tries: How many spots of the grid are tried at most.
         """
-        patches = list(need.where.patches(extent(need.kind), region, self))
+        patches = list(need.where.patches(extent(need.kind), region, self.standing(region)))
         ends = np.cumsum([0, *(len(patch) for patch in patches)])
         total = int(ends[-1])
         if rng is None:
@@ -132,17 +130,9 @@ class Sketch:
         """Tell which spots are near one of what is needed beside it, shape (n,)."""
         if need.near is None:
             return np.ones(len(spots), bool)
-        wanted = [(piece.x, piece.y) for piece in self.of_kind(need.near, region)]
+        wanted = [(piece.x, piece.y) for piece in self.standing(region).of_kind(need.near)]
         away = np.abs(spots[:, None, :2] - np.reshape(wanted, (-1, 2))).sum(axis=2)
         return np.asarray((away <= need.within).any(axis=1))
-
-    def of_kind(self, kind: str, region: Region) -> list[Placed]:
-        """Return the pieces of a kind in a region."""
-        return [
-            entry.piece
-            for entry in self.entries
-            if entry.piece.kind == kind and entry.region == region
-        ]
 
     def add(self, entry: Entry) -> bool:
         """Add a piece, unless a robot would not get to it or to something else any more."""

@@ -1,14 +1,53 @@
 """Where a piece belongs, in general; `in_rooms` and `at_things` say where there is."""
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Protocol
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Protocol
 
+from labutopia_lerobot.labware.parts.top import Top
 from labutopia_lerobot.scenes.generation.spots import Patch
-from labutopia_lerobot.scenes.space.extent import Extent
+from labutopia_lerobot.scenes.plan import Heading, Placed
+from labutopia_lerobot.scenes.space.extent import Extent, extent
 
-if TYPE_CHECKING:
-    from labutopia_lerobot.scenes.generation.footprint import Region
-    from labutopia_lerobot.scenes.generation.sketch import Sketch
+
+class Walls(Protocol):
+    """What encloses a room of a plan."""
+
+    @property
+    def x(self) -> tuple[float, float]:
+        """Least and greatest [m]."""
+        ...
+
+    @property
+    def y(self) -> tuple[float, float]:
+        """Least and greatest [m]."""
+        ...
+
+    @property
+    def outer(self) -> frozenset[Heading]:
+        """Its outer walls, by the way that they face."""
+        ...
+
+
+@dataclass(frozen=True)
+class Standing:
+    """What stands in a room of a plan already.
+
+    Attributes:
+        pieces: In the order in which they came.
+    """
+
+    pieces: tuple[Placed, ...]
+
+    def tops(self, kinds: Sequence[str]) -> Iterator[tuple[Placed, Top]]:
+        """Yield what can be stood on, of some kinds."""
+        for piece in self.pieces:
+            if piece.kind in kinds:
+                yield from ((piece, top) for top in extent(piece.kind).tops)
+
+    def of_kind(self, kind: str) -> list[Placed]:
+        """Return the pieces of a kind."""
+        return [piece for piece in self.pieces if piece.kind == kind]
 
 
 class Where(Protocol):
@@ -34,8 +73,8 @@ class Where(Protocol):
         """How far it had better be from what stands on the same ground [m]; 0: in a row."""
         ...
 
-    def patches(self, kind: Extent, region: "Region", sketch: "Sketch") -> Iterator[Patch]:
-        """Yield where in a region a piece of a kind could be, whatever else is there."""
+    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
+        """Yield where in a room a piece of a kind could be, whatever else is there."""
         ...
 
     def spelt(self, kind: Extent) -> str:

@@ -1,0 +1,64 @@
+"""Importing what makes a task: `level1/pick` is the function `pick` in `level1/pick.py`."""
+
+import importlib
+import importlib.util
+import inspect
+import sys
+from collections.abc import Callable
+from contextlib import nullcontext
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+
+from labutopia_lerobot.errors import mistakes_located
+from labutopia_lerobot.registry import BEYOND, PACKAGED, UnknownTaskError, require_task
+from labutopia_lerobot.scenario.draw import Draw
+from labutopia_lerobot.task import Task
+
+
+@cache
+def task_function(task_id: str, tasks_dir: str | Path | None = None) -> Callable[[Draw], Task]:
+    """Return the function that makes the task with this id of a draw.
+
+    A function without an argument, whose task is always the same, is called once.
+
+    Raises:
+        FileMistakeError: If the file, or what it calls, raises one of Python's own errors.
+        UnknownTaskError: If there is no such task, or its file defines no such function.
+    """
+    path = require_task(task_id, tasks_dir)
+    located = nullcontext if path.is_relative_to(PACKAGED) else mistakes_located  # ours are bugs
+    folder = path.parents[2 if path.parent.name == BEYOND else 1]
+    with located(folder):
+        function = getattr(_import(task_id, path), path.stem, None)
+    if not callable(function):
+        raise UnknownTaskError(f"{path} must define the function `{path.stem}() -> Task`")
+
+    def made(*draw: Draw) -> Task:
+        with located(folder):
+            return _require_task_value(function(*draw), path)
+
+    if inspect.signature(function).parameters:
+        return made
+    task = made()
+    return lambda draw: task
+
+
+def _require_task_value(task: object, path: Path) -> Task:
+    if not isinstance(task, Task):
+        raise UnknownTaskError(f"`{path.stem}` in {path} returned {task!r}, which is no Task")
+    return task
+
+
+def _import(task_id: str, path: Path) -> ModuleType:
+    if path.is_relative_to(PACKAGED):
+        dotted = ".".join(path.relative_to(PACKAGED).with_suffix("").parts)
+        return importlib.import_module(f"labutopia_lerobot.tasks.{dotted}")
+    name = f"labutopia_user_tasks.{task_id.replace('/', '.')}"
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise UnknownTaskError(f"{path} cannot be imported as Python")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
