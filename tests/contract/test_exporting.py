@@ -27,7 +27,13 @@ from labutopia_lerobot.labware.parts.instrument import Equipment
 
 PIECES = [(kind, None) for kind in catalogue()]
 PIECES += [(kind, list(series.sizes)[-1]) for kind, series in ware().items()]
-every_piece = pytest.mark.parametrize("what", PIECES, ids=[kind for kind, _ in PIECES])
+every_piece = pytest.mark.parametrize(
+    "what",
+    [
+        pytest.param(piece, id=piece[0], marks=[pytest.mark.slow] if number % 4 else [])
+        for number, piece in enumerate(PIECES)
+    ],
+)
 
 FRESH = """
 import json, sys

@@ -104,7 +104,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("damage", DAMAGED.values(), ids=DAMAGED)
-@pytest.mark.parametrize("program", ["evaluate", "publish"])
+@pytest.mark.parametrize("program", ["evaluate", pytest.param("publish", marks=pytest.mark.slow)])
 def test_a_damaged_checkpoint_is_refused(
     damage: Damage, program: str, folder: Path, tmp_path: Path
 ) -> None:

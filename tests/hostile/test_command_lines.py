@@ -77,7 +77,7 @@ LINES = lines(500)
 @pytest.mark.parametrize(
     "number",
     [
-        pytest.param(number, marks=[pytest.mark.slow] if number >= 60 else [])
+        pytest.param(number, marks=[pytest.mark.slow] if number >= 36 else [])
         for number in range(len(LINES))
     ],
 )

@@ -159,7 +159,9 @@ DAMAGED: dict[str, Damage] = {
 
 
 @pytest.mark.parametrize("damage", DAMAGED.values(), ids=DAMAGED)
-@pytest.mark.parametrize("program", PROGRAMS)
+@pytest.mark.parametrize(
+    "program", ["verify", *(pytest.param(n, marks=pytest.mark.slow) for n in list(PROGRAMS)[1:])]
+)
 def test_a_damaged_dataset_is_refused(
     damage: Damage, program: str, dataset: Path, tmp_path: Path
 ) -> None:

@@ -112,7 +112,9 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("damage", DAMAGED.values(), ids=DAMAGED)
-@pytest.mark.parametrize("program", READING)
+@pytest.mark.parametrize(
+    "program", ["report", *(pytest.param(n, marks=pytest.mark.slow) for n in list(READING)[1:])]
+)
 def test_a_damaged_result_is_refused(
     damage: Damage, program: str, folder: Path, tmp_path: Path
 ) -> None:
