@@ -51,6 +51,9 @@ def main() -> None:
         "--dry-run", action="store_true", help="list what would be sent, and send nothing"
     )
     parser.add_argument(
+        "--card", type=Path, metavar="FILE.md", help="write the card there too, to look at it"
+    )
+    parser.add_argument(
         "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
     )
     arguments = parser.parse_args()
@@ -59,6 +62,9 @@ def main() -> None:
     busy, console = Console(stderr=True), Console(highlight=False, soft_wrap=True)
     with doing(busy, f"Verifying {arguments.what}"):
         repository = _repository(arguments.what, arguments.repo_id, results, arguments.tasks_dir)
+    if arguments.card is not None:
+        arguments.card.parent.mkdir(parents=True, exist_ok=True)
+        arguments.card.write_bytes(repository.card)
     if arguments.dry_run:
         console.print(_list(repository, arguments.repo_id, arguments.private), markup=False)
         return

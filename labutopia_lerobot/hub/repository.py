@@ -23,6 +23,12 @@ class Repository:
     tag: str | None = None
 
     @property
+    def card(self) -> bytes:
+        """Content of its card."""
+        content = self.files[CARD]
+        return content if isinstance(content, bytes) else content.read_bytes()
+
+    @property
     def sizes(self) -> dict[str, int]:
         """Path in the repository -> size [bytes]."""
         return {

@@ -110,10 +110,11 @@ def test_a_damaged_dataset_is_not_published(
 
 
 def test_a_dry_run_lists_every_file_and_asks_nothing(
-    filmed: Path, hub: LoopbackHub, monkeypatch: pytest.MonkeyPatch, capsys
+    filmed: Path, hub: LoopbackHub, monkeypatch: pytest.MonkeyPatch, capsys, tmp_path: Path
 ) -> None:
+    card = tmp_path / "cards/pick.md"
     arguments = ["labutopia-publish", str(filmed), "--repo-id", ME, "--private", "--dry-run"]
-    monkeypatch.setattr(sys, "argv", arguments)
+    monkeypatch.setattr(sys, "argv", [*arguments, "--card", str(card)])
     program.main()
     *files, told = capsys.readouterr().out.splitlines()
     sizes = {line.split()[1]: int(line.split()[0].replace(",", "")) for line in files}
@@ -121,6 +122,8 @@ def test_a_dry_run_lists_every_file_and_asks_nothing(
         if file.is_file():
             assert sizes.pop(str(file.relative_to(filmed))) == file.stat().st_size
     assert sizes.keys() == {CARD, "assets/strip.jpg"}
+    assert sizes[CARD] == card.stat().st_size
+    assert "# LabUtopia level1/pick" in card.read_text()
     assert f"{len(files)} files" in told
     assert f"dataset {ME} (private), tag v3.0. Nothing was sent" in told
     assert not hub.requests
