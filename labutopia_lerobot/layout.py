@@ -25,7 +25,7 @@ class ImpossibleStartError(UserError, ValueError):
     """A start that cannot be; the message names the things and their regions."""
 
 
-class Switch(Protocol):
+class LampSwitch(Protocol):
     """A push-button that toggles a lamp each time it clicks in."""
 
     @property
@@ -68,7 +68,7 @@ class Piece(Thing, Protocol):
         ...
 
     @property
-    def switches(self) -> "tuple[Switch, ...]":
+    def switches(self) -> "tuple[LampSwitch, ...]":
         """Its electric switches."""
         ...
 

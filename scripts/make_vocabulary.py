@@ -21,7 +21,7 @@ from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.parts import form
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.instrument import Equipment, Instrument
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.robots import ROBOTS
 from labutopia_lerobot.setting import option_help
 from labutopia_lerobot.skills import posture, skill
@@ -84,8 +84,8 @@ def _chapters() -> Iterator[str]:
         yield from with_attributes(kind)
     yield f"Finishes of forms: {', '.join(f'`{name}`' for name in FINISHES)}."
     yield ""
-    yield from _from(Place.__module__)
-    yield from with_attributes(Place)
+    yield from _from(Seat.__module__)
+    yield from with_attributes(Seat)
     yield from _chapter("Where pieces start", "labutopia_lerobot.layout")
     for kind in _dataclasses(layout, having="sample"):
         yield from with_attributes(kind)

@@ -87,7 +87,7 @@ def still(env: LabEnv) -> Actor:
 
 
 @dataclass(frozen=True)
-class _Drawing:
+class _RandomActions:
     """Draws every action from a space."""
 
     space: Any
@@ -100,4 +100,4 @@ class _Drawing:
 
 def random_walk(env: LabEnv) -> Actor:
     """Draw every action from the whole box."""
-    return _Drawing(env.action_space, np.random.default_rng(env.seed))
+    return _RandomActions(env.action_space, np.random.default_rng(env.seed))

@@ -31,7 +31,7 @@ class DamagedDatasetError(UserError):
     """A file of a dataset is missing or cannot be read; the message names it."""
 
 
-class Feature(TypedDict):
+class FeatureDescription(TypedDict):
     """What LeRobot says of a feature; of videos `info` says more."""
 
     dtype: str
@@ -48,7 +48,7 @@ class Info(TypedDict):
     fps: int
     total_episodes: int
     total_frames: int
-    features: dict[str, Feature]
+    features: dict[str, FeatureDescription]
 
 
 class RecordedWith(TypedDict):

@@ -136,7 +136,7 @@ def _draw_all(
             if place.exists():  # drawn before an interruption
                 continue
             unfinished = Path(tempfile.mkdtemp(dir=work, suffix=UNFINISHED))
-            with _Drawing(unfinished, config) as drawing:
+            with _Encoding(unfinished, config) as drawing:
                 played = player.play(drawn_with(row, tasks_dir, **chosen), frames, drawing)
             _require_faithful(root, row, played)
             arrays: dict[str, Any] = _columns(source / place.name / COLUMNS)
@@ -175,7 +175,7 @@ def _columns(file: Path) -> Columns:
     return columns
 
 
-class _Drawing:
+class _Encoding:
     """A `Look` that encodes what every camera sees; a context manager.
 
     Args:

@@ -23,7 +23,7 @@ from labutopia_lerobot.datasets.verification.structure import (
     check_info,
     check_videos,
 )
-from labutopia_lerobot.datasets.verification.subject import Subject
+from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
 from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.task import SUCCESS
 
@@ -31,7 +31,7 @@ PICTURES = 4
 """Frames of each episode that are drawn again by default."""
 
 
-type Check = Callable[[Subject], Iterator[Finding]]
+type Check = Callable[[VerifiedDataset], Iterator[Finding]]
 
 _DAMAGE = (ArithmeticError, LookupError, MemoryError, TypeError, ValueError)
 """What computing with numbers and texts of the wrong kind raises."""
@@ -89,7 +89,7 @@ def require_intact(root: Path) -> None:
 def _verdict(root: Path, tasks_dir: str | None, checks: list[Check]) -> Verdict:
     findings: list[Finding] = []
     try:
-        subject = Subject.of(root, tasks_dir)
+        subject = VerifiedDataset.of(root, tasks_dir)
         for check in checks:
             findings += check(subject)
     except DamagedDatasetError as error:
@@ -100,7 +100,7 @@ def _verdict(root: Path, tasks_dir: str | None, checks: list[Check]) -> Verdict:
     )
 
 
-def _check_recording(subject: Subject) -> Iterator[Finding]:
+def _check_recording(subject: VerifiedDataset) -> Iterator[Finding]:
     """Yield what is wrong with what the recording tells of itself."""
     if subject.edited is not None:
         yield Unchecked(f"whether the recording is complete: {subject.edited}")
@@ -117,7 +117,7 @@ def _check_recording(subject: Subject) -> Iterator[Finding]:
             yield Fault(f"{EPISODES}: failures, but {RECORDING} keeps successes only")
 
 
-def _check_seeds(subject: Subject) -> Iterator[Finding]:
+def _check_seeds(subject: VerifiedDataset) -> Iterator[Finding]:
     """Yield where an episode stands there twice.
 
     Recordings that were merged may have seeds in common, where they differ in code or machine.
@@ -147,7 +147,7 @@ def _whatever_comes(check: Check) -> Check:
     Tables of numbers and texts can be wrong in more ways than are told one by one.
     """
 
-    def careful(subject: Subject) -> Iterator[Finding]:
+    def careful(subject: VerifiedDataset) -> Iterator[Finding]:
         try:
             yield from check(subject)
         except _DAMAGE as error:

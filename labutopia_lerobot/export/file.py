@@ -7,7 +7,7 @@ import mujoco
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.export.mjcf import write_mjcf
-from labutopia_lerobot.export.subject import Subject
+from labutopia_lerobot.export.subject import ExportSubject
 from labutopia_lerobot.export.summary import Summary, summary_of_model
 
 _MJCF, _USD = (".xml",), (".usda", ".usdc")
@@ -23,7 +23,7 @@ class DamagedExportError(RuntimeError):
     """A file that does not say what it should: a bug of the exporter."""
 
 
-def export(subject: Subject, out: Path) -> Summary:
+def export(subject: ExportSubject, out: Path) -> Summary:
     """Write a file, over one that is there, open it again and compare.
 
     The same subject gives the same bytes. Textures go into a folder beside the file.

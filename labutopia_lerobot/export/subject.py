@@ -31,7 +31,7 @@ class UnknownSubjectError(UserError, ValueError):
 
 
 @dataclass(frozen=True)
-class Subject:
+class ExportSubject:
     """What is exported.
 
     Attributes:
@@ -45,7 +45,7 @@ class Subject:
     model: mujoco.MjModel
 
 
-def find_subject(what: str, size: str | None = None, seed: int = 0) -> Subject:
+def find_subject(what: str, size: str | None = None, seed: int = 0) -> ExportSubject:
     """Return what has a name.
 
     Args:
@@ -97,7 +97,7 @@ def _few(names: list[str]) -> str:
     return ", ".join(names[:_SHOWN]) + more
 
 
-def _piece(name: str, piece: Piece) -> Subject:
+def _piece(name: str, piece: Piece) -> ExportSubject:
     """Return a piece at the origin; what stands free falls unless it is put onto something."""
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
@@ -109,7 +109,7 @@ def _piece(name: str, piece: Piece) -> Subject:
     return _compiled(name, spec)
 
 
-def _task(task: str, seed: int) -> Subject:
+def _task(task: str, seed: int) -> ExportSubject:
     """Return the scene of an episode as it begins; vessels are empty, liquids are no part of it."""
     cells = Workcells(Setting(task, obs="state", liquid=LIQUID[1]))
     try:
@@ -134,6 +134,6 @@ def _with_options(spec: mujoco.MjSpec) -> mujoco.MjSpec:
     return spec
 
 
-def _compiled(name: str, spec: mujoco.MjSpec) -> Subject:
+def _compiled(name: str, spec: mujoco.MjSpec) -> ExportSubject:
     spec.modelname = name
-    return Subject(name, spec, spec.compile())
+    return ExportSubject(name, spec, spec.compile())

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import kernel
-from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes
+from labutopia_lerobot.liquids.solver.bodies import BodyFrames, Glass, Shapes
 from labutopia_lerobot.liquids.solver.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
 from labutopia_lerobot.liquids.solver.walls import EDGE_NUMBERS, edges_of
 from labutopia_lerobot.substances.filling import Fillable
@@ -147,5 +147,5 @@ def _shapes(model: mujoco.MjModel, geoms: NDArray[np.intp]) -> Shapes:
     return Shapes(np.array(kinds, dtype=np.int64), size, fixed, *frames)
 
 
-def _frames(count: int) -> Frames:
-    return Frames(np.zeros((count, 3)), np.tile(np.eye(3), (count, 1, 1)))
+def _frames(count: int) -> BodyFrames:
+    return BodyFrames(np.zeros((count, 3)), np.tile(np.eye(3), (count, 1, 1)))

@@ -32,7 +32,7 @@ _CELL = 0.1
 """Of the grid on which is told what is in the same room [m]."""
 
 
-class Surface(NamedTuple):
+class SceneryMesh(NamedTuple):
     """What is drawn alike.
 
     Attributes:
@@ -47,7 +47,7 @@ class Surface(NamedTuple):
 
 
 @cache
-def scenery(plan: Plan) -> tuple[Surface, ...]:
+def scenery(plan: Plan) -> tuple[SceneryMesh, ...]:
     """Return what is seen from the first work place of a plan, but floor, walls and its bench."""
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
@@ -64,7 +64,7 @@ def scenery(plan: Plan) -> tuple[Surface, ...]:
             look = "clear" if color[3] < _CLEAR else "shiny" if specular > _SHINES else "matt"
             found.setdefault(look, []).append((_placed(model, data, geom), color))
     return tuple(
-        Surface(
+        SceneryMesh(
             look,
             shell.joined([mesh for mesh, _ in parts]),
             np.repeat([color for _, color in parts], [len(mesh[2]) for mesh, _ in parts], axis=0),

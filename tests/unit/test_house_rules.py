@@ -133,24 +133,20 @@ def test_files_are_short():
     assert not long
 
 
-def test_no_module_or_class_of_the_evaluation_shares_its_name_with_another():
-    modules = [path for path in SOURCES if path.stem != "__init__" and room(path) != "cli"]
-    stems = Counter(path.stem for path in modules)
+def test_no_two_classes_have_one_name():
     classes = Counter(
         node.name
-        for path in modules
+        for path in SOURCES
         for node in ast.walk(ast.parse(path.read_text()))
         if isinstance(node, ast.ClassDef)
     )
-    own = [path for path in modules if room(path) == "evaluation"]
-    assert not {path.stem for path in own if stems[path.stem] > 1}
-    names = {
-        node.name
-        for path in own
-        for node in ast.walk(ast.parse(path.read_text()))
-        if isinstance(node, ast.ClassDef)
-    }
-    assert not {name for name in names if classes[name] > 1}
+    assert [name for name, count in classes.items() if count > 1] == []
+
+
+def test_no_module_of_the_evaluation_shares_its_name_with_another():
+    stems = Counter(path.stem for path in SOURCES if room(path) != "cli")
+    own = {path.stem for path in SOURCES if room(path) == "evaluation"} - {"__init__"}
+    assert {stem for stem in own if stems[stem] > 1} == set()
 
 
 def test_the_evaluation_tells_of_all_its_modules():

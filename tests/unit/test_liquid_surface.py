@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.liquids.drawing.open_space import PlacedSpace, inside_vessel, look_up
-from labutopia_lerobot.liquids.drawing.surface import Surface, VesselPose, liquid_surface
+from labutopia_lerobot.liquids.drawing.surface import LiquidSurface, VesselPose, liquid_surface
 
 VOLUME = 1e-7
 SPACING = VOLUME ** (1 / 3)
@@ -73,19 +73,19 @@ def cloud(request):
     return positions, vessels, liquid_surface(positions, SPACING, vessels, BENCH)
 
 
-def triangles(surface: Surface) -> np.ndarray:
+def triangles(surface: LiquidSurface) -> np.ndarray:
     """Return the corners of all triangles, shape (t, 3, 3)."""
     faces = np.concatenate([surface.quads[:, [0, 1, 2]], surface.quads[:, [0, 2, 3]]])
     return surface.vertices_w.astype(float)[faces]
 
 
-def volume(surface: Surface) -> float:
+def volume(surface: LiquidSurface) -> float:
     """Return the volume enclosed, by the divergence theorem."""
     a, b, c = np.moveaxis(triangles(surface) - surface.vertices_w.mean(axis=0), 1, 0)
     return float(np.einsum("ij,ij", a, np.cross(b, c)) / 6)
 
 
-def winding(surface: Surface, points: np.ndarray) -> np.ndarray:
+def winding(surface: LiquidSurface, points: np.ndarray) -> np.ndarray:
     """Return how often the surface goes around points (van Oosterom and Strackee 1983)."""
     turns = []
     for point in points:
@@ -98,7 +98,7 @@ def winding(surface: Surface, points: np.ndarray) -> np.ndarray:
     return np.array(turns)
 
 
-def pieces(surface: Surface) -> int:
+def pieces(surface: LiquidSurface) -> int:
     """Return how many parts the surface has that do not hang together."""
     pairs = surface.quads[:, [0, 1, 1, 2, 2, 3]].reshape(-1, 2)
     count = len(surface.vertices_w)

@@ -27,7 +27,7 @@ from labutopia_lerobot.datasets.tables import (
 )
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
 from labutopia_lerobot.datasets.verification.pictures import PictureCheck
-from labutopia_lerobot.datasets.verification.subject import Subject
+from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
 from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences
@@ -43,7 +43,7 @@ ALL = -1
 """As a number of frames: every frame of an episode."""
 
 
-def check_features(subject: Subject) -> Iterator[Finding]:
+def check_features(subject: VerifiedDataset) -> Iterator[Finding]:
     """Yield where the features are not those that the environment declares."""
     settings = {}
     for row in subject.episodes:
@@ -72,7 +72,7 @@ def check_features(subject: Subject) -> Iterator[Finding]:
     yield from _check_segments(subject, settings)
 
 
-def _check_segments(subject: Subject, settings: Iterable[Setting]) -> Iterator[Finding]:
+def _check_segments(subject: VerifiedDataset, settings: Iterable[Setting]) -> Iterator[Finding]:
     """Yield where the numbers of a segmentation are said to mean something else."""
     segmented = [setting for setting in settings if SEGMENTATION in setting.extras]
     meant = {setting: list(segment_names(canonical_task(setting))) for setting in segmented}
@@ -85,7 +85,7 @@ def _check_segments(subject: Subject, settings: Iterable[Setting]) -> Iterator[F
             )
 
 
-def check_replay(subject: Subject, pictures: int) -> Iterator[Finding]:
+def check_replay(subject: VerifiedDataset, pictures: int) -> Iterator[Finding]:
     """Yield where an episode, played again from its seed and commands, is another one.
 
     Args:
@@ -155,7 +155,7 @@ def _compare_pictures(check: PictureCheck) -> Iterator[str]:
             yield f"frame {off.frame} of {key} is not what the camera sees: {off.text}"
 
 
-def _other_build(subject: Subject) -> str | None:
+def _other_build(subject: VerifiedDataset) -> str | None:
     """Return in what this build differs from the one that recorded, None if in nothing."""
     if subject.recording is None:
         return "which one is not known"

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.declaration import IMAGES
 from labutopia_lerobot.datasets.tables import RENDERER, Row
-from labutopia_lerobot.datasets.verification.subject import Subject
+from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.pictures import COLOR, camera_and_kind
 from labutopia_lerobot.runtime.video import ENCODINGS, read_frames
@@ -62,7 +62,7 @@ class PictureCheck:
         worst: Feature key -> the picture that is furthest off.
     """
 
-    def __init__(self, subject: Subject, row: Row, wanted: Collection[int]) -> None:
+    def __init__(self, subject: VerifiedDataset, row: Row, wanted: Collection[int]) -> None:
         self._wanted = frozenset(wanted)
         self._drawn_by = row.get(RENDERER)
         self._decoded = {

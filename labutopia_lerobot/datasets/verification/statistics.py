@@ -19,7 +19,7 @@ from labutopia_lerobot.datasets.tables import (
 )
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
 from labutopia_lerobot.datasets.verification.structure import WITHOUT_STATISTICS
-from labutopia_lerobot.datasets.verification.subject import Subject
+from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
 from labutopia_lerobot.runtime.video import QUANTILES
 
 _COUNTERS = ("index", "frame_index", "episode_index", "task_index", "timestamp")
@@ -41,7 +41,7 @@ Statistics = dict[str, NDArray[np.float64]]
 """`min`, `max`, `mean`, `std` and, of each quantile, `low` and `high` -> shape (elements,)."""
 
 
-def check_statistics(subject: Subject) -> Iterator[Finding]:
+def check_statistics(subject: VerifiedDataset) -> Iterator[Finding]:
     """Yield what is wrong with the statistics of episodes and dataset."""
     stored = read_episode_statistics(subject.root)
     numbers = [
@@ -70,7 +70,7 @@ def check_statistics(subject: Subject) -> Iterator[Finding]:
 
 
 def _check_dataset(
-    subject: Subject,
+    subject: VerifiedDataset,
     computed: Mapping[str, "_Together"],
     stored: Mapping[str, NDArray[np.float64]],
 ) -> Iterator[Finding]:

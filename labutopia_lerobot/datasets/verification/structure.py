@@ -15,7 +15,7 @@ from labutopia_lerobot.datasets.description import (
 )
 from labutopia_lerobot.datasets.tables import EPISODES, Row, column, frames_of_episodes
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding
-from labutopia_lerobot.datasets.verification.subject import Subject
+from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
 from labutopia_lerobot.runtime.video import video_size_and_frames
 
 FORMAT = "v3.0"
@@ -24,7 +24,7 @@ WITHOUT_STATISTICS = ("string", "language")
 """Types of which LeRobot keeps no statistics."""
 
 
-def check_info(subject: Subject) -> Iterator[Finding]:
+def check_info(subject: VerifiedDataset) -> Iterator[Finding]:
     """Yield what is wrong with format, tasks and the keys of the statistics."""
     if subject.info["codebase_version"] != FORMAT:
         yield Fault(f"{INFO}: format {subject.info['codebase_version']}, not {FORMAT}")
@@ -42,7 +42,7 @@ def check_info(subject: Subject) -> Iterator[Finding]:
             yield Fault(f"{STATISTICS}: no statistics of {key}")
 
 
-def check_episodes(subject: Subject) -> Iterator[Finding]:
+def check_episodes(subject: VerifiedDataset) -> Iterator[Finding]:
     """Yield what is wrong with the counting of the episode table."""
     total, rows = subject.info["total_episodes"], subject.episodes
     if [row["episode_index"] for row in rows] != list(range(total)):
@@ -59,7 +59,7 @@ def check_episodes(subject: Subject) -> Iterator[Finding]:
         yield Fault(f"{EPISODES}: {first} frames, but {INFO} has {subject.info['total_frames']}")
 
 
-def check_frames(subject: Subject) -> Iterator[Finding]:
+def check_frames(subject: VerifiedDataset) -> Iterator[Finding]:
     """Yield what is wrong with the table of frames: counters, shapes, numbers."""
     count = 0
     try:
@@ -73,7 +73,7 @@ def check_frames(subject: Subject) -> Iterator[Finding]:
         yield Fault(f"data: {count} frames, but {INFO} has {subject.info['total_frames']}")
 
 
-def _check_frames_of(subject: Subject, row: Row, frames: pa.Table) -> Iterator[Finding]:
+def _check_frames_of(subject: VerifiedDataset, row: Row, frames: pa.Table) -> Iterator[Finding]:
     where = f"data: episode {row['episode_index']}"
     frame_index = np.arange(row["length"])
     counters = {
@@ -105,7 +105,7 @@ def _check_frames_of(subject: Subject, row: Row, frames: pa.Table) -> Iterator[F
         yield Fault(f"{where}: task_index says {sorted(map(str, said))}, not {row['tasks']}")
 
 
-def check_videos(subject: Subject) -> Iterator[Finding]:
+def check_videos(subject: VerifiedDataset) -> Iterator[Finding]:
     """Yield what is wrong with the videos: readable, of the right size, as many frames as rows."""
     for key in subject.cameras:
 
@@ -116,7 +116,9 @@ def check_videos(subject: Subject) -> Iterator[Finding]:
             yield from _check_video(subject, path, key, list(rows))
 
 
-def _check_video(subject: Subject, path: Path, key: str, rows: list[Row]) -> Iterator[Finding]:
+def _check_video(
+    subject: VerifiedDataset, path: Path, key: str, rows: list[Row]
+) -> Iterator[Finding]:
     where, shape = path.relative_to(subject.root), subject.features[key]["shape"]
     fps = subject.info["fps"]
     try:

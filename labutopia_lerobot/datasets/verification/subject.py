@@ -28,7 +28,7 @@ from labutopia_lerobot.foreign_files import inside
 
 
 @dataclass(frozen=True)
-class Subject:
+class VerifiedDataset:
     """A dataset, as far as it can be read.
 
     Attributes:
@@ -44,7 +44,7 @@ class Subject:
     tasks_dir: str | None = None
 
     @classmethod
-    def of(cls, root: Path, tasks_dir: str | None = None) -> "Subject":
+    def of(cls, root: Path, tasks_dir: str | None = None) -> "VerifiedDataset":
         """Read a dataset.
 
         Raises:

@@ -9,7 +9,7 @@ import mujoco
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.joinery import Chest, Cupboard
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.solid import UNTURNED, Quaternion, Vector
 from labutopia_lerobot.labware.parts.top import Top
 
@@ -36,7 +36,7 @@ class Fitted(Instrument, ABC):
         return tuple(part for unit in self._units() for part in unit.made.mechanisms)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """What its tops carry, then what stands in its units."""
         inside = (place for unit in self._units() for place in unit.made.places)
         return (*self._places_on_top(), *inside)
@@ -45,7 +45,7 @@ class Fitted(Instrument, ABC):
     def _units(self) -> Sequence[Unit]:
         """Return its cupboards and chests."""
 
-    def _places_on_top(self) -> Sequence[Place]:
+    def _places_on_top(self) -> Sequence[Seat]:
         """Return where things stand on it."""
         return along(self.name, "top", self.tops[0], count=3) if self.tops else ()
 
@@ -54,7 +54,7 @@ class Fitted(Instrument, ABC):
             unit.made.add_to(spec, body, self.name, unit.at, unit.quat)
 
 
-def along(piece: str, label: str, top: Top, count: int) -> tuple[Place, ...]:
+def along(piece: str, label: str, top: Top, count: int) -> tuple[Seat, ...]:
     """Return places in a row on a top, numbered from right to left.
 
     Args:
@@ -66,7 +66,7 @@ def along(piece: str, label: str, top: Top, count: int) -> tuple[Place, ...]:
     (near, far), (right, left) = top.x, top.y
     step = (left - right) / count
     return tuple(
-        Place(
+        Seat(
             f"{piece}_{label}_{n}",
             piece,
             ((near + far) / 2, right + (n + 0.5) * step, top.height),

@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.form import Form
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.mounting import Still
 from labutopia_lerobot.labware.parts.openable import Door, Drawer
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.solid import Vector
 from labutopia_lerobot.labware.parts.top import Top
 
@@ -44,7 +44,7 @@ class Equipment(Still):
         return ()
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """Where things stand on it or are put in."""
         return ()
 

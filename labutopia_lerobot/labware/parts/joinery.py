@@ -8,8 +8,8 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.fittings import tub
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Span
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.labware.parts.solid import UNTURNED, Quaternion, Vector
 
@@ -64,13 +64,13 @@ class Cupboard:
         return tuple(Rotor(name, 0.3, effort=4.0, widest=_WIDEST) for name in names)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The middles of floor and shelves, from below."""
         deep, wide, _ = self.size
         width = 0.7 * min(deep, wide)
         heights = (self.plinth + BOARD, *(z + BOARD / 2 for z in self.shelves))
         return tuple(
-            Place(f"{self.name}_shelf_{number}", self.name, (0.0, 0.0, height), width)
+            Seat(f"{self.name}_shelf_{number}", self.name, (0.0, 0.0, height), width)
             for number, height in enumerate(heights)
         )
 
@@ -169,12 +169,12 @@ class Chest:
         return tuple(Slide(name, travel, friction=4.0, effort=25.0) for name in names)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The middles of the drawers, from below."""
         deep, wide, _ = self.size
         at = (deep / 2, 0.0, _TRAY + 0.004)
         width = 0.7 * min(deep, wide)
-        return tuple(Place(f"{d.name}_middle", d.name, at, width) for d in self.mechanisms)
+        return tuple(Seat(f"{d.name}_middle", d.name, at, width) for d in self.mechanisms)
 
     def add_to(
         self,

@@ -7,8 +7,8 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.form import Form
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Mass
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.solid import Vector
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
@@ -37,9 +37,9 @@ class Pan:
         return f"{self.name}_force"
 
     @property
-    def place(self) -> Place:
+    def place(self) -> Seat:
         """Where things stand on it."""
-        return Place(f"{self.name}_middle", self.name, (0.0, 0.0, self.top), self.width)
+        return Seat(f"{self.name}_middle", self.name, (0.0, 0.0, self.top), self.width)
 
     def reading(self, digits: int, most: float) -> Mass:
         """Return the mass on it in grams, to so many digits, up to a capacity [g]."""

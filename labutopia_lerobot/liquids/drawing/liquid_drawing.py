@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.drawing.colors import REACH, colors_at
-from labutopia_lerobot.liquids.drawing.surface import Surface, VesselPose, liquid_surface
+from labutopia_lerobot.liquids.drawing.surface import LiquidSurface, VesselPose, liquid_surface
 from labutopia_lerobot.substances.substance import Color
 from labutopia_lerobot.world.model import SKIN_GROUP
 
@@ -108,7 +108,7 @@ class LiquidDrawing:
         vessels: Sequence[VesselPose],
         bench_height: float,
         amounts: NDArray[np.float64] | None = None,
-    ) -> Surface:
+    ) -> LiquidSurface:
         """Find the surface that the next pictures show, and return it.
 
         Args:

@@ -52,7 +52,7 @@ class VesselPose(NamedTuple):
     rotation_wb: NDArray[np.float64]
 
 
-class Surface(NamedTuple):
+class LiquidSurface(NamedTuple):
     """A closed mesh.
 
     Attributes:
@@ -71,7 +71,7 @@ def liquid_surface(
     spacing: float,
     vessels: Sequence[VesselPose],
     bench_height: float,
-) -> Surface:
+) -> LiquidSurface:
     """Return the surface of one liquid: of its bodies, and of the drops outside them.
 
     Args:
@@ -85,7 +85,7 @@ def liquid_surface(
     grid, bodies = _empty(positions_w, reach, CELL * spacing)
     for space, members in parts:
         add_bodies(bodies, grid, positions_w[members], space, reach, spacing)
-    body = Surface(*surface_of(grid, bodies, -reach))
+    body = LiquidSurface(*surface_of(grid, bodies, -reach))
     for space, _ in parts:
         _keep_inside(body.vertices_w, space)
     loose = outside_bodies(bodies, grid, positions_w, spacing)
@@ -100,8 +100,8 @@ def liquid_surface(
             places, weights = strands(positions_w[these], loose[these], spacing)
             add_drops(drops, drop_grid, places, weights, space, drop_reach, spacing)
     take_away(drops, drop_grid, bodies, grid)
-    rest = Surface(*surface_of(drop_grid, drops, -drop_reach))
-    return Surface(
+    rest = LiquidSurface(*surface_of(drop_grid, drops, -drop_reach))
+    return LiquidSurface(
         np.concatenate([body.vertices_w, rest.vertices_w]),
         np.concatenate([body.normals_w, rest.normals_w]),
         np.concatenate([body.quads, rest.quads + np.int32(len(body.vertices_w))]),

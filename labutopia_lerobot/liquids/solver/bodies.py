@@ -12,7 +12,7 @@ _ROUNDS = 4
 """Turns that every vessel gets at most, to stop what another one has moved."""
 
 
-class Frames(NamedTuple):
+class BodyFrames(NamedTuple):
     """Where bodies are.
 
     Attributes:
@@ -40,8 +40,8 @@ class Glass(NamedTuple):
     starts: NDArray[np.int64]
     middle: NDArray[np.float64]
     radius: NDArray[np.float64]
-    before: Frames
-    now: Frames
+    before: BodyFrames
+    now: BodyFrames
 
 
 class Shapes(NamedTuple):
@@ -58,13 +58,13 @@ class Shapes(NamedTuple):
     kind: NDArray[np.int64]
     size: NDArray[np.float64]
     fixed: NDArray[np.bool_]
-    before: Frames
-    now: Frames
+    before: BodyFrames
+    now: BodyFrames
 
 
 @kernel
 def into(
-    frames: Frames, body: int, point: NDArray[np.float64], result: NDArray[np.float64]
+    frames: BodyFrames, body: int, point: NDArray[np.float64], result: NDArray[np.float64]
 ) -> None:
     """Express a point of the world, shape (3,), in the frame of a body."""
     origin, rotation = frames.origin, frames.rotation
@@ -75,7 +75,7 @@ def into(
 
 @kernel
 def out_of(
-    frames: Frames, body: int, point: NDArray[np.float64], result: NDArray[np.float64]
+    frames: BodyFrames, body: int, point: NDArray[np.float64], result: NDArray[np.float64]
 ) -> None:
     """Express a point in the frame of a body, shape (3,), in the world."""
     origin, rotation = frames.origin, frames.rotation

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import kernel
-from labutopia_lerobot.liquids.solver.bodies import Frames, Glass, Shapes, into
+from labutopia_lerobot.liquids.solver.bodies import BodyFrames, Glass, Shapes, into
 from labutopia_lerobot.liquids.solver.obstacles import distance
 from labutopia_lerobot.liquids.solver.walls import (
     ALONG_R,
@@ -214,7 +214,7 @@ def _add_edge(nr: float, nz: float, far: float, cover: float, wall: NDArray[np.f
 
 @kernel
 def _turn(
-    frames: Frames, body: int, x: float, y: float, z: float, result: NDArray[np.float64]
+    frames: BodyFrames, body: int, x: float, y: float, z: float, result: NDArray[np.float64]
 ) -> None:
     """Express a direction in the frame of a body in the world."""
     rotation = frames.rotation

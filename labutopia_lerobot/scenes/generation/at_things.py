@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from labutopia_lerobot.scenes.generation.spots import Patch, points
-from labutopia_lerobot.scenes.generation.where import Standing, Walls
+from labutopia_lerobot.scenes.generation.where import StandingPieces, Walls
 from labutopia_lerobot.scenes.plan import Heading, Placed
 from labutopia_lerobot.scenes.space.boxes import Boxes
 from labutopia_lerobot.scenes.space.extent import Extent, extent
@@ -30,7 +30,7 @@ class On:
     edge = 1.0
     apart = 0.4
 
-    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: StandingPieces) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         around = np.array([0.0, _APART, 0.0])
         for carrier, top in standing.tops(self.kinds):
@@ -61,7 +61,7 @@ class Before:
     edge = 0.0
     apart = 0.6
 
-    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: StandingPieces) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         front, back = -kind.hull.low[0, 0], kind.hull.high[0, 0]
         for carrier, top in standing.tops(self.kinds):
@@ -95,7 +95,7 @@ class Facing:
     edge = 0.0
     apart = 0.0
 
-    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: StandingPieces) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         for faced in standing.of_kind(self.kind):
             hull = extent(self.kind).hull

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from labutopia_lerobot.scenes.generation.spots import Patch, points
-from labutopia_lerobot.scenes.generation.where import Standing, Walls
+from labutopia_lerobot.scenes.generation.where import StandingPieces, Walls
 from labutopia_lerobot.scenes.plan import Heading
 from labutopia_lerobot.scenes.space.boxes import Boxes
 from labutopia_lerobot.scenes.space.extent import Extent
@@ -42,7 +42,7 @@ class AtWall:
     def on_floor(self) -> bool:
         return self.height == 0.0
 
-    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: StandingPieces) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         for heading in HEADINGS:
             if not self.outer or heading in walls.outer:
@@ -73,7 +73,7 @@ class Peninsula:
     def walkway(self) -> tuple[float, float, float]:
         return self.aisle, self.aisle, 0.0
 
-    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: StandingPieces) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         for wall in HEADINGS:
             for heading in HEADINGS:
@@ -104,7 +104,7 @@ class InMiddle:
     def walkway(self) -> tuple[float, float, float]:
         return self.aisle, self.aisle, self.aisle
 
-    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: StandingPieces) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         around = np.array([self.aisle, self.aisle, 0.0])
         for heading in HEADINGS:
@@ -127,7 +127,7 @@ class ToWorkAt:
     edge = 0.5
     apart = 0.0
 
-    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: StandingPieces) -> Iterator[Patch]:
         """Yield where it could be; see `Where`."""
         for heading in HEADINGS:
             x, y = _inside(kind.hull.placed(heading), walls)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.scenes.generation.berth import WORK_BENCH, Berth, berth, work_place
 from labutopia_lerobot.scenes.generation.family import Need
 from labutopia_lerobot.scenes.generation.footprint import Footprint, Region
-from labutopia_lerobot.scenes.generation.where import Standing
+from labutopia_lerobot.scenes.generation.where import StandingPieces
 from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Heading, Placed, WorkPlace
 from labutopia_lerobot.scenes.space.boxes import TOUCHING, Boxes, joined
@@ -57,9 +57,11 @@ class Sketch:
         self._maps[0].add(masonry(wall, openings, ceiling) for wall in self.footprint.walls)
         self._reaches = [Reach.of(self._maps[0], openings[0])]
 
-    def standing(self, region: Region) -> Standing:
+    def standing(self, region: Region) -> StandingPieces:
         """Return what stands in a region."""
-        return Standing(tuple(entry.piece for entry in self.entries if entry.region == region))
+        return StandingPieces(
+            tuple(entry.piece for entry in self.entries if entry.region == region)
+        )
 
     def fitting(
         self, need: Need, region: Region, rng: np.random.Generator | None, tries: int

@@ -30,7 +30,7 @@ class Walls(Protocol):
 
 
 @dataclass(frozen=True)
-class Standing:
+class StandingPieces:
     """What stands in a room of a plan already.
 
     Attributes:
@@ -73,7 +73,7 @@ class Where(Protocol):
         """How far it had better be from what stands on the same ground [m]; 0: in a row."""
         ...
 
-    def patches(self, kind: Extent, walls: Walls, standing: Standing) -> Iterator[Patch]:
+    def patches(self, kind: Extent, walls: Walls, standing: StandingPieces) -> Iterator[Patch]:
         """Yield where in a room a piece of a kind could be, whatever else is there."""
         ...
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from labutopia_lerobot.labware.parts.fitted import Fitted, Unit, along
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.joinery import Cupboard
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.top import Top
 
 _TOP, _SLAB = 0.900, 0.030
@@ -34,7 +34,7 @@ class BaseCabinet(Fitted):
     def tops(self) -> tuple[Top, ...]:
         return (Top(_TOP, x=(-0.300, 0.300), y=(-0.450, 0.450)),)
 
-    def _places_on_top(self) -> Sequence[Place]:
+    def _places_on_top(self) -> Sequence[Seat]:
         return along(self.name, "top", self.tops[0], count=2)
 
     def _forms(self) -> list[Form]:

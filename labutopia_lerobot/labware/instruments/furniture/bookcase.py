@@ -6,7 +6,7 @@ from itertools import cycle
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.joinery import BOARD, carcass
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _Y, _HEIGHT = 0.450, 1.850
 _SHELVES = (0.430, 0.790, 1.150, 1.510)
@@ -27,10 +27,10 @@ class Bookcase(Instrument):
     source = "900 x 300 x 1850 mm, five levels for folders of A4, as usual; from memory"
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The free ends of its shelves, from below."""
         return tuple(
-            Place(f"{self.name}_shelf_{n}", self.name, (0.0, -0.28, z), width=0.20)
+            Seat(f"{self.name}_shelf_{n}", self.name, (0.0, -0.28, z), width=0.20)
             for n, z in enumerate((0.06 + BOARD, *_SHELVES))
         )
 

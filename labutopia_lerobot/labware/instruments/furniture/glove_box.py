@@ -11,9 +11,9 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Either
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _FLOOR, _ROOF = 0.920, 1.820
 """Heights of the chamber's floor and top [m]."""
@@ -49,10 +49,10 @@ class GloveBox(Instrument):
         return (self.lock,)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The floor of the chamber, left and right."""
         return tuple(
-            Place(f"{self.name}_floor_{side}", self.name, (0.10, y, _FLOOR + _WALL), width=0.40)
+            Seat(f"{self.name}_floor_{side}", self.name, (0.10, y, _FLOOR + _WALL), width=0.40)
             for side, y in (("left", 0.60), ("right", -0.10))
         )
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from labutopia_lerobot.labware.parts.fitted import Fitted, Unit, along
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod
 from labutopia_lerobot.labware.parts.joinery import TURNED_BACK, Chest, Cupboard
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.solid import UNTURNED
 from labutopia_lerobot.labware.parts.top import Top
 
@@ -50,7 +50,7 @@ class IslandBench(Fitted):
             Top(_TOP, x=(middle, _X), y=(-_Y, _Y), behind=True),
         )
 
-    def _places_on_top(self) -> Sequence[Place]:
+    def _places_on_top(self) -> Sequence[Seat]:
         rows = dict(zip(("front", "back"), self.tops, strict=True))
         for label, z in zip(("lower_shelf", "upper_shelf"), _HIGH, strict=True):
             rows[label] = Top(z, x=(-_SHELF, _SHELF), y=(-_Y + 0.05, _Y - 0.05))

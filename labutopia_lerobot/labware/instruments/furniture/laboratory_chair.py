@@ -7,7 +7,7 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, about
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.swivel import Swivel
 
 
@@ -26,9 +26,9 @@ class LaboratoryChair(Swivel):
     rise = 0.120
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The middle of the seat."""
-        return (Place(f"{self.name}_top", self.seat.name, (0.0, 0.0, 0.090), width=0.24),)
+        return (Seat(f"{self.name}_top", self.seat.name, (0.0, 0.0, 0.090), width=0.24),)
 
     def _forms(self) -> list[Form]:
         forms: list[Form] = [

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from labutopia_lerobot.labware.parts.fitted import along
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.top import Top
 
 _X, _Y, _HEIGHT = 0.250, 0.500, 2.000
@@ -34,7 +34,7 @@ class ShelfRack(Instrument):
         return tuple(Top(z, x, y) for z in _LEVELS)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """Its shelves from below, each by number from right to left."""
         return tuple(
             place

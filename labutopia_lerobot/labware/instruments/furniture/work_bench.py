@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from labutopia_lerobot.labware.parts.fitted import along
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.top import Top
 
 _X, _Y, _TOP, _SLAB = 0.70, 0.90, 0.775, 0.030
@@ -26,7 +26,7 @@ class WorkBench(Instrument):
     source = "1400 x 1800 mm, ours; height: original, lab_001: 0.773 to 0.78"
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """Its top, by number from right to left, before the robot."""
         return along(self.name, "top", Top(_TOP, (-_X, 0.2), (-_Y, _Y)), count=3)
 

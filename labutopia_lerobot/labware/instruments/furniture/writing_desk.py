@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from labutopia_lerobot.labware.parts.fitted import Fitted, Unit, along
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.joinery import Chest
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.top import Top
 
 _X, _Y, _TOP = 0.350, 0.600, 0.740
@@ -34,7 +34,7 @@ class WritingDesk(Fitted):
     def tops(self) -> tuple[Top, ...]:
         return (Top(_TOP, x=(-_X, _X), y=(-_Y, _Y)),)
 
-    def _places_on_top(self) -> Sequence[Place]:
+    def _places_on_top(self) -> Sequence[Seat]:
         return along(self.name, "top", self.tops[0], count=2)
 
     def _forms(self) -> list[Form]:

@@ -9,7 +9,7 @@ from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.valve import Tap
 
 _X, _Y = -0.045, 0.0
@@ -40,12 +40,12 @@ class BuretteStand(Instrument):
         return (self.stopcock,)
 
     @property
-    def under(self) -> Place:
+    def under(self) -> Seat:
         """Where the flask stands, under the tip."""
-        return Place(f"{self.name}_base", self.name, (_X, _Y, 0.016), width=0.090)
+        return Seat(f"{self.name}_base", self.name, (_X, _Y, 0.016), width=0.090)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.under,)
 
     def _forms(self) -> list[Form]:

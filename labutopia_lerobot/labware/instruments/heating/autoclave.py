@@ -20,8 +20,8 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.valve import HandWheel, Tap
 
 _R, _BORE, _TOP = 0.225, 0.150, 0.860
@@ -65,12 +65,12 @@ class Autoclave(Instrument):
         return self.wheel, self.lid, self.time, self.valve
 
     @property
-    def chamber(self) -> Place:
+    def chamber(self) -> Seat:
         """The grid at the bottom of the chamber."""
-        return Place(f"{self.name}_chamber", self.name, (0.0, 0.0, 0.290), 0.260, depth=0.400)
+        return Seat(f"{self.name}_chamber", self.name, (0.0, 0.0, 0.290), 0.260, depth=0.400)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.chamber,)
 
     @property

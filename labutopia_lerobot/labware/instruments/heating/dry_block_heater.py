@@ -11,9 +11,9 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _ROWS, _COLUMNS = (0.007, 0.030, 0.053), (0.0345, 0.0115, -0.0115, -0.0345)
 """Where the bores are: from the front, from left to right [m]."""
@@ -45,11 +45,11 @@ class DryBlockHeater(Instrument):
         return self.heat, self.power
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The bores, row by row from the front, from left to right."""
         bores = [(x, y) for x in _ROWS for y in _COLUMNS]
         return tuple(
-            Place(f"{self.name}_bore_{n}", self.name, (x, y, 0.092), width=0.017, depth=0.048)
+            Seat(f"{self.name}_bore_{n}", self.name, (x, y, 0.092), width=0.017, depth=0.048)
             for n, (x, y) in enumerate(bores)
         )
 

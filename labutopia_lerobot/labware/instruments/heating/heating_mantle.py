@@ -12,8 +12,8 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _BOWL, _DEEP = 0.054, 0.046
 """Radius of the bowl, for a 500 ml flask, and how deep it is [m]."""
@@ -46,13 +46,13 @@ class HeatingMantle(Instrument):
         return self.heat, self.power
 
     @property
-    def bowl(self) -> Place:
+    def bowl(self) -> Seat:
         """The middle of the bowl's floor."""
         at = (0.0, 0.0, _TOP - _DEEP)
-        return Place(f"{self.name}_bowl", self.name, at, width=0.046, depth=_DEEP)
+        return Seat(f"{self.name}_bowl", self.name, at, width=0.046, depth=_DEEP)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.bowl,)
 
     def _forms(self) -> list[Form]:

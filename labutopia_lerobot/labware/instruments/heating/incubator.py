@@ -15,9 +15,9 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.shelf import Shelf
 
 _DEPTH, _WIDTH, _HEIGHT = 0.600, 0.640, 0.850
@@ -68,10 +68,10 @@ class Incubator(Instrument):
         return Shelf(f"{self.name}_lower_shelf"), Shelf(f"{self.name}_upper_shelf")
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The middles of the shelves."""
         return tuple(
-            Place(f"{shelf.name}_middle", shelf.name, (0.0, 0.0, 0.003), width=0.20)
+            Seat(f"{shelf.name}_middle", shelf.name, (0.0, 0.0, 0.003), width=0.20)
             for shelf in self.shelves
         )
 

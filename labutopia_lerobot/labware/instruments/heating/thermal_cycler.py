@@ -15,9 +15,9 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_TOP, leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.reading import Clock
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _SLOPE = 66.0
 
@@ -61,9 +61,9 @@ class ThermalCycler(Instrument):
         return self.keys
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The middle of the block, for a plate."""
-        return (Place(f"{self.name}_block", self.name, (0.030, 0.0, 0.150), width=0.066),)
+        return (Seat(f"{self.name}_block", self.name, (0.030, 0.0, 0.150), width=0.066),)
 
     @property
     def displays(self) -> tuple[Display, ...]:

@@ -14,9 +14,9 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.valve import Tap
 
 
@@ -55,12 +55,12 @@ class WaterBath(Instrument):
         return self.lid, self.heat, self.power, self.drain
 
     @property
-    def grid(self) -> Place:
+    def grid(self) -> Seat:
         """Where vessels stand in the water."""
-        return Place(f"{self.name}_grid", self.name, (0.0, 0.0, 0.112), width=0.200)
+        return Seat(f"{self.name}_grid", self.name, (0.0, 0.0, 0.112), width=0.200)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.grid,)
 
     @property

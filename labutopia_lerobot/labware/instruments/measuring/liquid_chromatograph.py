@@ -13,9 +13,9 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Clock, Either
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -52,10 +52,10 @@ class LiquidChromatograph(Instrument):
         return self.drawer, self.oven, self.purge
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """Where vials stand in the drawer, from left to right."""
         return tuple(
-            Place(f"{self.name}_vial_{n}", self.drawer.name, (0.0, y, 0.006), 0.0125, 0.020)
+            Seat(f"{self.name}_vial_{n}", self.drawer.name, (0.0, y, 0.006), 0.0125, 0.020)
             for n, y in enumerate((0.075, 0.045, 0.015, -0.015, -0.045, -0.075))
         )
 

@@ -11,8 +11,8 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, 
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 _TUBE = 0.030
@@ -56,13 +56,13 @@ class Microscope(Instrument):
         return self.turret, self.table, self.focus, self.light
 
     @property
-    def stage(self) -> Place:
+    def stage(self) -> Seat:
         """Where a slide lies, in the optical axis."""
         at = (0.0, 0.0, 0.004)
-        return Place(f"{self.name}_slide", self.table.name, at, width=0.020)
+        return Seat(f"{self.name}_slide", self.table.name, at, width=0.020)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.stage,)
 
     def _forms(self) -> list[Form]:

@@ -16,9 +16,9 @@ from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.pan import Pan
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.reading import Scale
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.tare import Tare
 
 
@@ -66,7 +66,7 @@ class MoistureAnalyser(Instrument):
         return (Tare(self.tare.name, self.pan.reading(3, 60.0)),)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.pan.place,)
 
     @property

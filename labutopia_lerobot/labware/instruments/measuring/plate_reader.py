@@ -12,10 +12,10 @@ from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -55,10 +55,10 @@ class PlateReader(Instrument):
         return (self.read,)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """Where the plate stands in the drawer."""
         at = (0.0, 0.0, 0.006)
-        return (Place(f"{self.name}_plate", self.drawer.name, at, width=0.084),)
+        return (Seat(f"{self.name}_plate", self.drawer.name, at, width=0.084),)
 
     @property
     def displays(self) -> tuple[Display, ...]:

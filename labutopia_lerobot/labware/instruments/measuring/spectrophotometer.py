@@ -14,8 +14,8 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -50,10 +50,10 @@ class Spectrophotometer(Instrument):
         return self.lid, self.carriage, self.wavelength
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """Where cuvettes stand, from the back to the front."""
         return tuple(
-            Place(
+            Seat(
                 f"{self.name}_cuvette_{n}",
                 self.carriage.name,
                 (0.027 - 0.018 * n, 0.0, 0.006),

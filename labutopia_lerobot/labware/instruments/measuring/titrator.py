@@ -13,9 +13,9 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.reading import Scale
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -60,9 +60,9 @@ class Titrator(Instrument):
         return (self.start,)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """Where the beaker stands, over the stirrer."""
-        return (Place(f"{self.name}_plate", self.name, (-0.075, 0.030, 0.052), width=0.080),)
+        return (Seat(f"{self.name}_plate", self.name, (-0.075, 0.030, 0.052), width=0.080),)
 
     @property
     def displays(self) -> tuple[Display, ...]:

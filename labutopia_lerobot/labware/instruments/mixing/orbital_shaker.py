@@ -12,8 +12,8 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 _ORBIT = 0.020
@@ -53,13 +53,13 @@ class OrbitalShaker(Instrument):
         return self.speed, self.sledge, self.platform
 
     @property
-    def mat(self) -> Place:
+    def mat(self) -> Seat:
         """The middle of the mat."""
         at = (0.0, 0.0, 0.018)
-        return Place(f"{self.name}_mat", self.platform.name, at, width=0.140)
+        return Seat(f"{self.name}_mat", self.platform.name, at, width=0.140)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.mat,)
 
     @property

@@ -13,9 +13,9 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -51,9 +51,9 @@ class OverheadStirrer(Instrument):
         return self.head, self.shaft, self.speed
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """Where the vessel stands, below the propeller."""
-        return (Place(f"{self.name}_base", self.name, (-0.060, 0.0, 0.024), width=0.110),)
+        return (Seat(f"{self.name}_base", self.name, (-0.060, 0.0, 0.024), width=0.110),)
 
     @property
     def displays(self) -> tuple[Display, ...]:

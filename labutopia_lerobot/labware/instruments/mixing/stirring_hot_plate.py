@@ -10,8 +10,8 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _TOP = 0.095
 """Height of the plate [m]."""
@@ -47,12 +47,12 @@ class StirringHotPlate(Instrument):
         return self.heat, self.speed
 
     @property
-    def plate(self) -> Place:
+    def plate(self) -> Seat:
         """The middle of the plate."""
-        return Place(f"{self.name}_plate", self.name, (0.060, 0.0, _TOP), width=0.130)
+        return Seat(f"{self.name}_plate", self.name, (0.060, 0.0, _TOP), width=0.130)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.plate,)
 
     @property

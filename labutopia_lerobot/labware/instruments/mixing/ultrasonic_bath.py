@@ -14,8 +14,8 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
+from labutopia_lerobot.labware.parts.seat import Seat
 
 
 @dataclass(frozen=True)
@@ -49,12 +49,12 @@ class UltrasonicBath(Instrument):
         return self.lid, self.minutes, self.heat
 
     @property
-    def basket(self) -> Place:
+    def basket(self) -> Seat:
         """Where glass stands in the water."""
-        return Place(f"{self.name}_basket", self.name, (0.0, 0.0, 0.116), width=0.110)
+        return Seat(f"{self.name}_basket", self.name, (0.0, 0.0, 0.116), width=0.110)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.basket,)
 
     @property

@@ -11,9 +11,9 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _ORBIT = 0.0025
 """From the axis of the motor to that of the cup [m]: an orbit of 5 mm."""
@@ -52,13 +52,13 @@ class VortexMixer(Instrument):
         return self.speed, self.power, self.rotor
 
     @property
-    def cup(self) -> Place:
+    def cup(self) -> Seat:
         """Where the end of a tube is pressed in."""
         at = (_ORBIT, 0.0, 0.010)
-        return Place(f"{self.name}_cup_middle", self.rotor.name, at, width=0.034, depth=0.012)
+        return Seat(f"{self.name}_cup_middle", self.rotor.name, at, width=0.034, depth=0.012)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.cup,)
 
     def _forms(self) -> list[Form]:

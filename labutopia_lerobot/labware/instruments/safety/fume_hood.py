@@ -12,9 +12,9 @@ from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.reading import Scale
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Sash
 from labutopia_lerobot.labware.parts.valve import Tap
 
@@ -61,10 +61,10 @@ class FumeHood(Instrument):
         return (self.fan,)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The work top, left and right of the middle."""
         return tuple(
-            Place(f"{self.name}_top_{side}", self.name, (-0.10, y, _TOP), width=0.40)
+            Seat(f"{self.name}_top_{side}", self.name, (-0.10, y, _TOP), width=0.40)
             for side, y in (("left", 0.35), ("right", -0.35))
         )
 

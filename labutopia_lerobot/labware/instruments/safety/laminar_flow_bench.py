@@ -10,9 +10,9 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Either
 from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Sash
 
 _DEPTH, _WIDTH, _HEIGHT = 0.750, 1.300, 2.150
@@ -50,10 +50,10 @@ class LaminarFlowBench(Instrument):
         return self.sash, self.light, self.fan
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The work top, left and right of the middle."""
         return tuple(
-            Place(f"{self.name}_top_{side}", self.name, (0.05, y, _TOP), width=0.40)
+            Seat(f"{self.name}_top_{side}", self.name, (0.05, y, _TOP), width=0.40)
             for side, y in (("left", 0.30), ("right", -0.30))
         )
 

@@ -11,7 +11,7 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Rod
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 
 
 @dataclass(frozen=True)
@@ -37,9 +37,9 @@ class SharpsBin(Instrument):
         return (self.flap,)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The bottom, below the flap."""
-        return (Place(f"{self.name}_bottom", self.name, (-0.02, 0.0, 0.004), width=0.10),)
+        return (Seat(f"{self.name}_bottom", self.name, (-0.02, 0.0, 0.004), width=0.10),)
 
     def _forms(self) -> list[Form]:
         rim = (0.216, 0.226)

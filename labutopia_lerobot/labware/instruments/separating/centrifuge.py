@@ -15,10 +15,10 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _BORES, _CIRCLE = 12, 0.070
 """How many, and the radius of their circle [m]."""
@@ -70,10 +70,10 @@ class Centrifuge(Instrument):
         return (self.latch,)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The bores, counterclockwise from the back."""
         return tuple(
-            Place(f"{self.name}_bore_{n}", self.rotor.name, (x, y, 0.010), 0.016, _DEEP)
+            Seat(f"{self.name}_bore_{n}", self.rotor.name, (x, y, 0.010), 0.016, _DEEP)
             for n, (x, y) in enumerate(_circle())
         )
 

@@ -12,9 +12,9 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -49,9 +49,9 @@ class ElectrophoresisTank(Instrument):
         return self.lid, self.voltage, self.power
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The table on which the gel lies, in the middle of the tank."""
-        return (Place(f"{self.name}_table", self.name, (0.0, 0.075, 0.041), width=0.085),)
+        return (Seat(f"{self.name}_table", self.name, (0.0, 0.075, 0.041), width=0.085),)
 
     @property
     def displays(self) -> tuple[Display, ...]:

@@ -12,9 +12,9 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _BORES, _CIRCLE = 8, 0.030
 """How many, and the radius of their circle [m]."""
@@ -51,10 +51,10 @@ class MiniCentrifuge(Instrument):
         return self.lid, self.rotor, self.power
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The bores, counterclockwise from the back."""
         return tuple(
-            Place(f"{self.name}_bore_{n}", self.rotor.name, (x, y, 0.004), 0.010, 0.020)
+            Seat(f"{self.name}_bore_{n}", self.rotor.name, (x, y, 0.004), 0.010, 0.020)
             for n, (x, y) in enumerate(_circle())
         )
 

@@ -14,8 +14,8 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Either
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.shelf import Shelf
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -53,10 +53,10 @@ class DesiccatorCabinet(Instrument):
         return tuple(Shelf(f"{self.name}_shelf_{n}") for n in range(3))
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The middles of the shelves, from below."""
         return tuple(
-            Place(f"{shelf.name}_middle", shelf.name, (0.0, 0.0, 0.003), width=0.16)
+            Seat(f"{shelf.name}_middle", shelf.name, (0.0, 0.0, 0.003), width=0.16)
             for shelf in self.shelves
         )
 

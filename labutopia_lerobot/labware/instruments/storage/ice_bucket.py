@@ -9,8 +9,8 @@ from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 
 
 @dataclass(frozen=True)
@@ -37,9 +37,9 @@ class IceBucket(Instrument):
         return (self.bail,)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The middle of the ice."""
-        return (Place(f"{self.name}_ice", self.name, (0.0, 0.0, 0.168), width=0.120),)
+        return (Seat(f"{self.name}_ice", self.name, (0.0, 0.0, 0.168), width=0.120),)
 
     def _forms(self) -> list[Form]:
         lumps: list[Form] = []

@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.shelf import Shelf
 
 _DEPTH, _WIDTH, _HEIGHT = 0.550, 0.900, 1.950
@@ -58,10 +58,10 @@ class SafetyCabinet(Instrument):
         return tuple(Shelf(f"{self.name}_shelf_{n}") for n in range(3))
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The middles of the shelves, from below."""
         return tuple(
-            Place(f"{shelf.name}_middle", shelf.name, (0.0, 0.0, 0.003), width=0.20)
+            Seat(f"{shelf.name}_middle", shelf.name, (0.0, 0.0, 0.003), width=0.20)
             for shelf in self.shelves
         )
 

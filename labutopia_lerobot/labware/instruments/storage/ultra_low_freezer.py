@@ -13,9 +13,9 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.reading import Either
 from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -53,10 +53,10 @@ class UltraLowFreezer(Instrument):
         return self.lid, *self.baskets, self.power
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The floors of the baskets."""
         return tuple(
-            Place(f"{basket.name}_floor", basket.name, (0.0, 0.0, 0.004), width=0.16)
+            Seat(f"{basket.name}_floor", basket.name, (0.0, 0.0, 0.004), width=0.16)
             for basket in self.baskets
         )
 

@@ -13,8 +13,8 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Rod
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.valve import Tap
 
 
@@ -51,9 +51,9 @@ class LaboratorySink(Instrument):
         return self.spout, self.water, self.door
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The floor of the basin, before its drain."""
-        return (Place(f"{self.name}_basin", self.name, (-0.10, 0.10, 0.650), width=0.16),)
+        return (Seat(f"{self.name}_basin", self.name, (-0.10, 0.10, 0.650), width=0.16),)
 
     def _forms(self) -> list[Form]:
         x, y = 0.300, 0.300

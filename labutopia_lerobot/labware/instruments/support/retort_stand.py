@@ -9,7 +9,7 @@ from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 _ROD = (0.080, 0.0)
@@ -50,10 +50,10 @@ class RetortStand(Instrument):
         return self.clamp, self.ring, self.jaw
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The bars of the ring."""
         at = (-0.120, 0.0, 0.008)
-        return (Place(f"{self.name}_ring_middle", self.ring.name, at, width=0.110),)
+        return (Seat(f"{self.name}_ring_middle", self.ring.name, at, width=0.110),)
 
     def _forms(self) -> list[Form]:
         x, y = _ROD

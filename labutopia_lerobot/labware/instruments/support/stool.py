@@ -7,7 +7,7 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.form import Form, Ring, Rod, Turned
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.swivel import Swivel
 
 
@@ -26,9 +26,9 @@ class Stool(Swivel):
     rise = 0.150
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The middle of the seat."""
-        return (Place(f"{self.name}_top", self.seat.name, (0.0, 0.0, 0.055), width=0.20),)
+        return (Seat(f"{self.name}_top", self.seat.name, (0.0, 0.0, 0.055), width=0.20),)
 
     def _forms(self) -> list[Form]:
         forms: list[Form] = [

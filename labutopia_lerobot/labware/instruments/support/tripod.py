@@ -10,7 +10,7 @@ from labutopia_lerobot.labware.parts.form import (
     Rod,
 )
 from labutopia_lerobot.labware.parts.instrument import Instrument
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 
 
 @dataclass(frozen=True)
@@ -30,12 +30,12 @@ class Tripod(Instrument):
     movable = True
 
     @property
-    def gauze(self) -> Place:
+    def gauze(self) -> Seat:
         """The ceramic centre of the gauze."""
-        return Place(f"{self.name}_gauze", self.name, (0.0, 0.0, 0.2215), width=0.100)
+        return Seat(f"{self.name}_gauze", self.name, (0.0, 0.0, 0.2215), width=0.100)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.gauze,)
 
     def _forms(self) -> list[Form]:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from labutopia_lerobot.labware.parts.form import Block, Form
 from labutopia_lerobot.labware.parts.instrument import Instrument
-from labutopia_lerobot.labware.parts.place import Place
+from labutopia_lerobot.labware.parts.seat import Seat
 
 _OPENING, _BAR = 0.0188, 0.0072
 """Side of an opening, and width of the bars between two [m]."""
@@ -28,7 +28,7 @@ class TubeRack(Instrument):
     movable = True
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         """The openings, row after row: where the bottom of a tube stands."""
         pitch = _OPENING + _BAR
         grid = [
@@ -37,7 +37,7 @@ class TubeRack(Instrument):
             for column in range(_COLUMNS)
         ]
         return tuple(
-            Place(f"{self.name}_opening_{n}", self.name, (x, y, _FLOOR), _OPENING, _TOP - _FLOOR)
+            Seat(f"{self.name}_opening_{n}", self.name, (x, y, _FLOOR), _OPENING, _TOP - _FLOOR)
             for n, (x, y) in enumerate(grid)
         )
 

@@ -10,8 +10,8 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.pan import Pan
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.place import Place
 from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.tare import Tare
 
 _SLOPE = 68.0
@@ -50,7 +50,7 @@ class PrecisionBalance(Instrument):
         return (Tare(self.tare.name, self.pan.reading(2, 4200.0)),)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[Seat, ...]:
         return (self.pan.place,)
 
     @property

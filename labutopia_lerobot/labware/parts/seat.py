@@ -10,7 +10,7 @@ from labutopia_lerobot.world.model import COLLISION_GROUP
 
 
 @dataclass(frozen=True)
-class Place:
+class Seat:
     """A pan, a hot plate, a bore: a destination; z of the frame of its name points out of it.
 
     Attributes:
