@@ -14,7 +14,7 @@ import pytest
 from labutopia_lerobot.cli import scene
 from labutopia_lerobot.export import (
     ExportError,
-    Subject,
+    ExportSubject,
     UnknownSubjectError,
     export,
     find_subject,
@@ -133,7 +133,7 @@ def usd():
     return pytest.importorskip("pxr", reason="an extra")
 
 
-def opened_again(subject: Subject, folder: Path):
+def opened_again(subject: ExportSubject, folder: Path):
     """Export as OpenUSD and return the stage."""
     from pxr import Usd
 
