@@ -22,6 +22,8 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.skills import Shake
 from labutopia_lerobot.skills.skill import Skill
 
+pytestmark = pytest.mark.slow
+
 SLOW_SEEDS = [pytest.param(seed, marks=pytest.mark.slow) for seed in range(5)]
 SEEDS = [0, *SLOW_SEEDS[1:]]
 

@@ -24,6 +24,8 @@ from attacks.plays import (
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.world import Pose
 
+pytestmark = pytest.mark.slow
+
 
 def hang_by_the_lip(env: LabEnv) -> Actions:
     """Lift a beaker by its lip on open fingers, and go on as if it were held."""

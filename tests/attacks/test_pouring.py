@@ -25,6 +25,8 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.skills import Pour
 from labutopia_lerobot.world import CONTROL_HZ
 
+pytestmark = pytest.mark.slow
+
 
 def pouring(env: LabEnv) -> Pour:
     """Return the first of the task's skills that pours."""

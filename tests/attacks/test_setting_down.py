@@ -24,6 +24,8 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.skills import Place
 from labutopia_lerobot.task import TaskError
 
+pytestmark = pytest.mark.slow
+
 
 def gap_of(env: LabEnv) -> float:
     """Return how high a beaker is above what it is to stand on [m]."""

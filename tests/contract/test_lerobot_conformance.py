@@ -156,6 +156,7 @@ def test_streaming_gives_the_same_items(dataset: LeRobotDataset) -> None:
             assert torch.allclose(item[key], same[key], atol=1.5 / 255)
 
 
+@pytest.mark.slow
 def test_lerobots_viewer_writes_a_recording(filmed: Path, tmp_path: Path) -> None:
     pytest.importorskip("rerun")  # LeRobot's extra `dataset_viz`
     program = Path(sys.executable).parent / "lerobot-dataset-viz"

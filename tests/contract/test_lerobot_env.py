@@ -177,6 +177,7 @@ def test_lerobot_eval_plays_a_policy(obs: str, tmp_path: Path) -> None:
     assert len(results["overall"]["video_paths"]) == 2
 
 
+@pytest.mark.slow
 def test_lerobot_eval_ends_with_the_message_of_a_wrong_flag(tmp_path: Path) -> None:
     program = Path(sys.executable).with_name("lerobot-eval")
     flags = ["--policy.type=act", "--env.type=labutopia", "--env.task=level1/pik"]

@@ -73,6 +73,7 @@ assert torch.equal(streamed["observation.environment_state"],
 """
 
 
+@pytest.mark.slow
 def test_a_published_dataset_is_read_back_from_the_hub(
     filmed: Path,
     picked: Path,
@@ -242,6 +243,7 @@ assert set(envs.call("task")) == {"Press the red button on the control panel and
 """
 
 
+@pytest.mark.slow
 def test_lerobot_makes_our_environments_from_the_hub(hub: LoopbackHub, tmp_path: Path) -> None:
     repository = environment_repository("me/labutopia-env")
     publish(repository, "me/labutopia-env", private=False, replace=False)

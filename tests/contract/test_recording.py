@@ -179,6 +179,7 @@ def test_failures_are_listed_and_the_lowest_successes_stored(workers: int, tmp_p
     assert sorted(watch.indices) == list(range(stored[-1] + 1))
 
 
+@pytest.mark.slow
 def test_a_hopeless_expert_ends_the_recording(tmp_path: Path) -> None:
     (tmp_path / "level1").mkdir()
     (tmp_path / "level1" / "moody.py").write_text(MOODY_TASK.format(limit=-1.0))

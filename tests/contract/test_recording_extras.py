@@ -101,6 +101,7 @@ def test_numbers_have_their_names_beside_every_episode(sensed: Path, filmed: Pat
     assert all(SEGMENTS not in row for row in read_episodes(filmed))
 
 
+@pytest.mark.slow
 def test_an_extended_recording_is_the_same_as_one_at_once(sensed: Path, tmp_path: Path) -> None:
     recording(tmp_path / "longer", *SENSED, "episodes=1")
     assert_same_dataset(sensed, recording(tmp_path / "longer", *SENSED, "episodes=2"))

@@ -69,8 +69,12 @@ def episodes(
 
 @pytest.mark.parametrize(
     "options",
-    [{"obs": "state"}, {"obs": "pixels", "width": 64, "height": 64}],
-    ids=["state", "pixels"],
+    [
+        pytest.param({"obs": "state"}, id="state"),
+        pytest.param(
+            {"obs": "pixels", "width": 64, "height": 64}, id="pixels", marks=pytest.mark.slow
+        ),
+    ],
 )
 def test_an_episode_is_the_same_bit_for_bit_in_every_batch_and_process(
     options: dict[str, Any],

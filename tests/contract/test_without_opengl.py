@@ -17,6 +17,7 @@ def record(obs: str, root: Path, backend: str) -> subprocess.CompletedProcess[st
 
 
 @pytest.mark.parametrize("backend", ["disable", "osmesa"])
+@pytest.mark.slow
 def test_state_is_recorded_without_opengl(tmp_path, backend):
     done = record("state", tmp_path / "pick", backend)
     assert done.returncode == 0, done.stderr

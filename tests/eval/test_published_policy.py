@@ -140,6 +140,7 @@ def test_half_a_checkpoint_and_one_that_runs_code_are_refused(save_checkpoint):
         policy_repository(folder, "me/pick", ())
 
 
+@pytest.mark.slow
 def test_lerobot_plays_it_from_the_hub(save_checkpoint, tmp_path: Path, monkeypatch):
     with LoopbackHub() as hub:
         monkeypatch.setenv("HF_TOKEN", TOKEN)

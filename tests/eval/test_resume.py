@@ -184,6 +184,7 @@ def test_other_code_does_not_go_on_with_it(unfinished: Path, part: str, name: st
         evaluate_into(unfinished)
 
 
+@pytest.mark.slow
 def test_a_result_is_traced_to_its_weights_and_others_do_not_go_on_with_it(
     save_checkpoint: Saver, tmp_path: Path
 ) -> None:

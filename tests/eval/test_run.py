@@ -99,6 +99,7 @@ def test_a_result_holds_rows_summary_provenance_and_films(
     assert "already holds a result" in again.stderr
 
 
+@pytest.mark.slow
 def test_a_policy_of_pictures_is_played_and_the_renderer_is_named(
     evaluate_program: Program, save_checkpoint: Saver, tmp_path: Path
 ) -> None:

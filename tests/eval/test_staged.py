@@ -96,6 +96,7 @@ def test_the_steps_stand_in_the_tables_and_in_the_terminal(both: tuple[Path, dic
     assert all(rate is not None and rate.percent == 100.0 for rate in conditional_rates(found[1]))
 
 
+@pytest.mark.slow
 def test_killed_between_the_ways_it_goes_on_with_what_is_missing(
     both: tuple[Path, dict, str], tmp_path: Path
 ) -> None:

@@ -153,6 +153,7 @@ def test_a_shaken_wall_loses_its_energy_and_never_gains_any(env):
     assert energies[-1] < 1e-6 * energies[0]
 
 
+@pytest.mark.slow
 def test_a_bottle_left_alone_for_a_minute_does_not_stir(env):
     env.reset(seed=0)
     simulation = env.workcell.simulation
