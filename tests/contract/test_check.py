@@ -73,7 +73,7 @@ def test_what_is_wrong_with_a_task_is_told_check_by_check(monkeypatch, capsys, f
     told = "\n".join(lines)
     assert "pass  level1/lazy  every element of the model has a name" in told
     assert "FAIL  level1/lazy  the goal is false at the start" in told
-    assert "these have latched: stood" in told
+    assert "the whole goal holds at the start, and every substep has latched" in told
     assert "FAIL  level1/lazy  doing nothing does not succeed (" in told
     assert lines[-1].startswith("1 task checked; ")
 
@@ -84,7 +84,8 @@ def test_a_task_that_cannot_be_made_is_told_and_does_not_keep_others_from_being_
     monkeypatch.setattr(check, "CHECKS", CHECKS[:1])
     status, lines = checked(monkeypatch, capsys, str(folder))
     assert status == 1
-    assert lines[0].startswith("FAIL  level1/broken  the task can be made: ZeroDivisionError")
+    assert lines[0].startswith("FAIL  level1/broken  the task can be made: ")
+    assert "broken.py, line 3: ZeroDivisionError: division by zero" in lines[0]
     assert lines[1].startswith("pass  level1/fine  the task can be made")
     assert lines[-1] == "3 tasks checked; 1 check failed"
 

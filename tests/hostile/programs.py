@@ -34,7 +34,7 @@ LIMIT_S = 10.0
 
 _ADDRESSES = {"socket.connect", "socket.getaddrinfo", "socket.gethostbyname"}
 _WRITING = os.O_WRONLY | os.O_RDWR
-_CACHES = ("__pycache__", "/dev/", "/proc/", "nv_gpu", "numba")
+_CACHES = ("__pycache__", "/dev/", "/proc/", "labutopia_lerobot/kernels/")
 _context: Any = None
 
 
