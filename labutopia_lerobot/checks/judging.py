@@ -13,15 +13,15 @@ from labutopia_lerobot.env import LabEnv
 def the_goal_is_false_at_the_start(env: LabEnv) -> None:
     """Nobody succeeds by being there.
 
-    Where things end as they began, it is the substeps that are missing.
+    Where things end as they began, the substeps are missing: of several, the first alone may hold.
     """
     _, info = env.reset(seed=0)
     require(not info["is_success"], "the episode begins with a success")
     goal = all(info["facts"][fact.name] for fact in env.workcell.task.goal)
     latched = [name for name, time in info["substeps"].items() if np.isfinite(time)]
     require(
-        not (goal and len(latched) == len(info["substeps"])),
-        "the whole goal holds at the start, and every substep has latched",
+        not goal or len(latched) < min(2, len(info["substeps"])),
+        f"the whole goal holds at the start, and these have latched: {', '.join(latched)}",
     )
 
 
