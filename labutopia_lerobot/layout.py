@@ -15,6 +15,8 @@ from labutopia_lerobot.world import Button, Thing
 if TYPE_CHECKING:
     import mujoco
 
+    from labutopia_lerobot.processes import Process
+
 CLEARANCE = 0.01
 """Least gap between two things at the start [m]."""
 
@@ -23,30 +25,6 @@ _TRIES = 1000
 
 class ImpossibleStartError(UserError, ValueError):
     """A start that cannot be; the message names the things and their regions."""
-
-
-class LampSwitch(Protocol):
-    """A push-button that toggles a lamp each time it clicks in."""
-
-    @property
-    def name(self) -> str:
-        """What the world calls it."""
-        ...
-
-    @property
-    def button(self) -> str:
-        """Name of the button."""
-        ...
-
-    @property
-    def lamp(self) -> str:
-        """Geom that is lit while it is on."""
-        ...
-
-    @property
-    def lit(self) -> tuple[float, float, float, float]:
-        """Colour of the lit lamp."""
-        ...
 
 
 class Piece(Thing, Protocol):
@@ -68,8 +46,8 @@ class Piece(Thing, Protocol):
         ...
 
     @property
-    def switches(self) -> "tuple[LampSwitch, ...]":
-        """Its electric switches."""
+    def processes(self) -> "tuple[Process, ...]":
+        """What it does by itself, in the order in which it is done."""
         ...
 
     @property

@@ -11,6 +11,7 @@ from PIL import Image
 import piece_pictures
 from labutopia_lerobot.labware.catalogue import catalogue, instrument
 from labutopia_lerobot.labware.parts.instrument import Equipment
+from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 from word_tables import cell, code, summary
 
@@ -85,7 +86,8 @@ def picture(kind: str) -> Image.Image:
     for number in range(2):
         model.geom(f"bar_{number}").pos = (low[0] - 0.03, 0.025 - 0.05 * number, low[2] + 0.004)
     model.geom("floor").pos = (0.0, 0.0, low[2] - 0.001)
-    renderer = ClassicRenderer(model, 2 * SIZE, 2 * SIZE, displays=piece.displays)
+    apparatus = Apparatus(model, data, piece.processes)
+    renderer = ClassicRenderer(model, 2 * SIZE, 2 * SIZE, apparatus=apparatus)
     drawn = Image.new("RGB", (2 * SIZE, SIZE))
     for number, share in enumerate((0.0, _OPENED)):
         for part in piece.mechanisms:

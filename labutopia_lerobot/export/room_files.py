@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.export.mjcf import write_mjcf
 from labutopia_lerobot.labware.catalogue import instrument
-from labutopia_lerobot.labware.parts.instrument import Equipment
+from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.scenes.furnished_model import build
 from labutopia_lerobot.scenes.plan import Plan
 from labutopia_lerobot.scenes.plans import text_of
@@ -49,10 +49,10 @@ def write_room(plan: Plan, folder: Path) -> tuple[Path, Path, Path]:
 def picture(plan: Plan, model: mujoco.MjModel) -> Image.Image:
     """Return a room seen from above its south-west corner, ceiling and near walls taken off."""
     pieces = (instrument(piece.kind, piece.name) for piece in plan.pieces)
-    displays = [d for piece in pieces if isinstance(piece, Equipment) for d in piece.displays]
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    renderer = ClassicRenderer(model, WIDTH, HEIGHT, displays=displays)
+    apparatus = Apparatus(model, data, (p for piece in pieces for p in piece.processes))
+    renderer = ClassicRenderer(model, WIDTH, HEIGHT, apparatus=apparatus)
     try:
         return Image.fromarray(renderer.color(data, OVERVIEW))
     finally:

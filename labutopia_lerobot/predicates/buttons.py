@@ -22,7 +22,7 @@ class Switchable(Protocol):
 @predicate("{button} pressed")
 def pressed(world: World, button: Button) -> bool:
     """Button has clicked in, and not out again."""
-    return world.pressed(button.name)
+    return world.reading(button.name).value > 0.0
 
 
 @predicate("{button} pushed with {with_force:g} N")
@@ -86,4 +86,4 @@ def fingers_clear_of(world: World, button: Button, *, by: float) -> bool:
 @predicate("{switch} on")
 def switched_on(world: World, switch: Switchable) -> bool:
     """Switch is on."""
-    return world.switched_on(switch.name)
+    return world.reading(switch.name).value > 0.0

@@ -12,6 +12,11 @@ class Squeezable(Thing, Protocol):
     """A bottle with a soft wall and a spout."""
 
     @property
+    def squeezed(self) -> str:
+        """Name of the reading of the volume that has left it [ml]."""
+        ...
+
+    @property
     def spout(self) -> str:
         """Name of the frame at the end of the spout; z the way that the liquid leaves."""
         ...
@@ -24,7 +29,7 @@ def dispensed(world: World, bottle: Squeezable, vessel: OpenVessel, *, at_least_
     Without liquid: the bottle's wall has displaced that much, and the spout is over the vessel.
     """
     if world.liquid is None:
-        enough = world.displaced(bottle) * 1e6 >= at_least_ml
+        enough = world.reading(bottle.squeezed).value >= at_least_ml
         return enough and spout_over(bottle, vessel).holds(world)
     return world.liquid.from_in(bottle.name, vessel.name) * 1e6 >= at_least_ml
 

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.scenes.views import FIXED_CAMERAS, WIDEST_PICTURE
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
 from labutopia_lerobot.sim.gleaming_walls import GleamingWalls
@@ -44,7 +44,7 @@ class ClassicRenderer:
         width: Width of every picture [pixels].
         height: Height of every picture [pixels].
         liquids: The liquids in the model; pictures show the surfaces that they have extracted last.
-        displays: Of the instruments in the model; pictures show what they read.
+        apparatus: Processes of the model; pictures show what they show.
         shadows: Spots on the bench in colour pictures, if any.
 
     Raises:
@@ -57,7 +57,7 @@ class ClassicRenderer:
         width: int,
         height: int,
         liquids: Sequence[LiquidDrawing] = (),
-        displays: Sequence[Display] = (),
+        apparatus: Apparatus | None = None,
         shadows: ContactShadows | None = None,
     ) -> None:
         self._renderer = _open(model, width, height)
@@ -75,8 +75,8 @@ class ClassicRenderer:
         self._gleaming = GleamingWalls(model)
         self._places: dict[int, int] = {}  # of the walls among the scene's geoms, as last seen
         self._shadows = shadows
-        self._displays = tuple(displays)
-        self._shown = [""] * len(self._displays)
+        self._apparatus = apparatus
+        self._uploaded: dict[int, int] = {}  # texture -> how often it had been painted
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
@@ -121,11 +121,13 @@ class ClassicRenderer:
 
     def _update(self, data: mujoco.MjData, camera: str) -> None:
         """Fill the scene with what there is to see."""
+        if self._apparatus is not None:
+            self._apparatus.show()
         self._options.geomgroup[BEYOND_GROUP] = self._wide or camera not in FIXED_CAMERAS
         self._renderer.update_scene(data, camera, self._options)
         self._take_ceiling_off(data, data.camera(camera).xpos)
         self._turn_glass(data, data.camera(camera).xpos)
-        self._show_readings(data)
+        self._show_processes()
         for liquid in self._liquids:
             liquid.draw(self._renderer.scene, self._renderer.model)
             with self._renderer._gl_context.as_current():
@@ -157,16 +159,15 @@ class ClassicRenderer:
                 self._places[wall] = place
             geoms[place].mat = axes
 
-    def _show_readings(self, data: mujoco.MjData) -> None:
-        """Write onto the displays what has changed since the last picture."""
-        model = self._renderer.model
-        for number, display in enumerate(self._displays):
-            text = display.reading.text(model, data)
-            if text != self._shown[number]:
-                self._shown[number] = text
-                texture = display.show(model, text)
+    def _show_processes(self) -> None:
+        """Send the textures that have been painted since the last picture."""
+        if self._apparatus is None:
+            return
+        for texture, times in self._apparatus.paintings.items():
+            if self._uploaded.get(texture) != times:
+                self._uploaded[texture] = times
                 with self._renderer._gl_context.as_current():
-                    mujoco.mjr_uploadTexture(model, self._context, texture)
+                    mujoco.mjr_uploadTexture(self._renderer.model, self._context, texture)
                     sample_one_level(self._context, [texture])
 
     def close(self) -> None:

@@ -16,11 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.scenes.views import FIXED_CAMERAS, WIDEST_PICTURE
 from labutopia_lerobot.sim.filament_light import HEADLIGHT_LUX, developed
-from labutopia_lerobot.sim.filament_surfaces import FilamentDisplay, FilamentLiquid, thin_out
+from labutopia_lerobot.sim.filament_surfaces import FilamentLiquid, FilamentPaintings, thin_out
 from labutopia_lerobot.sim.gleaming_walls import GleamingWalls
 from labutopia_lerobot.sim.vulkan import vulkan_device
 from labutopia_lerobot.world.model import BEYOND_GROUP
@@ -50,7 +50,7 @@ class FilamentRenderer:
         width: Width of every picture [pixels].
         height: Height of every picture [pixels].
         liquids: The liquids in the model; pictures show the surfaces that they have extracted last.
-        displays: Of the instruments in the model; pictures show what they read.
+        apparatus: Processes of the model; pictures show what they show.
 
     Raises:
         NoFilamentError: If there is no Vulkan.
@@ -62,7 +62,7 @@ class FilamentRenderer:
         width: int,
         height: int,
         liquids: Sequence[LiquidDrawing] = (),
-        displays: Sequence[Display] = (),
+        apparatus: Apparatus | None = None,
     ) -> None:
         context = _new_context()
         from mujoco.rendering.filament.renderer import Renderer, View  # here: it needs the context
@@ -75,17 +75,20 @@ class FilamentRenderer:
         self._film = np.empty((height, width, 3), np.uint8)
         self._renderer.target(_FILM, self._film)
         self._liquids = [FilamentLiquid(context, self._things.scene, each) for each in liquids]
-        self._displays = [FilamentDisplay(context, model, each) for each in displays]
+        self._apparatus = apparatus
+        self._painted = FilamentPaintings(context, model)
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
+        if self._apparatus is not None:
+            self._apparatus.show()
         self._things.update(data, self._wide or camera not in FIXED_CAMERAS)
         for liquid in self._liquids:
             liquid.update()
         for wall in self._walls:
             thin_out(self._model, wall, self._things.of_geom(wall))
-        for display in self._displays:
-            display.update(data, self._things.of_geom(display.geom))
+        if self._apparatus is not None:
+            self._painted.update(self._apparatus.paintings, self._things.of_geom)
         eye = mujoco.MjvCamera()
         eye.type, eye.fixedcamid = mujoco.mjtCamera.mjCAMERA_FIXED, self._model.camera(camera).id
         view = self._view(
@@ -111,8 +114,8 @@ class FilamentRenderer:
         """Give the context back, and what is in it."""
         for liquid in self._liquids:
             liquid.close()
-        self._liquids, self._displays = [], []
-        del self._things, self._renderer
+        self._liquids = []
+        del self._painted, self._things, self._renderer
 
 
 class _Things:

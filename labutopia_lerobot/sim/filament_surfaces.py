@@ -1,12 +1,13 @@
 """What changes its shape or its texture from picture to picture, in a scene of Filament's."""
 
+import math
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 
 if TYPE_CHECKING:
@@ -91,33 +92,50 @@ class FilamentLiquid:
         self._shown = ()
 
 
-class FilamentDisplay:
-    """A display, whose texture is new when its text is.
+class FilamentPaintings:
+    """What processes have painted, on the geoms that show it.
 
     Args:
         context: Filament's.
-        model: What the display is in.
-        display: The display.
-
-    Attributes:
-        geom: Its pane.
+        model: What the geoms are in.
     """
 
-    def __init__(self, context: "mjrf.Context", model: mujoco.MjModel, display: Display) -> None:
-        self._context, self._model, self._display = context, model, display
-        self.geom = int(model.geom(display.name).id)
-        self._text: str | None = None
-        self._texture: mjrf.Texture | None = None
+    def __init__(self, context: "mjrf.Context", model: mujoco.MjModel) -> None:
+        self._context, self._model = context, model
+        self._times: dict[int, int] = {}  # texture -> how often it had been painted
+        self._textures: dict[int, mjrf.Texture] = {}
 
-    def update(self, data: mujoco.MjData, pane: "mjrf.Renderable") -> None:
-        """Show what it reads on its pane."""
-        text = self._display.reading.text(self._model, data)
-        if text != self._text:
-            self._text = text
-            self._texture = new_texture(self._context, self._display.picture(text))
-        material = pane.get_material()
-        material.color_texture = self._texture
-        pane.set_material(material)
+    def update(
+        self, paintings: Mapping[int, int], shown: Callable[[int], "mjrf.Renderable"]
+    ) -> None:
+        """Show what has been painted.
+
+        Args:
+            paintings: Number of each painted texture -> how often it has been.
+            shown: Returns what shows a geom.
+        """
+        for number, times in paintings.items():
+            if self._times.get(number) != times:
+                self._times[number] = times
+                self._textures[number] = new_texture(self._context, self._pixels(number))
+            for geom in self._geoms(number):
+                pane = shown(geom)
+                material = pane.get_material()
+                material.color_texture = self._textures[number]
+                pane.set_material(material)
+
+    def _pixels(self, texture: int) -> NDArray[np.uint8]:
+        model = self._model
+        size = model.tex_height[texture], model.tex_width[texture], model.tex_nchannel[texture]
+        first = int(model.tex_adr[texture])
+        pixels: NDArray[np.uint8] = model.tex_data[first : first + math.prod(size)]
+        return pixels.reshape(size)
+
+    def _geoms(self, texture: int) -> list[int]:
+        role = mujoco.mjtTextureRole.mjTEXROLE_RGB
+        materials = np.flatnonzero(self._model.mat_texid[:, role] == texture)
+        geoms: list[int] = np.flatnonzero(np.isin(self._model.geom_matid, materials)).tolist()
+        return geoms
 
 
 def thin_out(model: mujoco.MjModel, wall: int, shown: "mjrf.Renderable") -> None:

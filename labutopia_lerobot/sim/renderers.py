@@ -7,8 +7,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.setting import FILAMENT
 from labutopia_lerobot.sim import classic_renderer, filament_renderer
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
@@ -40,7 +40,7 @@ def open_renderer(
     width: int,
     height: int,
     liquids: Sequence[LiquidDrawing] = (),
-    displays: Sequence[Display] = (),
+    apparatus: Apparatus | None = None,
     shadows: ContactShadows | None = None,
 ) -> Renderer:
     """Return a renderer of a kind, one of `setting.RENDERERS`; the model is compiled for it.
@@ -52,8 +52,8 @@ def open_renderer(
         NoOpenGLError: If it is the classic one, and there is no working OpenGL.
     """
     if kind == FILAMENT:
-        return filament_renderer.FilamentRenderer(model, width, height, liquids, displays)
-    return classic_renderer.ClassicRenderer(model, width, height, liquids, displays, shadows)
+        return filament_renderer.FilamentRenderer(model, width, height, liquids, apparatus)
+    return classic_renderer.ClassicRenderer(model, width, height, liquids, apparatus, shadows)
 
 
 def require_renderer(kind: str) -> None:

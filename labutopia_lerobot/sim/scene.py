@@ -7,28 +7,19 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.parts.tare import Balance
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.processes import Process, slots_of
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.robots.set_points import SPAN
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
 from labutopia_lerobot.sim import contact_shadows
-from labutopia_lerobot.sim.displacement import SqueezeBottle
 from labutopia_lerobot.sim.filament_light import light_for_filament
-from labutopia_lerobot.sim.memory import Memory
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
 from labutopia_lerobot.world.model import PHYSICS_HZ
-
-COMMANDS = "robot.commands"
-"""Slot of the memory for the commands that act, the last in the last row, (SPAN, elements)."""
-
-CONTACTS = "scene.contacts"
-"""Slot of the memory for which buttons are in, piece after piece, 0 or 1."""
-
 
 ROBOT_MOUNT = "robot_mount"
 """Body that the robot hangs on."""
@@ -43,7 +34,7 @@ class Scene:
         robot: The robot in it.
         room: The room around it.
         pieces: The labware in it.
-        memory: What the simulation remembers of them.
+        processes: What they do by themselves, in the order in which it is done.
         groups: Names that contacts are reported under.
         group_of_geom: Index into `groups` of every geom, and after them of every flex, which is
             named after the thing that it belongs to; shape (ngeom + nflex,).
@@ -56,7 +47,7 @@ class Scene:
     robot: Robot
     room: Room
     pieces: tuple[Piece, ...]
-    memory: Memory
+    processes: tuple[Process, ...]
     groups: tuple[str, ...]
     group_of_geom: NDArray[np.intp]
     contents: Mapping[Piece, Filling]
@@ -85,8 +76,9 @@ def compile_scene(
     pieces = tuple(pieces)
     spec = scene_spec(pieces, robot, room, view)
     contact_shadows.add_material(spec)
-    memory = _memory(pieces, robot)
-    spec.nuserdata = memory.size
+    processes = tuple(process for piece in pieces for process in piece.processes)
+    # MuJoCo keeps what it is given here with its state: the commands that act, then the processes.
+    spec.nuserdata = SPAN * len(robot.elements) + slots_of(processes)
     contents = contents or {}
     liquid = _drawing(spec, contents, particles, renderer == CLASSIC) if contents else None
     if renderer == FILAMENT:
@@ -94,7 +86,7 @@ def compile_scene(
     model = spec.compile()
     groups, group_of_geom = _contact_groups(model, robot)
     return Scene(
-        model, robot, room, pieces, memory, groups, group_of_geom, contents, particles, liquid
+        model, robot, room, pieces, processes, groups, group_of_geom, contents, particles, liquid
     )
 
 
@@ -139,21 +131,6 @@ def set_options(spec: mujoco.MjSpec) -> None:
 def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
     """Mount the robot on its stand."""
     robot.add_to(spec, spec.worldbody.add_body(name=ROBOT_MOUNT, pos=room.robot_stand))
-
-
-def _memory(pieces: tuple[Piece, ...], robot: Robot) -> Memory:
-    """Keep commands, buttons that are in, switches, tared masses; of bottles see `Displacement`."""
-    buttons = [button.name for piece in pieces for button in piece.buttons]
-    switches = [switch.name for piece in pieces for switch in piece.switches]
-    bottles = [piece.name for piece in pieces if isinstance(piece, SqueezeBottle)]
-    tares = [tare.name for piece in pieces if isinstance(piece, Balance) for tare in piece.tares]
-    commands = {COMMANDS: SPAN * len(robot.elements)}
-    return Memory(
-        commands
-        | {CONTACTS: len(buttons)}
-        | dict.fromkeys([*switches, *tares], 1)
-        | dict.fromkeys(bottles, 2)
-    )
 
 
 def _drawing(

@@ -6,18 +6,16 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.parts.tare import Balance
 from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.set_points import PHYSICS_STEPS, SPAN, set_points
-from labutopia_lerobot.sim.button_contacts import ButtonContacts
 from labutopia_lerobot.sim.contact_record import ContactRecord
-from labutopia_lerobot.sim.displacement import Displacement, SqueezeBottle
-from labutopia_lerobot.sim.scene import COMMANDS, CONTACTS, ROBOT_MOUNT, Scene
+from labutopia_lerobot.sim.scene import ROBOT_MOUNT, Scene
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
-from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 from labutopia_lerobot.world.model import PHYSICS_HZ
 
 _SETTLE_STEPS = CONTROL_HZ // 3
@@ -39,6 +37,7 @@ class Simulation:
         liquid: The liquid, or None where there is none.
         account: Where it is, as of the last control step.
         contacts: What touched what since the previous control step, how hard and how fast.
+        apparatus: The processes of the things, at work.
         set_points: What the servos were given at each physics step since then [rad or m], shape
             (PHYSICS_STEPS, elements).
         watch: Called after every physics step, if anything.
@@ -52,20 +51,13 @@ class Simulation:
         self.contacts = ContactRecord(scene, self.data)
         self._drives = Drives(scene.model, scene.robot)
         self._start = np.array(scene.robot.start)
-        self._buttons = [button for piece in scene.pieces for button in piece.buttons]
-        self._button_contacts = ButtonContacts(scene.model, self._buttons)
-        self._switches = [switch for piece in scene.pieces for switch in piece.switches]
-        self._dark = [scene.model.geom(switch.lamp).rgba.copy() for switch in self._switches]
-        self._tares = [
-            tare for piece in scene.pieces if isinstance(piece, Balance) for tare in piece.tares
-        ]
-        self._displacements = [
-            Displacement(scene.model, piece)
-            for piece in scene.pieces
-            if isinstance(piece, SqueezeBottle)
-        ]
         self.liquid = _liquid(scene, self.data) if scene.contents else None
         self.account = None if self.liquid is None else self.liquid.take_account()
+        commands = SPAN * len(scene.robot.elements)
+        self.apparatus = Apparatus(
+            scene.model, self.data, scene.processes, self.data.userdata[commands:]
+        )
+        self.apparatus.liquid = self.liquid
         self.set_points = np.tile(self._start, (PHYSICS_STEPS, 1))
         self.watch: Callable[[], None] | None = None
         self.commands[:] = self._start
@@ -73,14 +65,19 @@ class Simulation:
         self.rest = self.data.xpos.copy(), self.data.xmat.copy()
 
     def reset(
-        self, layout: Mapping[Piece, Placement], displacement: FloatArray | None = None
+        self,
+        layout: Mapping[Piece, Placement],
+        displacement: FloatArray | None = None,
+        rng: np.random.Generator | None = None,
     ) -> None:
         """Put the robot at home and the things where the layout says, and let them settle.
 
         Args:
             layout: Where things stand.
             displacement: How far from home the arm starts, shape (joints,), radians.
+            rng: Where the processes' random numbers come from; a fixed one if there is none.
         """
+        rng = np.random.default_rng(0) if rng is None else rng
         model, data, bench = self.scene.model, self.data, self.scene.room.bench
         mujoco.mj_resetData(model, data)
         if self.liquid is not None:
@@ -102,9 +99,10 @@ class Simulation:
         self._drives.command(data, start)
         self.commands[:] = start
         mujoco.mj_step1(model, data)
+        self.apparatus.start(rng)
         for _ in range(_SETTLE_STEPS):
             self.step(start)
-        self._start_displacements()
+        self._start_processes(rng)
         self.rest = data.xpos.copy(), data.xmat.copy()
         self.start_clock()
 
@@ -118,15 +116,14 @@ class Simulation:
             self.liquid.fill(vessels, rng)
             for _ in range(_SETTLE_STEPS):
                 self.step(self.command)
-            self._start_displacements()
+            self._start_processes(rng)
 
     def start_clock(self) -> None:
         """Make now the beginning of the episode."""
         self.data.time = 0.0
 
-    def _start_displacements(self) -> None:
-        for displacement in self._displacements:
-            displacement.start(self._remembered(displacement.bottle.name), self.data)
+    def _start_processes(self, rng: np.random.Generator) -> None:
+        self.apparatus.start(rng)
         if self.liquid is not None:
             self.liquid.start_dispensing()
 
@@ -148,73 +145,21 @@ class Simulation:
             mujoco.mj_step2(model, data)
             self.contacts.note()
             mujoco.mj_step1(model, data)
+            self.apparatus.sample()
             if self.liquid is not None and substep % (PHYSICS_HZ // self.liquid.hertz) == 0:
                 self.liquid.step()
             if self.watch is not None:
                 self.watch()
-        if self._buttons:
-            self._work_buttons()
-        self._light_lamps()
-        self._squeeze_bottles()
+        self.apparatus.step()
         if self.liquid is not None:
             self.account = self.liquid.take_account()
-
-    def _squeeze_bottles(self) -> None:
-        """Let out of every bottle what its wall has displaced since the last control step."""
-        for displacement in self._displacements:
-            state = self._remembered(displacement.bottle.name)
-            displacement.update(state, self.data)
-            if self.liquid is not None:
-                site = self.data.site(displacement.bottle.spout)
-                spout = Pose(site.xpos, site.xmat.reshape(3, 3))
-                self.liquid.dispense(displacement.bottle, state[1], spout, 1.0 / CONTROL_HZ)
-
-    def _work_buttons(self) -> None:
-        """Let the contacts behind the buttons click, and toggle switches and tare balances.
-
-        Once per control period: a cap that springs back along a finger bounces for 20 ms, which any
-        instrument's input ignores.
-        """
-        clicked = self._button_contacts.update(self.data, self._remembered(CONTACTS))
-        if clicked.any():
-            names = {self._buttons[index].name for index in np.flatnonzero(clicked)}
-            for switch in self._switches:
-                if switch.button in names:
-                    self._remembered(switch.name)[0] = not self.switched_on(switch.name)
-            for tare in self._tares:
-                if tare.button in names:
-                    mass = tare.reading.mass(self.scene.model, self.data)
-                    self._remembered(tare.name)[0] = mass
-
-    def _light_lamps(self) -> None:
-        """Light the lamps of the switches that are on, and let balances show what is tared."""
-        for switch, dark in zip(self._switches, self._dark, strict=True):
-            lit = self.switched_on(switch.name)
-            self.scene.model.geom(switch.lamp).rgba = switch.lit if lit else dark
-        for tare in self._tares:
-            self.scene.model.numeric(tare.name).data[0] = self._remembered(tare.name)[0]
-
-    def pressed(self, name: str) -> bool:
-        """Tell whether a button has clicked in, and not out again."""
-        index = [button.name for button in self._buttons].index(name)
-        return bool(self._remembered(CONTACTS)[index])
-
-    def switched_on(self, name: str) -> bool:
-        """Tell whether a switch is on."""
-        return bool(self._remembered(name)[0])
-
-    def displaced(self, name: str) -> float:
-        """Return the volume of liquid that has been squeezed out of a bottle [m^3]."""
-        return float(self._remembered(name)[1])
-
-    def _remembered(self, name: str) -> FloatArray:
-        """Return what the memory holds under a name, a view."""
-        return self.scene.memory.of(self.data, name)
 
     @property
     def commands(self) -> FloatArray:
         """The commands that act, the last in the last row, shape (SPAN, elements), a view."""
-        return np.reshape(self.scene.memory.of(self.data, COMMANDS), (SPAN, -1))
+        elements = len(self.scene.robot.elements)
+        commands: FloatArray = self.data.userdata[: SPAN * elements]
+        return commands.reshape(SPAN, elements)
 
     @property
     def command(self) -> FloatArray:

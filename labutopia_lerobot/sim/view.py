@@ -1,15 +1,15 @@
 """The read-only world that predicates, skills and observations look at."""
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import mujoco
 import numpy as np
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.sim.displacement import SqueezeBottle
+from labutopia_lerobot.processes import UnknownReadingError
 from labutopia_lerobot.sim.simulation import Simulation
-from labutopia_lerobot.world import FloatArray, LiquidAccount, Manipulator, Pose, Thing
+from labutopia_lerobot.world import FloatArray, LiquidAccount, Manipulator, Pose, Reading, Thing
 
 
 class UnknownThingError(UserError, LookupError):
@@ -33,7 +33,6 @@ class SimulatedWorld:
         self._pieces = scene.pieces
         self._movable: tuple[Thing, ...] = tuple(p for p in scene.pieces if p.movable)
         self._faller = {piece.name: index for index, piece in enumerate(self._movable)}
-        self._buttons = tuple(button.name for piece in scene.pieces for button in piece.buttons)
         self._bodies: dict[str, int] = {
             piece.name: int(scene.model.body(piece.name).id) for piece in scene.pieces
         }
@@ -77,11 +76,6 @@ class SimulatedWorld:
     def movable(self) -> tuple[Thing, ...]:
         """Everything that stands free, distractors included."""
         return self._movable
-
-    @property
-    def buttons(self) -> tuple[str, ...]:
-        """Names of all push-buttons."""
-        return self._buttons
 
     def pose(self, thing: Thing) -> Pose:
         """Return the frame of a thing: origin at the centre of its base."""
@@ -139,25 +133,22 @@ class SimulatedWorld:
                 "sensor", name, self._names(self._model.nsensor, "sensor")
             ) from None
 
-    def pressed(self, name: str) -> bool:
-        """Tell whether a named button has clicked in, and not out again."""
-        if name not in self._buttons:
-            raise self._unknown("button", name, self._buttons)
-        return self._simulation.pressed(name)
+    def reading(self, name: str) -> Reading:
+        """Return a named reading."""
+        try:
+            return self._simulation.apparatus.reading(name)
+        except UnknownReadingError:
+            raise self._unknown("reading", name, self.readings) from None
 
-    def switched_on(self, name: str) -> bool:
-        """Tell whether a named switch is on."""
-        switches = [switch.name for piece in self._pieces for switch in piece.switches]
-        if name not in switches:
-            raise self._unknown("switch", name, switches)
-        return self._simulation.switched_on(name)
+    @property
+    def readings(self) -> Mapping[str, Reading]:
+        """All readings that there are, by name."""
+        return self._simulation.apparatus.readings
 
-    def displaced(self, thing: Thing) -> float:
-        """Return the volume of liquid that has been squeezed out of a bottle [m^3]."""
-        bottles = [piece.name for piece in self._pieces if isinstance(piece, SqueezeBottle)]
-        if thing.name not in bottles:
-            raise self._unknown("bottle", thing.name, bottles)
-        return self._simulation.displaced(thing.name)
+    @property
+    def displayed(self) -> Mapping[str, Reading]:
+        """The readings that displays show now, by name."""
+        return self._simulation.apparatus.displayed
 
     @property
     def liquid(self) -> LiquidAccount | None:

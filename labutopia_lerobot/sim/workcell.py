@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.layout import Workspace, sample_layout
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
 from labutopia_lerobot.progress import Progress
@@ -83,12 +82,11 @@ class Workcell:
         """
         scene = self.simulation.scene
         liquids = [] if scene.liquid is None else [scene.liquid]
-        equipment = [piece for piece in scene.pieces if isinstance(piece, Equipment)]
-        displays = [display for piece in equipment for display in piece.displays]
         bodies = [piece.name for piece in scene.pieces]
         shadows = ContactShadows(scene.model, bodies, scene.room.bench)
         size = self._setting.width, self._setting.height
-        return open_renderer(self._setting.renderer, scene.model, *size, liquids, displays, shadows)
+        kind, apparatus = self._setting.renderer, self.simulation.apparatus
+        return open_renderer(kind, scene.model, *size, liquids, apparatus, shadows)
 
     def expert(self, skills: Sequence[Skill] | None = None) -> Expert:
         """Return an expert that plays skills, those of `steps` by default; `start` it."""
@@ -133,7 +131,7 @@ class Workcell:
             self.world.robot.vessel_approach.yaw,
             rng,
         )
-        self.simulation.reset(layout, variation.robot_start)
+        self.simulation.reset(layout, variation.robot_start, rng)
         self.simulation.fill(rng)
         self.filter.start(self.simulation.command)
         if not self._play(task.setup) or not self._play_steps(before):
@@ -208,6 +206,7 @@ class Workcell:
             "substeps": {name: np.inf if time is None else time for name, time in latched},
             "step": None if progress.step is None else progress.step.name,
             "after": self.after,
+            "readings": {name: r.shown for name, r in self.world.displayed.items()},
             **({} if liquid is None else liquid.millilitres),
             "applied_action": filtered.applied.copy(),
             "clipped_actions": filtered.clipped,

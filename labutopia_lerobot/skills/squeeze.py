@@ -76,4 +76,4 @@ class Squeeze:
         return hand_at(world, centre).advanced(-self.depth)
 
     def _enough(self, world: World) -> bool:
-        return world.displaced(self.bottle) * 1e6 >= self.amount_ml
+        return world.reading(self.bottle.squeezed).value >= self.amount_ml

@@ -3,6 +3,7 @@
 from labutopia_lerobot.world.liquid_account import LiquidAccount
 from labutopia_lerobot.world.manipulator import Approach, Manipulator
 from labutopia_lerobot.world.pose import FloatArray, Pose
+from labutopia_lerobot.world.reading import ON, PRESSED, Reading
 from labutopia_lerobot.world.things import Button, Graspable, OpenVessel, Standing, Thing
 from labutopia_lerobot.world.world import (
     ARM,
@@ -21,6 +22,8 @@ __all__ = [
     "CONTROL_HZ",
     "HAND",
     "LEFT_PAD",
+    "ON",
+    "PRESSED",
     "RIGHT_PAD",
     "ROOM",
     "Approach",
@@ -31,6 +34,7 @@ __all__ = [
     "Manipulator",
     "OpenVessel",
     "Pose",
+    "Reading",
     "Standing",
     "Thing",
     "World",

@@ -1,10 +1,12 @@
 """The read-only view of the simulation."""
 
+from collections.abc import Mapping
 from typing import Protocol
 
 from labutopia_lerobot.world.liquid_account import LiquidAccount
 from labutopia_lerobot.world.manipulator import Manipulator
 from labutopia_lerobot.world.pose import FloatArray, Pose
+from labutopia_lerobot.world.reading import Reading
 from labutopia_lerobot.world.things import Thing
 
 CONTROL_HZ = 30
@@ -67,11 +69,6 @@ class World(Protocol):
         """Everything that stands free, distractors included."""
         ...
 
-    @property
-    def buttons(self) -> tuple[str, ...]:
-        """Names of all push-buttons."""
-        ...
-
     def pose(self, thing: Thing) -> Pose:
         """Return the frame of a thing: origin at the centre of its base, z up when it stands."""
         ...
@@ -111,16 +108,18 @@ class World(Protocol):
         """Return the reading of a named scalar sensor, such as the force on a button [N]."""
         ...
 
-    def pressed(self, name: str) -> bool:
-        """Tell whether a named button has clicked in, and not out again."""
+    def reading(self, name: str) -> Reading:
+        """Return a named reading, such as what a balance shows, or whether a button is in."""
         ...
 
-    def switched_on(self, name: str) -> bool:
-        """Tell whether a named switch is on."""
+    @property
+    def readings(self) -> Mapping[str, Reading]:
+        """All readings that there are, by name."""
         ...
 
-    def displaced(self, thing: Thing) -> float:
-        """Return the volume of liquid squeezed out of a bottle since the episode began [m^3]."""
+    @property
+    def displayed(self) -> Mapping[str, Reading]:
+        """The readings that displays show now, by name."""
         ...
 
     @property

@@ -11,6 +11,7 @@ import pytest
 
 from labutopia_lerobot.labware.catalogue import instrument
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
+from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.sim.filament_light import light_for_filament
 from labutopia_lerobot.sim.filament_renderer import FilamentRenderer, NoFilamentError
@@ -154,8 +155,8 @@ def test_a_display_shows_the_reading_of_now():
     model, _ = pane_and_pool([(0.1, 0.2, 0.9, 0.9)])
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    displays = instrument("stirring_hot_plate", "plate").displays
-    renderer = FilamentRenderer(model, 200, 200, (), displays)
+    apparatus = Apparatus(model, data, instrument("stirring_hot_plate", "plate").processes)
+    renderer = FilamentRenderer(model, 200, 200, (), apparatus)
     cold = renderer.color(data, "front")
     heat = data.joint("plate_heat_hinge")
     heat.qpos[0] = np.radians(300.0)  # without forward kinematics nothing else has moved

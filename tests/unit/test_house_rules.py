@@ -15,6 +15,7 @@ SOURCES = sorted(PACKAGE.rglob("*.py"))
 LAYERS = (
     "errors foreign_files kernel registry world",
     "substances places",
+    "processes",
     "labware robots scenes",
     "layout setting pictures",
     "predicates",
@@ -35,7 +36,7 @@ LAYERS = (
 
 HEIGHT = {room: height for height, line in enumerate(LAYERS) for room in line.split()}
 
-MUJOCO = {"labware", "robots", "scenes", "liquids", "sim", "export"}
+MUJOCO = {"processes", "labware", "robots", "scenes", "liquids", "sim", "export"}
 LEROBOT = {"datasets", "devices", "evaluation", "lerobot_plugin"}
 
 

@@ -28,6 +28,11 @@ TUBE = SiliconeTube("tube")
 EDGE = float(np.linalg.norm(TUBE.path[1] - TUBE.path[0]))
 
 
+def squeezed(env: LabEnv) -> float:
+    """Return what has left the bottle [ml]."""
+    return env.workcell.world.reading(BOTTLE.squeezed).value
+
+
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
     """The task with the bottle."""
@@ -161,7 +166,7 @@ def test_a_bottle_left_alone_for_a_minute_does_not_stir(env):
     for _ in range(30 * 60):
         simulation.step(simulation.command)
     assert np.abs(simulation.data.flexvert_xpos - before).max() < 1e-5
-    assert env.workcell.world.displaced(BOTTLE) == 0.0
+    assert squeezed(env) == 0.0
     assert not simulation.diverged
 
 
@@ -181,41 +186,41 @@ def test_a_restored_state_goes_on_bit_for_bit_in_the_middle_of_a_squeeze(env):
         assert (
             other.workcell.simulation.state().tobytes() == env.workcell.simulation.state().tobytes()
         )
-        assert other.workcell.world.displaced(BOTTLE) == env.workcell.world.displaced(BOTTLE) > 0.0
+        assert squeezed(other) == squeezed(env) > 0.0
 
 
 def test_each_further_stroke_gives_more_and_nothing_returns(env):
     expert = play(env, "squeeze/release")
-    given = env.workcell.world.displaced(BOTTLE)
+    given = squeezed(env)
     while expert.label != "squeeze/done":
         env.step(expert.act())
-        assert env.workcell.world.displaced(BOTTLE) == given
+        assert squeezed(env) == given
     simulation = env.workcell.simulation
-    state, data = simulation._remembered(BOTTLE.name), simulation.data
-    (displacement,) = simulation._displacements
+    data, apparatus = simulation.data, simulation.apparatus
+    squeezing = apparatus.processes[BOTTLE.squeezed]
     expert = play(env, "squeeze/hold")
-    squeezed, full = data.flexvert_xpos.copy(), volume(env)
+    narrow, full = data.flexvert_xpos.copy(), volume(env)
     env.reset(seed=5)
     at_rest = data.flexvert_xpos.copy()
     fall = volume(env) - full
     for stroke in (1, 2, 3):
-        for shape in (squeezed, at_rest):
+        for shape in (narrow, at_rest):
             data.flexvert_xpos[:] = shape
-            displacement.update(state, data)
-        assert state[1] == pytest.approx(stroke * (fall - BOTTLE.spout_volume), rel=1e-6)
+            squeezing.step(apparatus)
+        left = stroke * (fall - BOTTLE.spout_volume)
+        assert squeezed(env) == pytest.approx(1e6 * left, rel=1e-6)
 
 
 def test_a_bottle_gives_no_more_than_it_holds(env):
     env.reset(seed=5)
     simulation = env.workcell.simulation
-    state, data = simulation._remembered(BOTTLE.name), simulation.data
-    (displacement,) = simulation._displacements
+    data, apparatus = simulation.data, simulation.apparatus
     at_rest = data.flexvert_xpos.copy()
     for _ in range(20):
         for size in (0.95, 1.0):  # a seventh less volume, about 45 ml
             data.flexvert_xpos[:] = at_rest[0] + size * (at_rest - at_rest[0])
-            displacement.update(state, data)
-    assert state[1] == BOTTLE.contents
+            apparatus.processes[BOTTLE.squeezed].step(apparatus)
+    assert squeezed(env) == 1e6 * BOTTLE.contents
 
 
 def test_a_tube_comes_to_rest_on_the_bench(lying):

@@ -37,12 +37,7 @@ def test_a_skill_about_it_names_it_when_it_is_first_played(env):
         expert.act()
 
 
-@pytest.mark.parametrize("ask", ["frame", "joint", "sensor", "switched_on", "touched_by"])
+@pytest.mark.parametrize("ask", ["frame", "joint", "sensor", "reading", "touched_by"])
 def test_every_name_is_looked_up_with_the_same_error(env, ask):
     with pytest.raises(UnknownThingError, match=r"'nowhere'.*in the start: flask"):
         getattr(env.workcell.world, ask)("nowhere")
-
-
-def test_a_bottle_that_is_none_is_named(env):
-    with pytest.raises(UnknownThingError, match=r"the bottle 'flusk'"):
-        env.workcell.world.displaced(OTHER)

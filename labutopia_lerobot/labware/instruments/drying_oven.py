@@ -114,7 +114,7 @@ class DryingOven(Equipment):
         return () if self.button_color is None else (self.button,)
 
     @property
-    def switches(self) -> tuple[Switch, ...]:
+    def works(self) -> tuple[Switch, ...]:
         return () if self.button_color is None else (self.switch,)
 
     @property

@@ -77,7 +77,7 @@ class Heater(Equipment):
         return (self.button,)
 
     @property
-    def switches(self) -> tuple[Switch, ...]:
+    def works(self) -> tuple[Switch, ...]:
         return (self.switch,)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:

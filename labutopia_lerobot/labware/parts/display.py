@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Protocol
+from typing import override
 
 import mujoco
 import numpy as np
@@ -11,6 +11,7 @@ from PIL import Image, ImageDraw, ImageFont
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.labware.parts.solid import Quaternion, Vector
+from labutopia_lerobot.processes import Apparatus, Process
 from labutopia_lerobot.world.model import VISUAL_GROUP
 
 _ROWS = 48
@@ -19,31 +20,33 @@ _DARK, _LIT = (9, 14, 17), (150, 235, 220)
 """Of a vacuum fluorescent display; ours."""
 
 
-class Reading(Protocol):
-    """What a display shows."""
-
-    def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
-        """Return it as it is now."""
-        ...
-
-
 @dataclass(frozen=True)
-class Display:
+class Display(Process):
     """A pane that shows a line of text.
 
     Attributes:
         name: Name of its geom, of its texture and of its material.
         size: Width and height [m].
-        reading: What it shows.
+        of: The process whose text it shows.
         ink: Colour of the text, red, green, blue, 0 to 255.
         paper: Colour behind it.
     """
 
     name: str
     size: tuple[float, float]
-    reading: Reading
+    of: Process
     ink: tuple[int, int, int] = _LIT
     paper: tuple[int, int, int] = _DARK
+
+    @property
+    @override
+    def displayed(self) -> tuple[str, ...]:
+        return (self.of.name,)
+
+    @override
+    def show(self, apparatus: Apparatus) -> None:
+        text = self.of.text(apparatus)
+        apparatus.paint(self.name, text, lambda: self.picture(text))
 
     def add_to(
         self, spec: mujoco.MjSpec, panel: mujoco.MjsBody, pos: Vector, quat: Quaternion
@@ -100,14 +103,6 @@ class Display:
     def picture(self, text: str) -> NDArray[np.uint8]:
         """Return the texture that shows a text, shape (height, width, 3)."""
         return _picture(text, self.pixels, self.ink, self.paper)
-
-    def show(self, model: mujoco.MjModel, text: str) -> int:
-        """Write a text into a compiled model; return the texture to be sent to the renderer."""
-        texture = model.texture(self.name)
-        wide, high = self.pixels
-        start = int(model.tex_adr[texture.id])
-        model.tex_data[start : start + 3 * wide * high] = self.picture(text).ravel()
-        return int(texture.id)
 
 
 @lru_cache(maxsize=256)

@@ -16,6 +16,7 @@ from labutopia_lerobot.labware.parts.openable import Door, Drawer
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.solid import Vector
 from labutopia_lerobot.labware.parts.top import Top
+from labutopia_lerobot.processes import Process
 
 
 class Equipment(Still):
@@ -57,6 +58,17 @@ class Equipment(Still):
     def displays(self) -> tuple[Display, ...]:
         """What it shows."""
         return ()
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """What it does by itself, beside its buttons and displays: switches, drives, heat."""
+        return ()
+
+    @property
+    def processes(self) -> tuple[Process, ...]:
+        """Its buttons, what it works, what its displays read, and the displays, in this order."""
+        read = (display.of for display in self.displays)
+        return tuple(dict.fromkeys((*self.buttons, *self.works, *read, *self.displays)))
 
     @property
     def joints(self) -> tuple[str, ...]:

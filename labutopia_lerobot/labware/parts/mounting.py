@@ -1,11 +1,11 @@
 """How things stand: free on the bench, or fixed to it; what most of them are is said once, here."""
 
-from labutopia_lerobot.labware.parts.switch import Switch
-from labutopia_lerobot.world import Button
+from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.processes import Process
 
 
 class Still:
-    """A `Piece` of which nothing moves or switches, unless it says otherwise."""
+    """A `Piece` of which nothing moves, unless it says otherwise."""
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -13,12 +13,13 @@ class Still:
         return ()
 
     @property
-    def buttons(self) -> tuple[Button, ...]:
+    def buttons(self) -> tuple[PushButton, ...]:
         return ()
 
     @property
-    def switches(self) -> tuple[Switch, ...]:
-        return ()
+    def processes(self) -> tuple[Process, ...]:
+        """What it does by itself: its buttons click."""
+        return self.buttons
 
 
 class Loose(Still):

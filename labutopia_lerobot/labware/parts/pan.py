@@ -7,9 +7,9 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.form import Form
-from labutopia_lerobot.labware.parts.reading import Mass
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.solid import Vector
+from labutopia_lerobot.labware.parts.weighing import Weighing
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _MASS = 0.1
@@ -41,9 +41,11 @@ class Pan:
         """Where things stand on it."""
         return Seat(f"{self.name}_middle", self.name, (0.0, 0.0, self.top), self.width)
 
-    def reading(self, digits: int, most: float) -> Mass:
-        """Return the mass on it in grams, to so many digits, up to a capacity [g]."""
-        return Mass(self.force_sensor, self.name, digits, most)
+    def weighing(
+        self, name: str, resolution: float, capacity: float, tare: str, doors: tuple[str, ...] = ()
+    ) -> Weighing:
+        """Return what weighs what is on it; see `Weighing` for the arguments."""
+        return Weighing(name, self.force_sensor, self.name, resolution, capacity, tare, doors)
 
     def add_to(
         self,
@@ -66,7 +68,6 @@ class Pan:
         assemble(spec, body, piece, forms, _MASS)
         body.add_site(name=self.force_sensor, quat=_X_UP, group=COLLISION_GROUP)
         self.place.add_to(body)
-        spec.add_numeric(name=self.reading(0, 0.0).tare, data=[0.0], size=1)
         spec.add_sensor(
             name=self.force_sensor,
             type=mujoco.mjtSensor.mjSENS_FORCE,

@@ -1,6 +1,7 @@
 """A sprung push button: a round cap on a slide, as on the front of any instrument."""
 
 from dataclasses import dataclass
+from typing import override
 
 import mujoco
 
@@ -12,6 +13,8 @@ from labutopia_lerobot.labware.parts.solid import (
     add_look,
     add_part,
 )
+from labutopia_lerobot.processes import Apparatus, Process
+from labutopia_lerobot.world import PRESSED, Reading
 from labutopia_lerobot.world.model import COLLISION_GROUP, SOLIMP, SOLREF
 
 type Color = tuple[float, float, float, float]
@@ -28,11 +31,13 @@ _MASS = 0.015
 
 
 @dataclass(frozen=True)
-class PushButton:
+class PushButton(Process):
     """A button; the frame of its name lies in the middle of its face.
 
     Its z axis is the way it is pressed, its x axis the way the back of a hand looks that presses it
-    comfortably.
+    comfortably. Behind it is a snap-action contact, which clicks in at one travel and out at a
+    lesser one. It is asked once per control period: a cap that springs back along a finger bounces
+    for 20 ms, which any instrument's input ignores.
 
     Attributes:
         name: Name of its body and of its frame.
@@ -70,6 +75,22 @@ class PushButton:
     def cap(self) -> str:
         """Name of the geom that is seen of it."""
         return f"{self.name}_cap"
+
+    @property
+    @override
+    def slots(self) -> tuple[str, ...]:
+        return ("in",)
+
+    @override
+    def step(self, apparatus: Apparatus) -> None:
+        memory = apparatus.memory(self)
+        least = self.travel - self.differential if memory[0] > 0.0 else self.travel
+        memory[0] = apparatus.joint(self.joint) >= least
+
+    @override
+    def reading(self, apparatus: Apparatus) -> Reading:
+        """Return 1 from when it has clicked in until it clicks out, else 0."""
+        return Reading(float(apparatus.memory(self)[0]), PRESSED)
 
     def add_to(
         self, spec: mujoco.MjSpec, parent: mujoco.MjsBody, pos: Vector, quat: Quaternion = UNTURNED

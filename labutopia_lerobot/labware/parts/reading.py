@@ -1,107 +1,113 @@
-"""What displays show: a state, a mass on a pan, what a knob is set to, the time."""
+"""What instruments read off themselves: the position of a knob, the time; or nothing yet."""
 
 import math
 from dataclasses import dataclass
+from typing import Protocol, override
 
-import mujoco
-import numpy as np
-
-
-@dataclass(frozen=True)
-class Either:
-    """One text or another: by whether a door is open, or a switch on.
-
-    Attributes:
-        joint: Name of its joint.
-        beyond: Position up to which it counts as shut, or off [rad or m].
-        then: The text beyond that.
-        otherwise: The text up to that.
-    """
-
-    joint: str
-    beyond: float
-    then: str
-    otherwise: str
-
-    def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
-        """Return the text for where it is."""
-        return self.then if float(data.joint(self.joint).qpos[0]) > self.beyond else self.otherwise
+from labutopia_lerobot.processes import Apparatus, Process
+from labutopia_lerobot.world import Reading
 
 
-@dataclass(frozen=True)
-class Mass:
-    """What is on a pan, in grams, less what was tared; the weight of the pan always is.
-
-    Attributes:
-        sensor: Name of the sensor of the force on what carries the pan [N].
-        pan: Name of the pan's body.
-        digits: Behind the decimal point.
-        most: Capacity [g]; above it shows `Err`.
-    """
-
-    sensor: str
-    pan: str
-    digits: int
-    most: float
+class Jointed(Protocol):
+    """A mechanism with one joint: a knob, a slide, a door."""
 
     @property
-    def tare(self) -> str:
-        """Name of the model's number for what was tared [kg]."""
-        return f"{self.pan}_tare"
+    def name(self) -> str:
+        """Name of its body."""
+        ...
 
-    def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
-        """Return the mass with a unit."""
-        grams = 1e3 * (self.mass(model, data) - float(model.numeric(self.tare).data[0]))
-        step = 10.0**-self.digits
-        rounded = round(grams / step) * step + 0.0  # no minus zero
-        return "Err" if rounded > self.most else f"{rounded:.{self.digits}f} g"
+    @property
+    def joint(self) -> str:
+        """Name of its hinge [rad] or slide [m]."""
+        ...
 
-    def mass(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
-        """Return the mass on the pan, tared or not [kg]."""
-        gravity = float(np.linalg.norm(model.opt.gravity))
-        force = float(data.sensor(self.sensor).data[0])
-        return abs(force) / gravity - float(model.body(self.pan).mass[0])
+    @property
+    def widest(self) -> float:
+        """Where it stops [rad or m]."""
+        ...
 
 
 @dataclass(frozen=True)
-class Scale:
+class Scale(Process):
     """A scale: what a knob is set to, or how far something has moved.
 
     Attributes:
-        joint: Name of its joint.
-        widest: Where that stops [rad or m].
-        lowest: What is shown at 0.
-        highest: What is shown at `widest`.
-        unit: Behind the number.
-        step: To what it is rounded.
+        of: What is turned or moved; the reading has its name.
+        lowest: What is read at 0.
+        highest: What is read at its stop.
+        unit: Of the reading.
+        resolution: Step of the last digit.
     """
 
-    joint: str
-    widest: float
+    of: Jointed
     lowest: float
     highest: float
     unit: str
-    step: float = 1.0
+    resolution: float = 1.0
 
-    def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
-        """Return the number with its unit."""
-        share = min(1.0, max(0.0, float(data.joint(self.joint).qpos[0]) / self.widest))
-        value = round((self.lowest + share * (self.highest - self.lowest)) / self.step) * self.step
-        digits = max(0, -math.floor(math.log10(self.step)))
-        return f"{value:.{digits}f} {self.unit}".rstrip()
+    @property
+    def name(self) -> str:
+        return self.of.name
+
+    @override
+    def reading(self, apparatus: Apparatus) -> Reading:
+        share = min(1.0, max(0.0, apparatus.joint(self.of.joint) / self.of.widest))
+        return Reading(
+            self.lowest + share * (self.highest - self.lowest), self.unit, self.resolution
+        )
 
 
 @dataclass(frozen=True)
-class Clock:
+class Unmeasured(Process):
+    """A quantity that is not simulated: its display shows dashes, or that something is open.
+
+    Attributes:
+        name: What its reading, no number, is called.
+        unit: Of the reading.
+        resolution: Step of the last digit.
+        warning: Text instead, while a door is open.
+        door: The door, if any.
+        beyond: Position up to which the door counts as shut [rad or m].
+    """
+
+    name: str
+    unit: str
+    resolution: float
+    warning: str = ""
+    door: Jointed | None = None
+    beyond: float = math.radians(2.0)
+
+    @override
+    def reading(self, apparatus: Apparatus) -> Reading:
+        return Reading(math.nan, self.unit, self.resolution)
+
+    @override
+    def text(self, apparatus: Apparatus) -> str:
+        if self.door is not None and apparatus.joint(self.door.joint) > self.beyond:
+            return self.warning
+        return super().text(apparatus)
+
+
+@dataclass(frozen=True)
+class Clock(Process):
     """The time since the episode began, or what is left of a time.
 
     Attributes:
-        start: Time that is counted down [s]; 0 counts up.
+        name: What its reading is called.
+        left: Time that is counted down [s]; 0 counts up.
     """
 
-    start: float = 0.0
+    name: str
+    left: float = 0.0
 
-    def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
+    @override
+    def reading(self, apparatus: Apparatus) -> Reading:
+        """Return whole seconds."""
+        time = float(apparatus.data.time)
+        return Reading(max(0, math.ceil(self.left - time)) if self.left else int(time), "s")
+
+    @override
+    def text(self, apparatus: Apparatus) -> str:
         """Return minutes and seconds."""
-        seconds = max(0, math.ceil(self.start - data.time)) if self.start else int(data.time)
+        seconds = int(self.reading(apparatus).value)
         return f"{seconds // 60:02d}:{seconds % 60:02d}"

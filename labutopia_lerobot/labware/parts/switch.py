@@ -1,10 +1,13 @@
 """A push-button that switches a lamp."""
 
 from dataclasses import dataclass
+from typing import override
 
 import mujoco
 
 from labutopia_lerobot.labware.parts.solid import Vector
+from labutopia_lerobot.processes import Apparatus, Process
+from labutopia_lerobot.world import ON, Reading
 from labutopia_lerobot.world.model import VISUAL_GROUP
 
 _RADIUS = 0.010
@@ -14,7 +17,7 @@ _DARK = (0.25, 0.08, 0.05, 1.0)
 
 
 @dataclass(frozen=True)
-class Switch:
+class Switch(Process):
     """A push-button that toggles a lamp each time it clicks in.
 
     Attributes:
@@ -28,6 +31,29 @@ class Switch:
     button: str
     lamp: str
     lit: tuple[float, float, float, float] = (1.0, 0.35, 0.1, 1.0)
+
+    @property
+    @override
+    def slots(self) -> tuple[str, ...]:
+        return ("on", "button in")
+
+    @override
+    def step(self, apparatus: Apparatus) -> None:
+        memory = apparatus.memory(self)
+        pressed = apparatus.reading(self.button).value
+        if pressed > memory[1]:
+            memory[0] = not memory[0]
+        memory[1] = pressed
+
+    @override
+    def reading(self, apparatus: Apparatus) -> Reading:
+        """Return 1 while it is on, else 0."""
+        return Reading(float(apparatus.memory(self)[0]), ON)
+
+    @override
+    def show(self, apparatus: Apparatus) -> None:
+        lit = apparatus.memory(self)[0] > 0.0
+        apparatus.model.geom(self.lamp).rgba = self.lit if lit else _DARK
 
     def add_lamp_to(self, panel: mujoco.MjsBody, pos: Vector) -> None:
         """Build its lamp, half sunk, onto a panel.

@@ -12,6 +12,8 @@ from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_look, add_part
 from labutopia_lerobot.labware.soft.shell import OWN_CONTYPE, SKIN, Elastic, Shell
+from labutopia_lerobot.labware.soft.squeezing import Squeezing
+from labutopia_lerobot.processes import Process
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
 LDPE = Elastic(young=1.0e8, poisson=0.45, density=920.0, damping=0.1)
@@ -134,6 +136,15 @@ class WashBottle(Fixed):
     def contents(self) -> float:
         """Liquid in it at the start [m^3]."""
         return _CONTENTS
+
+    @property
+    def squeezed(self) -> str:
+        """Name of the reading of the volume that has left it [ml]."""
+        return f"{self.name}_squeezed"
+
+    @property
+    def processes(self) -> tuple[Process, ...]:
+        return (Squeezing(self.squeezed, self, self.shell, self.wall, self.spout_volume),)
 
     @property
     def grip_height(self) -> float:

@@ -1,6 +1,5 @@
 """A glove box on its frame."""
 
-import math
 from dataclasses import dataclass
 
 import mujoco
@@ -11,7 +10,7 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Either
+from labutopia_lerobot.labware.parts.reading import Unmeasured
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 
@@ -58,7 +57,7 @@ class GloveBox(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Either(self.lock.joint, math.radians(2.0), "LOCK OPEN", "O2 0.4 ppm")
+        shown = Unmeasured(f"{self.name}_oxygen", "ppm O2", 0.1, "LOCK OPEN", self.lock)
         return (Display(f"{self.name}_display", (0.160, 0.050), shown),)
 
     def _forms(self) -> list[Form]:

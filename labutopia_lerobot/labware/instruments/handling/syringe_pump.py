@@ -62,8 +62,8 @@ class SyringePump(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        dosed = Scale(self.carriage.joint, self.carriage.widest, 0.0, 50.0, "ml", step=0.1)
-        rate = Scale(self.rate.joint, self.rate.widest, 0.0, 60.0, "ml/h", step=0.5)
+        dosed = Scale(self.carriage, 0.0, 50.0, "ml", resolution=0.1)
+        rate = Scale(self.rate, 0.0, 60.0, "ml/h", resolution=0.5)
         return (
             Display(f"{self.name}_volume", (0.070, 0.024), dosed),
             Display(f"{self.name}_flow", (0.070, 0.024), rate, ink=(255, 190, 90)),

@@ -75,7 +75,7 @@ class Autoclave(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        time = Scale(self.time.joint, self.time.widest, 0, 60, "min")
+        time = Scale(self.time, 0, 60, "min")
         return (Display(f"{self.name}_display", (0.110, 0.040), time, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

@@ -55,7 +55,7 @@ class DryBlockHeater(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat.joint, self.heat.widest, 20, 130, "\u00b0C", step=0.5)
+        heat = Scale(self.heat, 20, 130, "\u00b0C", resolution=0.5)
         return (Display(f"{self.name}_display", (0.080, 0.028), heat, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

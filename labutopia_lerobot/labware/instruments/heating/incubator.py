@@ -77,7 +77,7 @@ class Incubator(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat.joint, self.heat.widest, 20, 70, "\u00b0C", step=0.1)
+        heat = Scale(self.heat, 20, 70, "\u00b0C", resolution=0.1)
         return (Display(f"{self.name}_display", (0.120, 0.044), heat, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

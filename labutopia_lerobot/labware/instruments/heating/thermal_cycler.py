@@ -67,7 +67,8 @@ class ThermalCycler(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        return (Display(f"{self.name}_display", (0.110, 0.036), Clock(5400.0)),)
+        left = Clock(f"{self.name}_time", 5400.0)
+        return (Display(f"{self.name}_display", (0.110, 0.036), left),)
 
     def _forms(self) -> list[Form]:
         side = ((-0.225, 0.012), (0.225, 0.012), (0.225, 0.130), (-0.080, 0.130), (-0.225, 0.066))

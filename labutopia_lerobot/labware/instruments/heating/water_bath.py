@@ -65,7 +65,7 @@ class WaterBath(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat.joint, self.heat.widest, 20, 100, "\u00b0C", step=0.5)
+        heat = Scale(self.heat, 20, 100, "\u00b0C", resolution=0.5)
         return (Display(f"{self.name}_display", (0.080, 0.030), heat, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

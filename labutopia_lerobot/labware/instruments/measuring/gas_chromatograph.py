@@ -15,7 +15,7 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Either
+from labutopia_lerobot.labware.parts.reading import Unmeasured
 from labutopia_lerobot.labware.parts.valve import HandWheel
 
 
@@ -66,7 +66,7 @@ class GasChromatograph(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Either(self.door.joint, math.radians(2.0), "OVEN OPEN", "50.0 \u00b0C")
+        shown = Unmeasured(f"{self.name}_temperature", "\u00b0C", 0.1, "OVEN OPEN", self.door)
         return (Display(f"{self.name}_display", (0.120, 0.046), shown),)
 
     def _forms(self) -> list[Form]:

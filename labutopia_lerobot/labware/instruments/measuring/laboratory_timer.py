@@ -44,7 +44,8 @@ class LaboratoryTimer(Instrument):
     @property
     def displays(self) -> tuple[Display, ...]:
         ink, paper = (20, 30, 25), (165, 185, 160)
-        return (Display(f"{self.name}_display", (0.094, 0.034), Clock(), ink, paper),)
+        time = Clock(f"{self.name}_time")
+        return (Display(f"{self.name}_display", (0.094, 0.034), time, ink, paper),)
 
     def _forms(self) -> list[Form]:
         side = ((-0.040, 0.002), (0.035, 0.002), (0.035, 0.020), (0.010, 0.090), (-0.010, 0.090))

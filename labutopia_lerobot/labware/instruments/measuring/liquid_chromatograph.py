@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Clock, Either
+from labutopia_lerobot.labware.parts.reading import Clock, Unmeasured
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
@@ -62,10 +62,11 @@ class LiquidChromatograph(Instrument):
     @property
     def displays(self) -> tuple[Display, ...]:
         """What the pump delivers, to the column or to waste, and how long the detector has run."""
-        flow = Either(self.purge.joint, math.radians(30.0), "PURGE", "1.00 ml/min")
+        open_by = math.radians(30.0)
+        flow = Unmeasured(f"{self.name}_pump", "ml/min", 0.01, "PURGE", self.purge, open_by)
         return (
             Display(f"{self.name}_flow", (0.100, 0.034), flow),
-            Display(f"{self.name}_run_time", (0.100, 0.034), Clock()),
+            Display(f"{self.name}_run_time", (0.100, 0.034), Clock(f"{self.name}_time")),
         )
 
     def _forms(self) -> list[Form]:

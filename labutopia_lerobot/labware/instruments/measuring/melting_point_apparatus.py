@@ -49,7 +49,7 @@ class MeltingPointApparatus(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat.joint, self.heat.widest, 20.0, 360.0, "\u00b0C", step=0.1)
+        heat = Scale(self.heat, 20.0, 360.0, "\u00b0C", resolution=0.1)
         return (Display(f"{self.name}_display", (0.080, 0.030), heat, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

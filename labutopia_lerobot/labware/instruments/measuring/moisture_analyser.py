@@ -19,7 +19,7 @@ from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
-from labutopia_lerobot.labware.parts.tare import Tare
+from labutopia_lerobot.labware.parts.weighing import Weighing
 
 
 @dataclass(frozen=True)
@@ -62,8 +62,10 @@ class MoistureAnalyser(Instrument):
         return (self.tare,)
 
     @property
-    def tares(self) -> tuple[Tare, ...]:
-        return (Tare(self.tare.name, self.pan.reading(3, 60.0)),)
+    def weighing(self) -> Weighing:
+        """The mass on its pan."""
+        name, tare = f"{self.name}_reading", self.tare.name
+        return self.pan.weighing(name, 1e-3, 60.0, tare)
 
     @property
     def places(self) -> tuple[Seat, ...]:
@@ -71,9 +73,9 @@ class MoistureAnalyser(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat.joint, self.heat.widest, 40, 200, "\u00b0C")
+        heat = Scale(self.heat, 40, 200, "\u00b0C")
         return (
-            Display(f"{self.name}_mass", (0.080, 0.026), self.pan.reading(3, 60.0)),
+            Display(f"{self.name}_mass", (0.080, 0.026), self.weighing),
             Display(f"{self.name}_temperature", (0.060, 0.020), heat, ink=(255, 90, 60)),
         )
 

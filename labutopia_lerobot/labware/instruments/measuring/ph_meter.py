@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Either
+from labutopia_lerobot.labware.parts.reading import Unmeasured
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -23,7 +23,7 @@ from labutopia_lerobot.labware.parts.slide import Slide
 class PhMeter(Instrument):
     """A pH meter: the arm turns on its post, the electrode is pushed down into a beaker.
 
-    It shows 7.00 as soon as the electrode is halfway down: nothing here measures a pH yet.
+    Its display shows dashes: nothing here measures a pH yet.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -65,7 +65,7 @@ class PhMeter(Instrument):
     @property
     def displays(self) -> tuple[Display, ...]:
         ink, paper = (20, 30, 25), (165, 185, 160)
-        shown = Either(self.electrode.joint, 0.050, "pH 7.00", "pH -.--")
+        shown = Unmeasured(f"{self.name}_ph", "pH", 0.01)
         return (Display(f"{self.name}_display", (0.110, 0.040), shown, ink, paper),)
 
     def _forms(self) -> list[Form]:

@@ -62,7 +62,7 @@ class PlateReader(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        out = Scale(self.drawer.joint, self.drawer.widest, 0, 100, "% out", step=5)
+        out = Scale(self.drawer, 0, 100, "% out", resolution=5)
         return (Display(f"{self.name}_display", (0.110, 0.036), out),)
 
     def _forms(self) -> list[Form]:

@@ -50,7 +50,7 @@ class Polarimeter(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        turn = Scale(self.analyser.joint, self.analyser.widest, 0.0, 360.0, "\u00b0", step=0.05)
+        turn = Scale(self.analyser, 0.0, 360.0, "\u00b0", resolution=0.05)
         return (Display(f"{self.name}_display", (0.070, 0.026), turn),)
 
     def _forms(self) -> list[Form]:

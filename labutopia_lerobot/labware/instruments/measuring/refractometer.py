@@ -51,7 +51,7 @@ class Refractometer(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        n = Scale(self.index.joint, self.index.widest, 1.3, 1.7, "nD", step=0.0001)
+        n = Scale(self.index, 1.3, 1.7, "nD", resolution=0.0001)
         return (Display(f"{self.name}_display", (0.062, 0.022), n, (20, 30, 25), (165, 185, 160)),)
 
     def _forms(self) -> list[Form]:

@@ -66,7 +66,7 @@ class Spectrophotometer(Instrument):
     @property
     def displays(self) -> tuple[Display, ...]:
         knob = self.wavelength
-        nm = Scale(knob.joint, knob.widest, 325, 1000, "nm")
+        nm = Scale(knob, 325, 1000, "nm")
         return (Display(f"{self.name}_display", (0.100, 0.034), nm),)
 
     def _forms(self) -> list[Form]:

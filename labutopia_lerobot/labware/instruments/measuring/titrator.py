@@ -66,7 +66,7 @@ class Titrator(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        dosed = Scale(self.piston.joint, self.piston.widest, 0.0, 20.0, "ml", step=0.001)
+        dosed = Scale(self.piston, 0.0, 20.0, "ml", resolution=0.001)
         return (Display(f"{self.name}_display", (0.090, 0.030), dosed),)
 
     def _forms(self) -> list[Form]:

@@ -55,7 +55,7 @@ class Viscometer(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed.joint, self.speed.widest, 0, 200, "rpm")
+        speed = Scale(self.speed, 0, 200, "rpm")
         return (Display(f"{self.name}_display", (0.080, 0.032), speed),)
 
     def _forms(self) -> list[Form]:

@@ -64,7 +64,7 @@ class OrbitalShaker(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed.joint, self.speed.widest, 0, 300, "rpm", step=5)
+        speed = Scale(self.speed, 0, 300, "rpm", resolution=5)
         return (Display(f"{self.name}_display", (0.080, 0.026), speed),)
 
     def _forms(self) -> list[Form]:

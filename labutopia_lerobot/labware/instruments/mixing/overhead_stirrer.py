@@ -57,7 +57,7 @@ class OverheadStirrer(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed.joint, self.speed.widest, 0, 2000, "rpm", step=10)
+        speed = Scale(self.speed, 0, 2000, "rpm", resolution=10)
         return (Display(f"{self.name}_display", (0.060, 0.024), speed),)
 
     def _forms(self) -> list[Form]:

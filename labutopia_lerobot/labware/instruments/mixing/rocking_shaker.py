@@ -51,7 +51,7 @@ class RockingShaker(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed.joint, self.speed.widest, 0, 60, "rpm")
+        speed = Scale(self.speed, 0, 60, "rpm")
         return (Display(f"{self.name}_display", (0.070, 0.026), speed),)
 
     def _forms(self) -> list[Form]:

@@ -57,8 +57,8 @@ class StirringHotPlate(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat.joint, self.heat.widest, 20, 320, "\u00b0C")
-        speed = Scale(self.speed.joint, self.speed.widest, 0, 1500, "rpm", step=10)
+        heat = Scale(self.heat, 20, 320, "\u00b0C")
+        speed = Scale(self.speed, 0, 1500, "rpm", resolution=10)
         size = (0.046, 0.016)
         return (
             Display(f"{self.name}_temperature", size, heat, ink=(255, 130, 90)),

@@ -49,7 +49,7 @@ class TubeRoller(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed.joint, self.speed.widest, 0, 80, "rpm")
+        speed = Scale(self.speed, 0, 80, "rpm")
         return (Display(f"{self.name}_display", (0.050, 0.020), speed),)
 
     def _forms(self) -> list[Form]:

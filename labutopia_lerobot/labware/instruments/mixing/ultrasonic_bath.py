@@ -59,7 +59,7 @@ class UltrasonicBath(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        minutes = Scale(self.minutes.joint, self.minutes.widest, 0, 30, "min", step=5)
+        minutes = Scale(self.minutes, 0, 30, "min", resolution=5)
         return (Display(f"{self.name}_display", (0.070, 0.026), minutes, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

@@ -70,7 +70,7 @@ class FumeHood(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        sash = Scale(self.sash.joint, _OPEN, 0, 100, "% open", step=5)
+        sash = Scale(self.sash, 0, 100, "% open", resolution=5)
         return (Display(f"{self.name}_display", (0.080, 0.040), sash),)
 
     def _forms(self) -> list[Form]:

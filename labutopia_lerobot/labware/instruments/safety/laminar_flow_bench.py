@@ -10,7 +10,7 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Either
+from labutopia_lerobot.labware.parts.reading import Unmeasured
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Sash
@@ -59,7 +59,7 @@ class LaminarFlowBench(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Either(self.fan.joint, self.fan.widest / 2, "0.45 m/s", "0.00 m/s")
+        shown = Unmeasured(f"{self.name}_air", "m/s", 0.01)
         return (Display(f"{self.name}_display", (0.120, 0.040), shown),)
 
     def _forms(self) -> list[Form]:

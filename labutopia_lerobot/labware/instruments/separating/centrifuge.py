@@ -79,8 +79,8 @@ class Centrifuge(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed.joint, self.speed.widest, 0, 4000, "rpm", step=50)
-        time = Scale(self.time.joint, self.time.widest, 0, 30, "min")
+        speed = Scale(self.speed, 0, 4000, "rpm", resolution=50)
+        time = Scale(self.time, 0, 30, "min")
         size = (0.078, 0.026)
         return Display(f"{self.name}_rpm", size, speed), Display(f"{self.name}_min", size, time)
 

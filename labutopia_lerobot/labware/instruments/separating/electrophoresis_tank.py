@@ -55,7 +55,7 @@ class ElectrophoresisTank(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        voltage = Scale(self.voltage.joint, self.voltage.widest, 0, 300, "V", step=5)
+        voltage = Scale(self.voltage, 0, 300, "V", resolution=5)
         return (Display(f"{self.name}_display", (0.080, 0.032), voltage, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:

@@ -66,8 +66,8 @@ class RotaryEvaporator(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat.joint, self.heat.widest, 20, 100, "\u00b0C")
-        speed = Scale(self.speed.joint, self.speed.widest, 0, 280, "rpm", step=5)
+        heat = Scale(self.heat, 20, 100, "\u00b0C")
+        speed = Scale(self.speed, 0, 280, "rpm", resolution=5)
         bath = Display(f"{self.name}_temperature", (0.060, 0.022), heat, ink=(255, 130, 90))
         return bath, Display(f"{self.name}_rpm", (0.060, 0.022), speed)
 

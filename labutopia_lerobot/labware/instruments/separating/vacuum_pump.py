@@ -44,7 +44,7 @@ class VacuumPump(Instrument):
     @property
     def displays(self) -> tuple[Display, ...]:
         regulator = self.regulator
-        reading = Scale(regulator.joint, regulator.widest, 1013, 10, "mbar")
+        reading = Scale(regulator, 1013, 10, "mbar")
         return (Display(f"{self.name}_display", (0.072, 0.024), reading),)
 
     def _forms(self) -> list[Form]:

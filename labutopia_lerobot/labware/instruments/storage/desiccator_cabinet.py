@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Either
+from labutopia_lerobot.labware.parts.reading import Unmeasured
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.shelf import Shelf
 from labutopia_lerobot.labware.parts.slide import Slide
@@ -62,7 +62,7 @@ class DesiccatorCabinet(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Either(self.door.joint, math.radians(2.0), "DOOR OPEN", "32 %RH")
+        shown = Unmeasured(f"{self.name}_humidity", "%RH", 1.0, "DOOR OPEN", self.door)
         ink, paper = (20, 30, 25), (165, 185, 160)
         return (Display(f"{self.name}_display", (0.080, 0.030), shown, ink, paper),)
 

@@ -16,7 +16,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Either
+from labutopia_lerobot.labware.parts.reading import Unmeasured
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.shelf import Shelf
 
@@ -74,7 +74,7 @@ class Refrigerator(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Either(self.upper.joint, math.radians(2.0), "DOOR OPEN", "+4.0 \u00b0C")
+        shown = Unmeasured(f"{self.name}_temperature", "\u00b0C", 0.1, "DOOR OPEN", self.upper)
         return (Display(f"{self.name}_display", (0.110, 0.040), shown),)
 
     def _forms(self) -> list[Form]:

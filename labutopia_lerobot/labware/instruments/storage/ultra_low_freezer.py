@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Either
+from labutopia_lerobot.labware.parts.reading import Unmeasured
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
@@ -62,7 +62,7 @@ class UltraLowFreezer(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Either(self.lid.joint, math.radians(2.0), "LID OPEN", "-80.0 \u00b0C")
+        shown = Unmeasured(f"{self.name}_temperature", "\u00b0C", 0.1, "LID OPEN", self.lid)
         return (Display(f"{self.name}_display", (0.130, 0.044), shown, ink=(110, 190, 255)),)
 
     def _forms(self) -> list[Form]:

@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
-from labutopia_lerobot.labware.parts.tare import Tare
+from labutopia_lerobot.labware.parts.weighing import Weighing
 
 _FRONT, _TOWER, _FLOOR, _TOP = -0.078, 0.098, 0.078, 0.330
 """Of the weighing chamber: front pane, tower behind it, floor and roof [m]."""
@@ -60,8 +60,10 @@ class AnalyticalBalance(Instrument):
         return (self.tare,)
 
     @property
-    def tares(self) -> tuple[Tare, ...]:
-        return (Tare(self.tare.name, self.pan.reading(4, 220.0)),)
+    def weighing(self) -> Weighing:
+        """The mass on its pan."""
+        name, tare = f"{self.name}_reading", self.tare.name
+        return self.pan.weighing(name, 1e-4, 220.0, tare, tuple(door.joint for door in self.doors))
 
     @property
     def places(self) -> tuple[Seat, ...]:
@@ -69,7 +71,7 @@ class AnalyticalBalance(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        return (Display(f"{self.name}_display", (0.096, 0.028), self.pan.reading(4, 220.0)),)
+        return (Display(f"{self.name}_display", (0.096, 0.028), self.weighing),)
 
     def _forms(self) -> list[Form]:
         console = (

@@ -12,7 +12,7 @@ from labutopia_lerobot.labware.parts.pan import Pan
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.seat import Seat
-from labutopia_lerobot.labware.parts.tare import Tare
+from labutopia_lerobot.labware.parts.weighing import Weighing
 
 _SLOPE = 68.0
 """How far the console leans back [deg]."""
@@ -46,8 +46,10 @@ class PrecisionBalance(Instrument):
         return (self.tare,)
 
     @property
-    def tares(self) -> tuple[Tare, ...]:
-        return (Tare(self.tare.name, self.pan.reading(2, 4200.0)),)
+    def weighing(self) -> Weighing:
+        """The mass on its pan."""
+        name, tare = f"{self.name}_reading", self.tare.name
+        return self.pan.weighing(name, 0.01, 4200.0, tare)
 
     @property
     def places(self) -> tuple[Seat, ...]:
@@ -55,7 +57,7 @@ class PrecisionBalance(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        return (Display(f"{self.name}_display", (0.100, 0.030), self.pan.reading(2, 4200.0)),)
+        return (Display(f"{self.name}_display", (0.100, 0.030), self.weighing),)
 
     def _forms(self) -> list[Form]:
         side = ((-0.160, 0.012), (0.160, 0.012), (0.160, 0.074), (-0.050, 0.074), (-0.160, 0.030))

@@ -1,0 +1,245 @@
+"""Processes: things that pieces do by themselves while time passes, and what they are given."""
+
+import difflib
+from collections import Counter
+from collections.abc import Callable, Hashable, Iterable
+from typing import TYPE_CHECKING, Protocol
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.substances.filling import Dispenser
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
+from labutopia_lerobot.world.reading import Reading
+
+
+class ProcessError(UserError, ValueError):
+    """A process that cannot be; the message names it and says what to change."""
+
+
+class Process:
+    """What a piece declares in `processes`: a frozen dataclass, whose methods get an `Apparatus`.
+
+    A process keeps nothing in itself. The numbers that it remembers are its `slots`; they are part
+    of the physics state, so that saving, restoring and replaying follow. The simulation steps all
+    processes once per control period, in the order in which the pieces declare them.
+
+    Attributes:
+        name: What the world calls its reading; no two processes of a scene have one name.
+    """
+
+    if TYPE_CHECKING:  # a field of most, a property of some
+
+        @property
+        def name(self) -> str: ...
+
+    @property
+    def slots(self) -> tuple[str, ...]:
+        """Names of the numbers that it remembers, all 0 before `start`."""
+        return ()
+
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """Names of the sensors that are averaged for it over the physics steps of a period."""
+        return ()
+
+    @property
+    def displayed(self) -> tuple[str, ...]:
+        """Names of the readings that it shows to a person."""
+        return ()
+
+    def start(self, apparatus: "Apparatus", rng: np.random.Generator) -> None:
+        """Begin: all things have come to rest where the episode begins."""
+
+    def step(self, apparatus: "Apparatus") -> None:
+        """Move on by `apparatus.period`, to the present positions."""
+
+    def reading(self, apparatus: "Apparatus") -> Reading | None:
+        """Return what is to be read of it now, or None if it is nothing that is read."""
+        return None
+
+    def text(self, apparatus: "Apparatus") -> str:
+        """Return what a display writes of it."""
+        reading = self.reading(apparatus)
+        return "" if reading is None else reading.text
+
+    def show(self, apparatus: "Apparatus") -> None:
+        """Bring what the eye sees of it, colours and textures, up to now."""
+
+
+class UnknownReadingError(UserError, LookupError):
+    """Something asks for a reading that no piece gives; the message lists those that there are."""
+
+
+class LiquidHandling(Protocol):
+    """What processes may do to the liquid of a scene."""
+
+    def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
+        """Let liquid out of a bottle; `volume` is what has left since the start [m^3]."""
+        ...
+
+
+class Apparatus:
+    """The processes of a scene at work.
+
+    Args:
+        model: What the pieces have been built into.
+        data: Its state, with positions of the present moment.
+        processes: In the order in which they step.
+        numbers: What they remember, shape (`slots_of(processes)`,): a view into the state.
+
+    Attributes:
+        model: The model.
+        data: Its state.
+        processes: By name.
+        liquid: The liquid of the scene, or None.
+        period: Time between two steps [s].
+        paintings: Number of each texture that a process has painted -> how often.
+
+    Raises:
+        ProcessError: If two processes have one name.
+    """
+
+    period = 1.0 / CONTROL_HZ
+
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        data: mujoco.MjData,
+        processes: Iterable[Process],
+        numbers: FloatArray | None = None,
+    ) -> None:
+        self.model, self.data = model, data
+        order = tuple(processes)
+        twice = [name for name, count in Counter(p.name for p in order).items() if count > 1]
+        if twice:
+            raise ProcessError(
+                f"Two processes are called {', '.join(twice)}: begin the name of each with that of "
+                "its piece"
+            )
+        self.processes = {process.name: process for process in order}
+        self.liquid: LiquidHandling | None = None
+        self.paintings: dict[int, int] = {}
+        self._painted: dict[str, Hashable] = {}
+        self._memory: dict[str, FloatArray] = {}
+        numbers = np.zeros(slots_of(order)) if numbers is None else numbers
+        first = 0
+        for process in order:
+            last = first + len(process.slots)
+            self._memory[process.name] = numbers[first:last]
+            first = last
+        self._averaging = any(process.sensors for process in order)
+        self._sum, self._count = np.zeros(model.nsensordata), 0
+
+    def memory(self, process: Process) -> FloatArray:
+        """Return the numbers that a process remembers, a view, shape (slots,).
+
+        Raises:
+            ProcessError: If it has no slots.
+        """
+        if not process.slots:
+            raise ProcessError(
+                f"'{process.name}' ({type(process).__name__}) remembers nothing: name its numbers "
+                "in `slots`"
+            )
+        return self._memory[process.name]
+
+    def joint(self, name: str) -> float:
+        """Return the position of a hinge [rad] or slide [m]."""
+        return float(self.data.qpos[self.model.jnt_qposadr[self.model.joint(name).id]])
+
+    def site(self, name: str) -> Pose:
+        """Return the pose of a site, world frame."""
+        site = self.data.site(name)
+        return Pose(site.xpos, site.xmat.reshape(3, 3))
+
+    def mean(self, sensor: str) -> FloatArray:
+        """Return the mean of a sensor over the physics steps since the last step, a copy."""
+        numbers = self.model.sensor(sensor)
+        first = int(numbers.adr[0])
+        last = first + int(numbers.dim[0])
+        if not self._count:
+            now: FloatArray = self.data.sensordata[first:last].copy()
+            return now
+        mean: FloatArray = self._sum[first:last] / self._count
+        return mean
+
+    def reading(self, name: str) -> Reading:
+        """Return what a process gives to read.
+
+        Raises:
+            UnknownReadingError: If there is none of that name.
+        """
+        process = self.processes.get(name)
+        reading = None if process is None else process.reading(self)
+        if reading is None:
+            known = list(self.readings)
+            near = difflib.get_close_matches(name, known, n=1)
+            hint = f" Did you mean '{near[0]}'?" if near else ""
+            raise UnknownReadingError(
+                f"Nothing gives a reading called '{name}'.{hint} Readings: "
+                f"{', '.join(known) or 'none'}"
+            )
+        return reading
+
+    @property
+    def readings(self) -> dict[str, Reading]:
+        """All readings that there are, by name."""
+        given = {name: process.reading(self) for name, process in self.processes.items()}
+        return {name: reading for name, reading in given.items() if reading is not None}
+
+    @property
+    def displayed(self) -> dict[str, Reading]:
+        """The readings that a person can see on a display now, by name."""
+        names = [name for process in self.processes.values() for name in process.displayed]
+        return {name: self.reading(name) for name in dict.fromkeys(names)}
+
+    def start(self, rng: np.random.Generator) -> None:
+        """Begin, where all has come to rest."""
+        for process in self.processes.values():
+            process.start(self, rng)
+
+    def sample(self) -> None:
+        """Take note of the sensors, after a physics step."""
+        if self._averaging:
+            self._sum += self.data.sensordata
+            self._count += 1
+
+    def step(self) -> None:
+        """Let every process move on by one control period."""
+        for process in self.processes.values():
+            process.step(self)
+        if self._averaging:
+            self._sum[:] = 0.0
+            self._count = 0
+
+    def show(self) -> None:
+        """Bring what the eye sees of all processes up to now."""
+        for process in self.processes.values():
+            process.show(self)
+
+    def paint(
+        self, texture: str, content: Hashable, picture: Callable[[], NDArray[np.uint8]]
+    ) -> None:
+        """Fill a texture of the model, unless it shows that already.
+
+        Args:
+            texture: Its name.
+            content: What it is to show.
+            picture: Returns its pixels, shape (height, width, 3), the lowest row first.
+        """
+        if self._painted.get(texture, "") == content:
+            return
+        self._painted[texture] = content
+        number = int(self.model.texture(texture).id)
+        pixels = picture()
+        start = int(self.model.tex_adr[number])
+        self.model.tex_data[start : start + pixels.size] = pixels.ravel()
+        self.paintings[number] = self.paintings.get(number, 0) + 1
+
+
+def slots_of(processes: Iterable[Process]) -> int:
+    """Return how many numbers processes remember together."""
+    return sum(len(process.slots) for process in processes)
