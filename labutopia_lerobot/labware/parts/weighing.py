@@ -7,11 +7,13 @@ from typing import override
 import numpy as np
 
 from labutopia_lerobot.processes import Apparatus, Process
-from labutopia_lerobot.world import Reading
+from labutopia_lerobot.world import FloatArray, Reading
 
-_AVERAGING = 0.25
-"""Time constant of the average [s]; ours: a load that is set down reads within 1 part in 1000 after
-1.7 s, as makers of analytical and precision balances state settling times of 1.5 to 2 s."""
+_STAGES, _AVERAGING = 4, 0.15
+"""Averages one after another, and the time constant of each [s]; ours. A load that is set down
+reads within 1 part in 1000 after 1.9 s, as makers of analytical and precision balances state
+settling times of 1.5 to 2 s. Of 50 ml that stir in a beaker 1.3 mg are left (standard deviation,
+1000 particles, 20 s), with a single average of 0.25 s it is 62 mg."""
 _STEADY_FOR = 1.0
 """How long the average must stay within a band before the reading counts as settled [s]; ours."""
 _BAND = 2.0
@@ -59,7 +61,8 @@ class Weighing(Process):
     @property
     @override
     def slots(self) -> tuple[str, ...]:
-        return ("mean", "tared", "button in", "band", "steady", "noise", "seed", "steps")
+        averages = (f"average {stage}" for stage in range(_STAGES))
+        return (*averages, "tared", "button in", "band", "steady", "noise", "seed", "steps")
 
     @property
     @override
@@ -69,36 +72,40 @@ class Weighing(Process):
     @override
     def start(self, apparatus: Apparatus, rng: np.random.Generator) -> None:
         """Begin with what is on the pan, settled, and nothing tared."""
-        memory = apparatus.memory(self)
-        memory[:] = 0.0
-        memory[0] = memory[3] = self._load(apparatus)
-        memory[4] = _STEADY_FOR
-        memory[6] = rng.integers(2**31)
+        averages, rest = self._split(apparatus)
+        averages[:] = self._load(apparatus)
+        rest[:] = 0.0, 0.0, averages[-1], _STEADY_FOR, 0.0, rng.integers(2**31), 0.0
 
     @override
     def step(self, apparatus: Apparatus) -> None:
-        memory, period = apparatus.memory(self), apparatus.period
-        mean, tared, was_in, band, steady, _, seed, steps = memory
-        mean += (self._load(apparatus) - mean) * -math.expm1(-period / _AVERAGING)
+        averages, rest = self._split(apparatus)
+        tared, was_in, band, steady, _, seed, steps = rest
+        share, load = -math.expm1(-apparatus.period / _AVERAGING), self._load(apparatus)
+        for stage in range(_STAGES):
+            averages[stage] += share * (load - averages[stage])
+            load = averages[stage]
+        drawn = np.random.Generator(np.random.Philox(key=int(seed), counter=int(steps) // _RENEWED))
         noise = _NOISE * self.resolution * (_DRAUGHT if self._open(apparatus) else 1.0)
-        drawn = np.random.Philox(key=int(seed), counter=int(steps) // _RENEWED)
-        memory[5] = noise * np.random.Generator(drawn).standard_normal()
-        shown = mean + memory[5]
-        within = abs(shown - band) <= _BAND * self.resolution
+        noise *= drawn.standard_normal()
         pressed = apparatus.reading(self.tare).value
         if pressed > was_in:
-            tared = mean
-        memory[0], memory[1], memory[2] = mean, tared, pressed
-        memory[3], memory[4] = (band, steady + period) if within else (shown, 0.0)
-        memory[7] = steps + 1
+            tared = load
+        within = abs(load + noise - band) <= _BAND * self.resolution
+        band, steady = (band, steady + apparatus.period) if within else (load + noise, 0.0)
+        rest[:] = tared, pressed, band, steady, noise, seed, steps + 1
 
     @override
     def reading(self, apparatus: Apparatus) -> Reading:
-        mean, tared, _, _, steady, noise, _, _ = apparatus.memory(self)
-        if mean > _OVERLOAD * self.capacity:
+        averages, (tared, _, _, steady, noise, _, _) = self._split(apparatus)
+        if averages[-1] > _OVERLOAD * self.capacity:
             return Reading(math.inf, "g", self.resolution, settled=False)
         settled = bool(steady >= _STEADY_FOR)
-        return Reading(float(mean + noise - tared), "g", self.resolution, settled)
+        return Reading(float(averages[-1] + noise - tared), "g", self.resolution, settled)
+
+    def _split(self, apparatus: Apparatus) -> tuple[FloatArray, FloatArray]:
+        """Return the averages [g] and the rest of what it remembers, views."""
+        memory = apparatus.memory(self)
+        return memory[:_STAGES], memory[_STAGES:]
 
     def _load(self, apparatus: Apparatus) -> float:
         """Return the mean force on the pan since the last step, as a mass [g]."""
