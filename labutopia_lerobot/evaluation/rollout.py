@@ -180,11 +180,16 @@ def _row(job: EvaluationJob, seed: int, steps: int, info: Info, workcell: Workce
         clipped_actions=info["clipped_actions"],
         nonfinite_actions=info["nonfinite_actions"],
         setup_failures=info["setup_failures"],
+        readings={n: _finite(value) for n, value in info["readings"].items()},
     )
 
 
 def _time(seconds: float | None) -> float | None:
     return None if seconds is None or np.isinf(seconds) else round(float(seconds), 3)
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
 
 
 def _millilitres(volume: float | None) -> float | None:

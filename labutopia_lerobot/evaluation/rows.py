@@ -77,6 +77,7 @@ class Row:
             has its substeps only, and success is that it was done. None for the whole task.
         particles: In how many particles liquid was divided.
         after: Step behind which the episode began, or None for the start of the task.
+        readings: What displays showed at the end, by name; None for dashes and errors.
     """
 
     task: str
@@ -120,6 +121,7 @@ class Row:
     step: str | None = None
     particles: int = PARTICLES
     after: str | None = None
+    readings: dict[str, float | None] = field(default_factory=dict)
 
     @cached_property
     def condition(self) -> Condition:

@@ -8,6 +8,7 @@ position, speed and acceleration, without letting any pair of bodies come nearer
 
 import itertools
 from collections.abc import Iterator
+from typing import Any
 
 import mink
 import mujoco
@@ -213,9 +214,10 @@ def _planning_model(scene: Scene) -> mujoco.MjModel:
         for body, hulls in _hulls_by_body(scene, piece).items():
             name = scene.model.body(body).name
             obstacle = spec.worldbody.add_body(name=_OBSTACLE + name, mocap=True)
-            _copy_hulls(scene, hulls, obstacle, _OBSTACLE)
+            _copy_hulls(scene, hulls, spec, obstacle, _OBSTACLE)
             if piece.movable:
-                _copy_hulls(scene, hulls, in_hand.add_body(name=_LOAD + name), _LOAD)
+                load = in_hand.add_body(name=_LOAD + name)
+                _copy_hulls(scene, hulls, spec, load, _LOAD)
     return spec.compile()
 
 
@@ -231,16 +233,20 @@ def _hulls_by_body(scene: Scene, piece: Piece) -> dict[int, list[int]]:
     return hulls
 
 
-def _copy_hulls(scene: Scene, hulls: list[int], body: mujoco.MjsBody, prefix: str) -> None:
-    """Copy the hulls (primitives placed by `pos` and `quat`) to a body; the copies count."""
-    for hull in (scene.model.geom(geom) for geom in hulls):
-        body.add_geom(
-            name=prefix + hull.name,
-            type=mujoco.mjtGeom(hull.type[0]),
-            size=hull.size,
-            pos=hull.pos,
-            quat=hull.quat,
-        )
+def _copy_hulls(
+    scene: Scene, hulls: list[int], spec: mujoco.MjSpec, body: mujoco.MjsBody, prefix: str
+) -> None:
+    """Copy the hulls, primitives and convex meshes, to a body; the copies count."""
+    model = scene.model
+    for hull in (model.geom(geom) for geom in hulls):
+        shape, mesh = mujoco.mjtGeom(hull.type[0]), int(hull.dataid[0])
+        kind: dict[str, Any] = {"size": hull.size}
+        if shape == mujoco.mjtGeom.mjGEOM_MESH:
+            first, count = model.mesh_vertadr[mesh], model.mesh_vertnum[mesh]
+            corners = model.mesh_vert[first : first + count]
+            spec.add_mesh(name=prefix + hull.name, uservert=corners.ravel())
+            kind = {"meshname": prefix + hull.name}
+        body.add_geom(name=prefix + hull.name, type=shape, pos=hull.pos, quat=hull.quat, **kind)
 
 
 def _clearances(

@@ -4,12 +4,10 @@ from collections.abc import Iterable
 from typing import Any
 
 import mujoco
-import numpy as np
 
 from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.form import Form, Primitive
 from labutopia_lerobot.labware.parts.shell import Shell, joined, negligible
-from labutopia_lerobot.labware.parts.solid import BOX
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
 
@@ -76,13 +74,9 @@ def _add_touched(
     """Add what can be touched, and around it what the planner keeps away from."""
     shape, size, pos, quat, _, points = primitive
     where: dict[str, Any] = {"size": size, "pos": pos, "quat": quat}
-    hull: dict[str, Any] = {"type": shape, **where}
     if points:
         spec.add_mesh(name=f"{name}_contact", uservert=points)
         where = {"meshname": f"{name}_contact"}
-        corners = np.reshape(points, (-1, 3))
-        low, high = corners.min(axis=0), corners.max(axis=0)
-        hull = {"type": BOX, "size": (high - low) / 2, "pos": (low + high) / 2}
     body.add_geom(name=f"{name}_contact", type=shape, group=COLLISION_GROUP, mass=mass, **where)
     unfelt = {"group": HULL_GROUP, "contype": 0, "conaffinity": 0, "mass": 0}
-    body.add_geom(name=f"{name}_hull", **hull, **unfelt)
+    body.add_geom(name=f"{name}_hull", type=shape, **where, **unfelt)

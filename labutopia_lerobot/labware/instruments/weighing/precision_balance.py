@@ -16,6 +16,8 @@ from labutopia_lerobot.labware.parts.weighing import Weighing
 
 _SLOPE = 68.0
 """How far the console leans back [deg]."""
+_PAN = (0.060, 0.0, 0.087)
+"""Origin of the pan [m]."""
 
 
 @dataclass(frozen=True)
@@ -36,10 +38,16 @@ class PrecisionBalance(Instrument):
         return Pan(f"{self.name}_pan", width=0.170, top=0.008)
 
     @property
+    def pan_top(self) -> tuple[float, float, float]:
+        """Middle of the pan's top in the frame of the balance [m]."""
+        x, y, z = _PAN
+        return x, y, z + self.pan.top
+
+    @property
     def tare(self) -> PushButton:
         """What sets the display to zero."""
         blue = (0.15, 0.35, 0.65, 1.0)
-        return PushButton(f"{self.name}_tare", blue, radius=0.010, travel=0.003, proud=0.006)
+        return PushButton(f"{self.name}_tare", blue, radius=0.012, travel=0.003, proud=0.012)
 
     @property
     def buttons(self) -> tuple[PushButton, ...]:
@@ -73,6 +81,6 @@ class PrecisionBalance(Instrument):
             Block((-0.090, 0.090), (-0.090, 0.090), (0.002, 0.008), "steel", edge=0.003),
             Rod((0, 0, -0.008), (0, 0, 0.004), 0.030, "anthracite"),
         ]
-        self.pan.add_to(spec, self.name, body, (0.060, 0.0, 0.087), plate)
+        self.pan.add_to(spec, self.name, body, _PAN, plate)
         self.displays[0].add_to(spec, body, (-0.108, 0.020, 0.0522), leaning(_SLOPE))
         self.tare.add_to(spec, body, (-0.108, -0.060, 0.0515), leaning(_SLOPE))
