@@ -64,6 +64,10 @@ class TaskError(UserError, ValueError):
     """A task that is written wrongly; the message names what is wrong and says the cure."""
 
 
+class NeedsLiquidError(UserError, ValueError):
+    """A task that is judged by its liquid is asked for without."""
+
+
 @dataclass(frozen=True)
 class Substep:
     """A moment on the way: latched, in the order of the task, once all of `when` holds together.
@@ -159,6 +163,7 @@ class Task:
         contents: What vessels hold from the beginning.
         view: Where the two fixed cameras are.
         paraphrases: Other ways to say the instruction.
+        needs_liquid: Whether it cannot be judged without liquid, as by a mass or a temperature.
 
     Raises:
         TaskError: If two steps or two substeps share a name, two predicates share a name without
@@ -175,6 +180,7 @@ class Task:
     contents: Mapping[Piece, Filling] = field(default_factory=dict)
     view: View = VESSEL_VIEW
     paraphrases: tuple[str, ...] = ()
+    needs_liquid: bool = False
 
     def __post_init__(self) -> None:
         _require_all(Step, self.steps, "`steps` of the task")
@@ -256,7 +262,16 @@ class Task:
         return self.steps[: names.index(name) + 1]
 
     def without_liquid(self) -> "Task":
-        """Return the same task with empty vessels: what is poured or spilled is judged by tilts."""
+        """Return the same task with empty vessels: what is poured or spilled is judged by tilts.
+
+        Raises:
+            NeedsLiquidError: If the task needs its liquid.
+        """
+        if self.needs_liquid:
+            raise NeedsLiquidError(
+                f"liquid=off: the task '{self.instruction}' is judged by its liquid. Choose "
+                "liquid=on"
+            )
         return replace(self, contents={})
 
 

@@ -64,8 +64,8 @@ def doing_nothing_ends_by_timeout_at_the_time_limit(env: LabEnv) -> None:
 
 @cache
 def _without_liquid(env: LabEnv) -> LabEnv:
-    """Return an environment in which time passes quickly, also where vessels hold something."""
-    return LabEnv(replace(env.setting, liquid="off"))
+    """Return an environment in which time passes quickly, where the task can do without liquid."""
+    return env if env.workcell.task.needs_liquid else LabEnv(replace(env.setting, liquid="off"))
 
 
 def _require_no_success(env: LabEnv, player: Player, seeds: range) -> None:

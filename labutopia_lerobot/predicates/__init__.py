@@ -19,6 +19,7 @@ from labutopia_lerobot.predicates.damage import (
 from labutopia_lerobot.predicates.liquids import (
     Transfer,
     contaminated,
+    given,
     lip_over,
     liquid_moving,
     poured,
@@ -73,6 +74,7 @@ __all__ = [
     "faster",
     "fingered",
     "fingers_clear_of",
+    "given",
     "grasped",
     "gripped",
     "immersed",

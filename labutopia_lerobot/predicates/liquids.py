@@ -110,6 +110,13 @@ def _runs_over_deg(vessel: Thing) -> float:
     return min(max(brim - 9.0, 45.0), 60.0)
 
 
+@predicate("more than {more_than_ml:g} ml of what was in {origin} in {target}")
+def given(world: World, origin: Thing, target: Thing, *, more_than_ml: float) -> bool:
+    """More than a volume [ml] of what was filled into the origin is in the target."""
+    liquid = world.liquid
+    return liquid is not None and liquid.from_in(origin.name, target.name) * 1e6 > more_than_ml
+
+
 @dataclass(frozen=True)
 class Transfer:
     """What is to be poured where.

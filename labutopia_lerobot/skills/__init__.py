@@ -6,9 +6,22 @@ from labutopia_lerobot.skills.open import Open
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.pour import Pour
+from labutopia_lerobot.skills.pour_to_mass import PourToMass
 from labutopia_lerobot.skills.press import Press
 from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 
-__all__ = ["Close", "Go", "Open", "Pick", "Place", "Pour", "Press", "Shake", "Squeeze", "Stir"]
+__all__ = [
+    "Close",
+    "Go",
+    "Open",
+    "Pick",
+    "Place",
+    "Pour",
+    "PourToMass",
+    "Press",
+    "Shake",
+    "Squeeze",
+    "Stir",
+]

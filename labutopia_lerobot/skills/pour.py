@@ -69,7 +69,7 @@ class Pour:
         """Yield start, ready, tilt, pause, tilt back and stabilise."""
         thing, shut = self.thing, world.commanded_opening
         own = frozenset({thing.name})
-        pivot = _Pivot.over(world, self.thing, world.frame(self.into.rim), self.drop, self.short)
+        pivot = Pivot.over(world, self.thing, world.frame(self.into.rim), self.drop, self.short)
         ready = carrier(world, thing)(pivot.tilted(0.0))
         above = ready.moved(z=self.hover)
         there = arrived(within=0.006)
@@ -90,7 +90,7 @@ class Pour:
 
 
 @dataclass(frozen=True)
-class _Pivot:
+class Pivot:
     """Turns a held vessel about a point of its lip, which is fixed but for its height.
 
     Attributes:
@@ -108,9 +108,7 @@ class _Pivot:
     drop: float
 
     @classmethod
-    def over(
-        cls, world: World, thing: Pourable, mouth: Pose, drop: float, short: float
-    ) -> "_Pivot":
+    def over(cls, world: World, thing: Pourable, mouth: Pose, drop: float, short: float) -> "Pivot":
         """Return the pivot above a mouth by a height [m], and short of its middle [m]."""
         axis = horizontal(hand_at(world, mouth.position_w).z_axis)
         upright = upright_in_hand(world, thing, mouth.position_w).rotation_w

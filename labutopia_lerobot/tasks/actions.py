@@ -24,7 +24,9 @@ from labutopia_lerobot.predicates import (
     pressed,
     pulled,
     pushed,
+    reads,
     released,
+    settled,
     standing_on,
     steady,
     swings,
@@ -35,8 +37,9 @@ from labutopia_lerobot.predicates import (
     withdrawn,
 )
 from labutopia_lerobot.predicates.liquids import POURS_BELOW
+from labutopia_lerobot.predicates.readings import Readable
 from labutopia_lerobot.predicates.stirring import Filled
-from labutopia_lerobot.skills import Close, Open, Pick, Place, Pour, Press, Shake, Stir
+from labutopia_lerobot.skills import Close, Open, Pick, Place, Pour, PourToMass, Press, Shake, Stir
 from labutopia_lerobot.skills.handle import Operable
 from labutopia_lerobot.skills.pour import Pourable
 from labutopia_lerobot.substances.filling import Filling
@@ -103,6 +106,31 @@ def pour(
         ),
         (vessel,),
         transfers=(Transfer(origin, into),),
+    )
+
+
+def pour_by_reading(
+    vessel: Pourable, into: OpenVessel, balance: Readable, *, mass: float, within: float
+) -> Step:
+    """Pour until the balance below the other vessel reads a mass, and right the vessel.
+
+    Args:
+        vessel: What is in the hand.
+        into: What to pour into.
+        balance: What the balance reads.
+        mass: What is to be read [g].
+        within: How near [g].
+    """
+    there = (reads(balance, low=mass - within, high=mass + within), settled(balance))
+    return Step(
+        "pour",
+        (PourToMass(vessel, into, balance, mass, 0.8 * within),),
+        (
+            Substep("poured", there, (tilted(vessel, beyond_deg=30),)),
+            Substep("righted", (*there, gripped(vessel), upright(vessel, within_deg=10))),
+        ),
+        (vessel,),
+        transfers=(Transfer(vessel, into),),
     )
 
 

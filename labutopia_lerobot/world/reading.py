@@ -44,15 +44,21 @@ class Reading:
         """The value rounded to the resolution, as a display shows it."""
         if not math.isfinite(self.value):
             return self.value
-        return round(self.value / self.resolution) * self.resolution + 0.0  # no minus zero
+        steps = round(self.value / self.resolution)
+        return round(steps * self.resolution, self._digits + 2) + 0.0  # no minus zero
 
     @property
     def text(self) -> str:
         """The value as a display writes it: dashes for no number, `Err` beyond the capacity."""
         if math.isinf(self.value):
             return "Err"
-        digits = max(0, -math.floor(math.log10(self.resolution)))
+        digits = self._digits
         number = f"{self.shown:.{digits}f}"
         if math.isnan(self.value):
             number = "--" + ("." + "-" * digits if digits else "")
         return f"{number} {self.unit}"
+
+    @property
+    def _digits(self) -> int:
+        """How many digits a display writes behind the point."""
+        return max(0, -math.floor(math.log10(self.resolution)))

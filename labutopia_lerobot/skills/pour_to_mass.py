@@ -1,0 +1,102 @@
+"""Pour onto a balance until it reads a wanted mass."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from labutopia_lerobot.predicates.readings import Readable
+from labutopia_lerobot.skills.pour import Pivot, Pourable
+from labutopia_lerobot.skills.skill import Condition, Phase, Target, arrived, carrier, waited
+from labutopia_lerobot.world import OpenVessel, Pose, World
+
+_FURTHEST = math.radians(100.0)
+"""Lean at which the vessel counts as empty [rad]."""
+_FIRST_SLOPE, _WIDEST_STEP = 80.0, 0.04
+"""What a beaker of 150 ml gives at first when it leans further [g/rad], and the largest step [rad]:
+measured on the shipped task; the skill goes by what it then reads."""
+
+
+@dataclass(frozen=True)
+class PourToMass:
+    """Hold the lip over the mouth, lean until the balance shows some of it, then in small steps.
+
+    A balance lags behind what falls on its pan, by about 0.6 s. So the vessel leans slowly until
+    `coarse` of the mass is shown, and eases back; then it leans a little further each time, by less
+    the less is missing, and waits until the liquid has come to rest at its lip.
+
+    Attributes:
+        thing: The vessel in the hand.
+        into: What stands on the pan.
+        reading: What the balance reads [g].
+        mass: The wanted reading [g].
+        within: How near is near enough [g].
+        coarse: Share of the mass that is poured without a break.
+        ease: How far it leans back then [rad].
+        drop: Height of the lip above the other mouth [m].
+        short: How far before the middle of the other mouth the lip is [m].
+        hover: How much higher the start position is [m].
+        turn_speed: How fast it leans at first [rad/s].
+        pause_s: Shortest wait for the reading to settle [s].
+    """
+
+    thing: Pourable
+    into: OpenVessel
+    reading: Readable
+    mass: float
+    within: float
+    coarse: float = 0.2
+    ease: float = 0.15
+    drop: float = 0.06
+    short: float = 0.012
+    hover: float = 0.08
+    turn_speed: float = 0.12
+    pause_s: float = 1.0
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        """Yield start, ready, pour, then ease and add until the mass is there, and tilt back."""
+        thing, shut, own = self.thing, world.commanded_opening, frozenset({self.thing.name})
+        pivot = Pivot.over(world, thing, world.frame(self.into.rim), self.drop, self.short)
+        ready = carrier(world, thing)(pivot.tilted(0.0))
+        above = ready.moved(z=self.hover)
+
+        def phase(name: str, target: Target, done: Condition, speed: float = 1.2) -> Phase:
+            return Phase(name, target, shut, done, own, thing, turn_speed=speed, timeout_s=40.0)
+
+        yield phase("start", lambda w: above, arrived(within=0.015))
+        yield phase("ready", lambda w: ready, arrived(within=0.006))
+        tilt = pivot.towards(world, _FURTHEST)
+        yield phase("pour", tilt, self._shows(self.coarse * self.mass), self.turn_speed)
+        lean, slope = world.pose(thing).tilt - self.ease, _FIRST_SLOPE
+        yield phase("ease", pivot.towards(world, lean), _leaning(thing, lean + 0.02))
+        yield phase("read", pivot.towards(world, lean), self._read)
+        shown = world.reading(self.reading.name).value
+        while self.mass - shown > self.within and lean < _FURTHEST:
+            further = min(_WIDEST_STEP, 0.4 * (self.mass - shown) / slope)
+            lean += further
+            held = pivot.towards(world, lean)
+            yield phase("add", held, _leaning(thing, lean - 0.005, beyond=True), 0.1)
+            yield phase("read", held, self._read)
+            before, shown = shown, world.reading(self.reading.name).value
+            slope = max(slope, (shown - before) / further)
+        back = pivot.towards(world, 0.0)
+        yield phase("tilt_back", back, arrived(within=0.006))
+        yield phase("stabilise", back, waited(0.3))
+
+    def _read(self, world: World, target: Pose, elapsed: float) -> bool:
+        return elapsed >= self.pause_s and world.reading(self.reading.name).settled
+
+    def _shows(self, mass: float) -> Condition:
+        def done(world: World, target: Pose, elapsed: float) -> bool:
+            return world.reading(self.reading.name).value >= mass
+
+        return done
+
+
+def _leaning(thing: Pourable, lean: float, *, beyond: bool = False) -> Condition:
+    """Return whether a vessel leans by less than an angle [rad], or by more."""
+
+    def done(world: World, target: Pose, elapsed: float) -> bool:
+        tilt = world.pose(thing).tilt
+        return tilt >= lean if beyond else tilt <= lean
+
+    return done
