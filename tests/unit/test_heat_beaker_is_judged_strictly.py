@@ -53,6 +53,7 @@ def test_the_unspoilt_expert_succeeds_and_the_lamp_is_lit(env):
     _, heater = things(env)
     info = play(env, *env.workcell.task.skills)
     assert info["outcome"] == "success"
+    env.workcell.simulation.apparatus.show()
     lamp = env.workcell.simulation.scene.model.geom(heater.switch.lamp)
     assert np.allclose(lamp.rgba, heater.switch.lit)
 
