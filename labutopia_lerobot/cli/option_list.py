@@ -1,5 +1,6 @@
 """The options of a program that takes `name=value`, as its `--help` lists them."""
 
+import inspect
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, fields
 from typing import Any
@@ -14,7 +15,7 @@ def option_list(options: type, *, prefix: str = "", but: tuple[str, ...] = ()) -
     """Return one entry per field of a dataclass of options: name, default and explanation.
 
     Args:
-        options: The dataclass; its docstring, or that of `Setting`, explains every field.
+        options: The dataclass; those that it declares itself come before those of every program.
         prefix: What the names begin with on the command line, such as `policy.`.
         but: Fields that are left out.
     """
@@ -23,12 +24,14 @@ def option_list(options: type, *, prefix: str = "", but: tuple[str, ...] = ()) -
 
 def _entries(options: type, prefix: str, but: tuple[str, ...]) -> Iterator[str]:
     helps = option_help(options)
-    for option in fields(options):
-        if option.name in but:
+    declared = {option.name: option for option in fields(options)}
+    for name in dict.fromkeys([*inspect.get_annotations(options), *declared]):
+        if name in but:
             continue
-        shown = f"{prefix}{option.name}={_default(option)}"
+        option = declared[name]
+        shown = f"{prefix}{name}={_default(option)}"
         gap = " " * (_WIDTH - len(shown)) if len(shown) < _WIDTH else f"\n  {' ' * _WIDTH}"
-        yield f"  {shown}{gap}{helps[option.name]}"
+        yield f"  {shown}{gap}{helps[name]}"
 
 
 def _default(option: Field[Any]) -> str:
