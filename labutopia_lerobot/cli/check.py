@@ -19,6 +19,7 @@ from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import UnknownTaskError, require_task, task_files
+from labutopia_lerobot.scenario.task_function import located_in_play
 from labutopia_lerobot.setting import Setting
 
 _PARTICLES = 300
@@ -87,7 +88,8 @@ def _outcomes(task: str, folder: Path, console: Console) -> Iterator[tuple[str, 
 def _wrong(check: Check, env: LabEnv) -> str | None:
     """Return what is wrong, or None if the check passes."""
     try:
-        check(env)
+        with located_in_play(env.setting.task, env.setting.tasks_dir):
+            check(env)
     except Exception as error:  # what a user's predicate raises fails the check, not the others
         return _reason(error)
     return None
