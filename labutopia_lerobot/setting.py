@@ -5,7 +5,7 @@ options inherits it and adds its own; `setting_of` makes the `Setting` of an ins
 there is an option of every program.
 
 What an option is for is said where it is declared, by `option(default, help)`, and is kept in the
-field's metadata: `option_help` reads it for `--help` and the documentation.
+field's metadata: `option_help` reads it for `--help`.
 
 Names of robots are data here, and rooms are only looked up where they are loaded: whoever wants
 options waits for no geometry. A room that does not exist is told by `scenes.load_room`, which every
@@ -14,8 +14,9 @@ options of LeRobot's programs call it.
 """
 
 import difflib
+import inspect
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import FrozenInstanceError, dataclass, field, fields, replace
+from dataclasses import Field, FrozenInstanceError, asdict, dataclass, field, fields, replace
 from typing import Any
 
 from labutopia_lerobot.errors import UserError
@@ -75,9 +76,21 @@ def option[Value](default: Value, help: str) -> Value:
     return field(default=default, metadata={_HELP: help})
 
 
+def options_of(program: type) -> list[Field[Any]]:
+    """Return a program's options in the order in which they are told: its own, then those of all.
+
+    Args:
+        program: Its dataclass of options.
+    """
+    declared = {each.name: each for each in fields(program)}
+    named = [*inspect.get_annotations(program), *declared]
+    return [declared[name] for name in dict.fromkeys(named) if name in declared]
+
+
 def option_help(options: type) -> dict[str, str]:
     """Return what is said of each option of a dataclass, by its name."""
-    return {each.name: each.metadata[_HELP] for each in fields(options) if _HELP in each.metadata}
+    told = options_of(options)
+    return {each.name: each.metadata[_HELP] for each in told if _HELP in each.metadata}
 
 
 @dataclass
@@ -125,6 +138,12 @@ class SettingOptions:
         "A step of the task, such as 3_place, to be played alone: the expert plays those before "
         "it, and the episode is over when it is done; null for the whole task.",
     )
+
+    @property
+    def chosen(self) -> dict[str, Any]:
+        """The value of every option by name, in the order of `options_of`."""
+        values = asdict(self)
+        return {each.name: values[each.name] for each in options_of(type(self))}
 
 
 @dataclass(unsafe_hash=True)  # as nothing can be assigned

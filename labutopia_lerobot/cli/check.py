@@ -36,7 +36,7 @@ class CheckOptionError(UserError):
 
 @clear_errors
 def main() -> None:
-    """Check the tasks that the command line names, or those of a folder; exit with 1 if any fails."""
+    """Check what the command line names, a folder or tasks; exit with 1 if any fails."""
     parser = OptionParser(
         prog="labutopia-check",
         description=__doc__,

@@ -1,11 +1,10 @@
 """The options of a program that takes `name=value`, as its `--help` lists them."""
 
-import inspect
 from collections.abc import Iterator
-from dataclasses import MISSING, Field, fields
+from dataclasses import MISSING, Field
 from typing import Any
 
-from labutopia_lerobot.setting import option_help
+from labutopia_lerobot.setting import option_help, options_of
 
 _WIDTH = 22
 """Columns of `name=default`; what is longer has its explanation on the next line."""
@@ -15,7 +14,7 @@ def option_list(options: type, *, prefix: str = "", but: tuple[str, ...] = ()) -
     """Return one entry per field of a dataclass of options: name, default and explanation.
 
     Args:
-        options: The dataclass; those that it declares itself come before those of every program.
+        options: The dataclass; `option_help` explains every field.
         prefix: What the names begin with on the command line, such as `policy.`.
         but: Fields that are left out.
     """
@@ -24,14 +23,12 @@ def option_list(options: type, *, prefix: str = "", but: tuple[str, ...] = ()) -
 
 def _entries(options: type, prefix: str, but: tuple[str, ...]) -> Iterator[str]:
     helps = option_help(options)
-    declared = {option.name: option for option in fields(options)}
-    for name in dict.fromkeys([*inspect.get_annotations(options), *declared]):
-        if name in but:
+    for option in options_of(options):
+        if option.name in but:
             continue
-        option = declared[name]
-        shown = f"{prefix}{name}={_default(option)}"
+        shown = f"{prefix}{option.name}={_default(option)}"
         gap = " " * (_WIDTH - len(shown)) if len(shown) < _WIDTH else f"\n  {' ' * _WIDTH}"
-        yield f"  {shown}{gap}{helps[name]}"
+        yield f"  {shown}{gap}{helps[option.name]}"
 
 
 def _default(option: Field[Any]) -> str:

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -166,7 +166,7 @@ class RecordingConfig(SettingOptions):
         Raises:
             UnknownTaskError: If there is no such task.
         """
-        options = asdict(self)
+        options = self.chosen
         for name in _UNRECORDED:
             del options[name]
         options["room"] = room_label(options["room"])

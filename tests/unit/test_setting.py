@@ -124,6 +124,15 @@ def test_every_option_of_every_program_has_its_help():
         assert shared <= option_help(options).keys()
 
 
+def test_a_program_tells_of_its_own_options_first():
+    from labutopia_lerobot.datasets.recording_config import RecordingConfig
+
+    config = RecordingConfig(task=PICK)
+    assert list(config.chosen)[:5] == ["task", "level", "together", "split", "episodes"]
+    assert list(config.chosen)[-2:] == ["renderer", "step"]
+    assert config.chosen == dataclasses.asdict(config)
+
+
 def test_help_names_the_robots_that_can_be_typed():
     assert option_help(Setting)["robot"].endswith(f"one of {', '.join(ROBOTS)}.")
 
