@@ -20,16 +20,19 @@ class FileMistakeError(UserError, ValueError):
     """A mistake in a file of the user's own; the message names file, line and what Python says."""
 
 
+_OURS = Path(__file__).parent
 _MISTAKES = (SyntaxError, ImportError, NameError, AttributeError, TypeError, ValueError)
 """What a mistake in a file raises, there or in what it calls."""
 
 
 @contextmanager
-def mistakes_located(folder: Path) -> Iterator[None]:
+def mistakes_located(folder: Path, *, playing: bool = False) -> Iterator[None]:
     """Tell of a mistake that is made here with the file and line of the user's that makes it.
 
     Args:
         folder: Where the user's files lie.
+        playing: Whether an episode is played. What code of ours raises is a bug of ours then, also
+            where the user's has called it: nobody else may tell of it.
 
     Raises:
         FileMistakeError: If one is made that has no message of ours; one that has is raised as it
@@ -40,14 +43,17 @@ def mistakes_located(folder: Path) -> Iterator[None]:
     except UserError as error:
         frames = _frames_of(error, folder)
         if frames and error.args:
-            error.args = (f"{_place(*frames[-1])}: {error.args[0]}", *error.args[1:])
+            place = f"{_place(*frames[-1])}: "
+            told = str(error.args[0]).removeprefix(place)  # it may have been told already
+            error.args = (f"{place}{told}", *error.args[1:])
         raise
     except Exception as error:
         frames = _frames_of(error, folder)
         if isinstance(error, SyntaxError) and Path(error.filename or "").is_relative_to(folder):
             where = _place(error.filename or "", error.lineno or 1, None)
             raise FileMistakeError(f"{where}: {error.msg}") from error
-        if frames and (isinstance(error, _MISTAKES) or _raised_by(error, frames[-1])):
+        told_by_kind = isinstance(error, _MISTAKES) and not playing
+        if frames and (told_by_kind or not _raised_by_us(error, folder)):
             told = f"{type(error).__name__}: {error}{_hint(error, frames[-1][2])}"
             raise FileMistakeError(f"{_place(*frames[-1])}: {told}") from error
         raise
@@ -73,9 +79,11 @@ def _frames_of(error: Exception, folder: Path) -> list[_Line]:
     ]
 
 
-def _raised_by(error: Exception, line: _Line) -> bool:
-    *_, (innermost, _) = traceback.walk_tb(error.__traceback__)
-    return innermost is line[2]
+def _raised_by_us(error: Exception, folder: Path) -> bool:
+    """Tell whether the user's code was in the middle of a call of ours."""
+    files = [Path(frame.f_code.co_filename) for frame, _ in traceback.walk_tb(error.__traceback__)]
+    last = max(index for index, file in enumerate(files) if file.is_relative_to(folder))
+    return any(file.is_relative_to(_OURS) for file in files[last + 1 :])
 
 
 def _place(file: str, line: int, frame: FrameType | None) -> str:

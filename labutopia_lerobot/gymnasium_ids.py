@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 import gymnasium
 
 from labutopia_lerobot.registry import UnknownTaskError, task_files
-from labutopia_lerobot.robots import DEFAULT_ROBOT, ROBOTS
-from labutopia_lerobot.setting import setting_from
+from labutopia_lerobot.setting import DEFAULT_ROBOT, ROBOT_NAMES, setting_from
 
 if TYPE_CHECKING:
     from labutopia_lerobot.env import LabEnv
@@ -33,7 +32,7 @@ def register_tasks() -> None:
         warnings.warn(f"No Gymnasium id is registered. {error}", stacklevel=2)
         return
     for task_id in tasks:
-        for robot in ROBOTS:
+        for robot in ROBOT_NAMES:
             options = {"task": task_id, "robot": robot}
             gymnasium.register(gymnasium_id(task_id, robot), make_env, kwargs=options)
 

@@ -1,6 +1,6 @@
 """`--env.type=labutopia` for LeRobot's programs. Imports mujoco only where it is needed."""
 
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -13,13 +13,15 @@ from lerobot.processor import ObservationProcessorStep, PolicyProcessorPipeline
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.features import ACTION, Feature, action_feature, observation_features
 from labutopia_lerobot.registry import tasks_of_levels
+from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import (
     DEPTH,
     Setting,
+    SettingOptions,
     UnknownOptionError,
+    option,
     require_choices,
     setting_of,
-    with_setting,
 )
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -32,27 +34,24 @@ class InvalidEnvError(UserError, DecodingError):
 
 
 @EnvConfig.register_subclass("labutopia")
-@with_setting
-class LabUtopiaEnvConfig(EnvConfig):
+@dataclass
+class LabUtopiaEnvConfig(SettingOptions, EnvConfig):
     """Which environments LeRobot plays; every field is a flag `--env.<field>`.
 
-    The fields of `Setting` are fields of this too.
-
-    Attributes:
-        task: A task id, a level such as `level1` for all of its tasks, or several of either,
-            separated by commas.
-        fps: Control rate, which cannot be changed.
-        max_parallel_tasks: 1: LeRobot would let tasks that it plays at a time share one policy and
-            its queue of actions (huggingface/lerobot#4327).
-
-    `features` and `features_map` follow from these; what they are given is not used.
+    Its `max_parallel_tasks` has to be 1: LeRobot would let tasks that it plays at a time share one
+    policy and its queue of actions (huggingface/lerobot#4327). `features` and `features_map` follow
+    from the other fields; what they are given is not used.
 
     Raises:
         InvalidEnvError: If a field is not one of its choices.
     """
 
-    task: str | None = "level1/pick"
-    fps: int = CONTROL_HZ
+    task: str | None = option(
+        "level1/pick",
+        "A task id, a level such as `level1` for all of its tasks, or several of either, separated "
+        "by commas.",
+    )
+    fps: int = option(CONTROL_HZ, "Control rate, which cannot be changed.")
 
     def __post_init__(self) -> None:
         try:
@@ -78,12 +77,11 @@ class LabUtopiaEnvConfig(EnvConfig):
             UnknownOptionError: If a value is impossible.
             UnknownTaskError: If a task or level does not exist.
         """
-        tasks_dir: str | None = getattr(self, "tasks_dir", None)
         chosen: list[str] = []
         for word in (self.task or "").split(","):
             level = word.strip().removeprefix("level")
             if level.isdigit():
-                chosen += tasks_of_levels([int(level)], tasks_dir)
+                chosen += tasks_of_levels([int(level)], self.tasks_dir)
             else:
                 chosen.append(word.strip())
         return [setting_of(self, task=task) for task in dict.fromkeys(chosen)]
@@ -97,7 +95,7 @@ class LabUtopiaEnvConfig(EnvConfig):
 
     def get_env_processors(self) -> tuple[Any, Any]:
         """Return what LeRobot does to observations and actions: depths get its own form."""
-        steps = [LeRobotDepth()] if DEPTH in getattr(self, "extras", ()) else []
+        steps = [LeRobotDepth()] if DEPTH in self.extras else []
         return PolicyProcessorPipeline(steps=steps), PolicyProcessorPipeline(steps=[])
 
     def create_envs(
@@ -126,6 +124,7 @@ class LabUtopiaEnvConfig(EnvConfig):
     def _observed(self) -> dict[str, Feature]:
         """Declare what is observed, which must be the same in every task."""
         settings = self.settings
+        load_room(self.room)  # it must be one that can be played in
         first, *others = (
             observation_features(setting, partial(_canonical_task, setting)) for setting in settings
         )

@@ -1,21 +1,26 @@
 """Everything that a user chooses about an environment: one value, declared and checked here.
 
-Programs take their options from the fields of `Setting`: `@with_setting` gives a class of options
-every field that it does not declare itself, and `setting_of` makes a `Setting` of an instance. A
-new field is an option of every program, with its help.
+`SettingOptions` declares each option once, with its type, default and help. A program's class of
+options inherits it and adds its own; `setting_of` makes the `Setting` of an instance. A new field
+there is an option of every program.
+
+What an option is for is said where it is declared, by `option(default, help)`, and is kept in the
+field's metadata: `option_help` reads it for `--help`.
+
+Names of robots are data here, and rooms are only looked up where they are loaded: whoever wants
+options waits for no geometry. A room that does not exist is told by `scenes.load_room`, which every
+program reaches before it writes anything: `LabEnv`, `scenario.canonical_task`, and the classes of
+options of LeRobot's programs call it.
 """
 
 import difflib
 import inspect
-import re
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import MISSING, asdict, dataclass, fields, replace
-from typing import Any, dataclass_transform
+from dataclasses import Field, FrozenInstanceError, asdict, dataclass, field, fields, replace
+from typing import Any
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import require_task
-from labutopia_lerobot.robots import DEFAULT_ROBOT, ROBOTS
-from labutopia_lerobot.scenes import DEFAULT_ROOM, load_room, room_label
 
 SPLITS = ("train", "id", "ood")
 """`train`: demonstrations. `id`: the same values, other seeds. `ood`: values never trained on."""
@@ -37,6 +42,15 @@ DEPTH, SEGMENTATION, FORCES = "depth", "segmentation", "forces"
 EXTRAS = (DEPTH, SEGMENTATION, FORCES)
 """What can be observed beside the usual: depth and segmentation of every camera, forces on pads."""
 
+ROBOT_NAMES = ("panda", "iiwa")
+"""Every robot that can play: the keys of `robots.ROBOTS`."""
+
+DEFAULT_ROBOT = ROBOT_NAMES[0]
+"""The robot of the paper's levels 1 to 4."""
+
+DEFAULT_ROOM = "laboratory"
+"""The room of the paper's levels 1 to 4."""
+
 IMAGE_SIZE = 256
 """Width and height of a picture by default [pixels] (paper, "Model Input And Output")."""
 
@@ -49,56 +63,102 @@ LARGEST_PICTURE = (1920, 1080)
 ALL = "all"
 """As an axis: every axis that the task has."""
 
+_HELP = "help"
+"""Key of an option's metadata."""
+
 
 class UnknownOptionError(UserError, ValueError):
     """An option with an impossible value; the message says which are possible."""
 
 
-@dataclass(frozen=True)
-class Setting:
-    """Everything that an episode depends on beside its seed and who plays it.
+def option[Value](default: Value, help: str) -> Value:
+    """Return a dataclass's field that is an option of a program, with what `--help` says of it."""
+    return field(default=default, metadata={_HELP: help})
 
-    Attributes:
-        task: Task id, such as `level1/pick`.
-        obs: `pixels` (cameras) or `state` (privileged object poses).
-        cameras: Which cameras to draw with `obs=pixels`: front, top, wrist.
-        extras: What is observed beside: a list of `depth` [m] and `segmentation` of every camera,
-            with `obs=pixels`, and `forces` on the pads [N].
-        width: Width of the pictures [pixels].
-        height: Height of the pictures [pixels].
-        split: `train`, `id` (other seeds) or `ood` (values never trained on).
-        axes: Which axes vary beside the task's own, or, with `split=ood`, which are shifted: a list
-            such as [material,light], or `all`.
-        tasks_dir: A further folder of tasks.
-        liquid: `on`; with `off` vessels are empty, pouring and spilling are judged by tilts.
-        particles: In how many particles the liquid of a task is divided.
-        robot: Which arm plays, one of `robots.ROBOTS`.
-        room: Where: `laboratory`, a furnished room such as `organic_7` that has a work place, or
-            FILE.json of one that `labutopia-scene generate` made.
-        renderer: `classic` (OpenGL) or `filament` (physically based, needs Vulkan; colours only).
-        step: A step of the task, such as 3_place, to be played alone: the expert plays those
-            before it, and the episode is over when it is done; null for the whole task.
+
+def options_of(program: type) -> list[Field[Any]]:
+    """Return a program's options in the order in which they are told: its own, then those of all.
+
+    Args:
+        program: Its dataclass of options.
+    """
+    declared = {each.name: each for each in fields(program)}
+    named = [*inspect.get_annotations(program), *declared]
+    return [declared[name] for name in dict.fromkeys(named) if name in declared]
+
+
+def option_help(options: type) -> dict[str, str]:
+    """Return what is said of each option of a dataclass, by its name."""
+    told = options_of(options)
+    return {each.name: each.metadata[_HELP] for each in told if _HELP in each.metadata}
+
+
+@dataclass
+class SettingOptions:
+    """The options of every program that plays: what an episode depends on beside its seed.
+
+    Each class declares `task` itself: some need one, others take several.
+    """
+
+    task: Any
+    obs: str = option("pixels", "`pixels` (cameras) or `state` (privileged object poses).")
+    cameras: tuple[str, ...] = option(
+        CAMERAS, "Which cameras to draw with `obs=pixels`: front, top, wrist."
+    )
+    extras: tuple[str, ...] = option(
+        (),
+        "What is observed beside: a list of `depth` [m] and `segmentation` of every camera, with "
+        "`obs=pixels`, and `forces` on the pads [N].",
+    )
+    width: int = option(IMAGE_SIZE, "Width of the pictures [pixels].")
+    height: int = option(IMAGE_SIZE, "Height of the pictures [pixels].")
+    split: str = option("id", "`train`, `id` (other seeds) or `ood` (values never trained on).")
+    axes: tuple[str, ...] = option(
+        (),
+        "Which axes vary beside the task's own, or, with `split=ood`, which are shifted: a list "
+        "such as [material,light], or `all`.",
+    )
+    tasks_dir: str | None = option(None, "A further folder of tasks.")
+    liquid: str = option(
+        "on", "`on`; with `off` vessels are empty, pouring and spilling are judged by tilts."
+    )
+    particles: int = option(PARTICLES, "In how many particles the liquid of a task is divided.")
+    robot: str = option(DEFAULT_ROBOT, f"Which arm plays, one of {', '.join(ROBOT_NAMES)}.")
+    room: str = option(
+        DEFAULT_ROOM,
+        "Where: `laboratory`, a furnished room such as `organic_7` that has a work place, or "
+        "FILE.json of one that `labutopia-scene generate` made.",
+    )
+    renderer: str = option(
+        CLASSIC,
+        "`classic` (OpenGL) or `filament` (physically based, needs Vulkan; colours only).",
+    )
+    step: str | None = option(
+        None,
+        "A step of the task, such as 3_place, to be played alone: the expert plays those before "
+        "it, and the episode is over when it is done; null for the whole task.",
+    )
+
+    @property
+    def chosen(self) -> dict[str, Any]:
+        """The value of every option by name, in the order of `options_of`."""
+        values = asdict(self)
+        return {each.name: values[each.name] for each in options_of(type(self))}
+
+
+@dataclass(unsafe_hash=True)  # as nothing can be assigned
+class Setting(SettingOptions):
+    """Everything that an episode depends on beside its seed and who plays it: a checked value.
+
+    It cannot be changed, and is hashed by its fields. `frozen=True` is not for it: dataclasses that
+    others fill in, as Hydra and LeRobot do, could not share its fields.
 
     Raises:
         UnknownOptionError: If a value is impossible; the message says which are possible.
         UnknownTaskError: If there is no such task; the message lists the tasks.
     """
 
-    task: str
-    obs: str = "pixels"
-    cameras: tuple[str, ...] = CAMERAS
-    extras: tuple[str, ...] = ()
-    width: int = IMAGE_SIZE
-    height: int = IMAGE_SIZE
-    split: str = "id"
-    axes: tuple[str, ...] = ()
-    tasks_dir: str | None = None
-    liquid: str = "on"
-    particles: int = PARTICLES
-    robot: str = DEFAULT_ROBOT
-    room: str = DEFAULT_ROOM
-    renderer: str = CLASSIC
-    step: str | None = None
+    task: str = field(metadata={_HELP: "Task id, such as `level1/pick`."})
 
     def __post_init__(self) -> None:
         for name in ("cameras", "extras", "axes"):
@@ -111,8 +171,7 @@ class Setting:
         require_choices("obs", [self.obs], OBSERVATION_KINDS)
         require_choices("split", [self.split], SPLITS)
         require_choices("liquid", [self.liquid], LIQUID)
-        require_choices("robot", [self.robot], ROBOTS)
-        load_room(self.room)  # it must be one that can be played in
+        require_choices("robot", [self.robot], ROBOT_NAMES)
         require_choices("renderer", [self.renderer], RENDERERS)
         require_choices("cameras", self.cameras, CAMERAS)
         if not self.cameras or len(set(self.cameras)) < len(self.cameras):
@@ -136,12 +195,13 @@ class Setting:
         require_between("height", self.height, 1, LARGEST_PICTURE[1])
         require_task(self.task, self.tasks_dir)
 
-    @property
-    def described(self) -> dict[str, Any]:
-        """Every field by name, as datasets have it: a room in a file by its content, no folder."""
-        told = asdict(self) | {"room": room_label(self.room)}
-        del told["tasks_dir"]
-        return told
+    def __setattr__(self, name: str, value: object) -> None:
+        if name in vars(self) or name not in {each.name for each in fields(self)}:
+            raise FrozenInstanceError(f"cannot assign to field {name!r}")
+        super().__setattr__(name, value)
+
+    def __delattr__(self, name: str) -> None:
+        raise FrozenInstanceError(f"cannot delete field {name!r}")
 
     def without_pictures(self) -> "Setting":
         """Return the same with no pictures drawn: `obs=state`, and of the extras the numbers."""
@@ -179,25 +239,8 @@ def require_between(name: str, value: int, least: int, most: int) -> None:
         )
 
 
-@dataclass_transform()
-def with_setting[Options](options: type[Options]) -> type[Options]:
-    """Make a class of options a dataclass that has every field of `Setting` too.
-
-    Fields that it declares itself keep their own type, default and help.
-    """
-    own = inspect.get_annotations(options)
-    inherited: dict[str, Any] = {}
-    for option in fields(Setting):
-        if option.name in own or option.default is MISSING:
-            continue
-        inherited[option.name] = option.type
-        setattr(options, option.name, option.default)
-    options.__annotations__ = own | inherited
-    return dataclass(options)
-
-
-def setting_of(options: object, **chosen: Any) -> Setting:
-    """Return the setting that an instance of a class `with_setting` describes.
+def setting_of(options: SettingOptions, **chosen: Any) -> Setting:
+    """Return the setting that the options of a program describe.
 
     Args:
         options: The instance.
@@ -207,7 +250,7 @@ def setting_of(options: object, **chosen: Any) -> Setting:
         UnknownOptionError: If a value is impossible.
         UnknownTaskError: If there is no such task.
     """
-    values: dict[str, Any] = {o.name: getattr(options, o.name, None) for o in fields(Setting)}
+    values: dict[str, Any] = {o.name: getattr(options, o.name) for o in fields(Setting)}
     return Setting(**(values | chosen))
 
 
@@ -225,17 +268,3 @@ def setting_from(options: Mapping[str, Any]) -> Setting:
             hint = f" Did you mean '{near[0]}'?" if near else ""
             raise UnknownOptionError(f"'{name}' is no option.{hint} Options: {', '.join(names)}")
     return Setting(**options)
-
-
-def option_help(options: type) -> dict[str, str]:
-    """Return what the docstrings of a class `with_setting` and of `Setting` say of each option."""
-    documented = [*reversed(Setting.__mro__), options]
-    told = {name: text for kind in documented for name, text in _attributes(kind).items()}
-    return told | {"robot": told["robot"].replace("`robots.ROBOTS`", ", ".join(ROBOTS))}
-
-
-def _attributes(documented: type) -> dict[str, str]:
-    """Return the entries of the section `Attributes` of a docstring in Google form."""
-    section = (inspect.getdoc(documented) or "").partition("Attributes:\n")[2].partition("\n\n")[0]
-    entries = re.findall(r"^ {4}(\w+): (.*(?:\n {8}.*)*)", section, re.MULTILINE)
-    return {name: " ".join(text.split()) for name, text in entries}

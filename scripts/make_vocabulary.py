@@ -23,12 +23,21 @@ from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.instrument import Equipment, Instrument
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.robots import ROBOTS
-from labutopia_lerobot.setting import option_help
 from labutopia_lerobot.skills import posture, skill
 from labutopia_lerobot.substances import filling
 from labutopia_lerobot.tasks import actions, failures
 from piece_pictures import makers, needs_only_a_name, picture
-from word_tables import asks, cell, code, functions, members, pieces, summary, with_attributes
+from word_tables import (
+    asks,
+    attributes,
+    cell,
+    code,
+    functions,
+    members,
+    pieces,
+    summary,
+    with_attributes,
+)
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGE = DOCS / "vocabulary.md"
@@ -122,7 +131,7 @@ def _chapters() -> Iterator[str]:
 
 def _instrument() -> Iterator[str]:
     """Yield what an instrument of one's own says of itself, and what it may have."""
-    helps = option_help(Equipment)
+    helps = attributes(Equipment)
     yield f"### {Instrument.__name__}"
     yield ""
     yield "A frozen dataclass of these; its method `_forms` returns what stands still. Origin: the"

@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import Any
 
 from labutopia_lerobot import layout
-from labutopia_lerobot.setting import option_help
 from piece_pictures import makers, needs_only_a_name
 
 
@@ -31,7 +30,7 @@ def members(kind: type) -> Iterator[str]:
     yield "| ask | answer |"
     yield "| --- | --- |"
     for field in fields(kind) if is_dataclass(kind) else ():
-        yield f"| {code(field.name)} | {cell(option_help(kind)[field.name])} |"
+        yield f"| {code(field.name)} | {cell(attributes(kind)[field.name])} |"
     for name, member in vars(kind).items():
         if isinstance(member, property):
             yield f"| {code(name)} | {cell(summary(member))} |"
@@ -40,9 +39,16 @@ def members(kind: type) -> Iterator[str]:
     yield ""
 
 
+def attributes(kind: type) -> dict[str, str]:
+    """Return what the section `Attributes` of a docstring in Google form says of each."""
+    section = (inspect.getdoc(kind) or "").partition("Attributes:\n")[2].partition("\n\n")[0]
+    entries = re.findall(r"^ {4}(\w+): (.*(?:\n {8}.*)*)", section, re.MULTILINE)
+    return {name: " ".join(text.split()) for name, text in entries}
+
+
 def with_attributes(kind: type) -> Iterator[str]:
     """Yield a dataclass with its fields."""
-    helps = option_help(kind)
+    helps = attributes(kind)
     yield f"### {kind.__name__}"
     yield ""
     yield summary(kind)

@@ -8,7 +8,11 @@ from functools import wraps
 from rich.console import Console
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.runtime.termination import Terminated, terminated_like_interrupted
+from labutopia_lerobot.runtime.termination import (
+    INTERRUPTED,
+    Terminated,
+    terminated_like_interrupted,
+)
 
 
 def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
@@ -29,7 +33,7 @@ def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
         except OSError as error:
             _tell(f"Error: {_failure(error)}. What was finished before is intact.", status=1)
         except KeyboardInterrupt as interrupt:
-            told = f"Interrupted. What was finished before is intact. {interrupt}"
+            told = f"{INTERRUPTED} {interrupt}"
             _tell(told.rstrip(), status=143 if isinstance(interrupt, Terminated) else 130)
 
     return wrapped

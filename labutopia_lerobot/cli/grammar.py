@@ -9,11 +9,11 @@ import difflib
 import re
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import fields
 from pathlib import Path
 from typing import Any, get_args, get_origin
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.setting import options_of
 
 ABOUT = "Options: name=value, --name value or --name=value. Several values: a,b or [a,b]."
 """What the help of every program says."""
@@ -83,7 +83,7 @@ class OptionParser(argparse.ArgumentParser):
 
 def types_of(options: type) -> dict[str, Any]:
     """Return the type of every option by name, from a dataclass of options."""
-    return {option.name: option.type for option in fields(options)}
+    return {option.name: option.type for option in options_of(options)}
 
 
 def overrides(

@@ -7,7 +7,10 @@ from collections.abc import Callable
 from functools import partial
 from importlib import import_module
 
-from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.runtime.termination import ended_at_once
+
+with ended_at_once():
+    from labutopia_lerobot.cli.clear_errors import clear_errors
 
 PROGRAMS = (
     "bench",
@@ -31,7 +34,9 @@ PROGRAMS = (
 @clear_errors
 def launch(program: str) -> None:
     """Import one of the `PROGRAMS` and run it."""
-    import_module(f"labutopia_lerobot.cli.{program}").main()
+    with ended_at_once():
+        module = import_module(f"labutopia_lerobot.cli.{program}")
+    module.main()
 
 
 def __getattr__(program: str) -> Callable[[], None]:

@@ -1,10 +1,10 @@
 """The options of a program that takes `name=value`, as its `--help` lists them."""
 
 from collections.abc import Iterator
-from dataclasses import MISSING, Field, fields
+from dataclasses import MISSING, Field
 from typing import Any
 
-from labutopia_lerobot.setting import option_help
+from labutopia_lerobot.setting import option_help, options_of
 
 _WIDTH = 22
 """Columns of `name=default`; what is longer has its explanation on the next line."""
@@ -14,7 +14,7 @@ def option_list(options: type, *, prefix: str = "", but: tuple[str, ...] = ()) -
     """Return one entry per field of a dataclass of options: name, default and explanation.
 
     Args:
-        options: The dataclass; its docstring, or that of `Setting`, explains every field.
+        options: The dataclass; `option_help` explains every field.
         prefix: What the names begin with on the command line, such as `policy.`.
         but: Fields that are left out.
     """
@@ -23,7 +23,7 @@ def option_list(options: type, *, prefix: str = "", but: tuple[str, ...] = ()) -
 
 def _entries(options: type, prefix: str, but: tuple[str, ...]) -> Iterator[str]:
     helps = option_help(options)
-    for option in fields(options):
+    for option in options_of(options):
         if option.name in but:
             continue
         shown = f"{prefix}{option.name}={_default(option)}"

@@ -64,8 +64,11 @@ def setting_of_flags(arguments: argparse.Namespace, task: str, **chosen: Any) ->
 
     Raises:
         UnknownOptionError: If a value is impossible.
+        UnknownRoomError: If there is no such room.
         UnknownTaskError: If there is no such task.
     """
     names = (option.name for option in fields(Setting))
     values = {name: getattr(arguments, name) for name in names if hasattr(arguments, name)}
-    return setting_from(values | {"task": task} | chosen)
+    setting = setting_from(values | {"task": task} | chosen)
+    load_room(setting.room)  # it must be one that can be played in
+    return setting

@@ -14,6 +14,7 @@ from labutopia_lerobot.cli.setting_flags import add_setting_flags, setting_of_fl
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.video import require_filmable, write_video
+from labutopia_lerobot.scenario.task_function import located_in_play
 from labutopia_lerobot.sim.viewer import Viewer, has_display
 from labutopia_lerobot.skills.expert import Expert
 
@@ -44,10 +45,11 @@ def main() -> None:
     if arguments.seed < 0:
         raise ViewOptionError(f"--seed {arguments.seed} is too small: seeds begin at 0")
     env = LabEnv(setting)
-    if headless:
-        _write_files(env, arguments.seed, arguments.out)
-    else:
-        _open_viewer(env, arguments.seed)
+    with located_in_play(setting.task, setting.tasks_dir):
+        if headless:
+            _write_files(env, arguments.seed, arguments.out)
+        else:
+            _open_viewer(env, arguments.seed)
 
 
 def _write_files(env: LabEnv, seed: int, folder: Path) -> None:

@@ -21,6 +21,7 @@ from labutopia_lerobot.runtime.provenance import machine
 from labutopia_lerobot.runtime.video import VideoWriter
 from labutopia_lerobot.runtime.workers import become_worker
 from labutopia_lerobot.scenario.draw import Value
+from labutopia_lerobot.scenario.task_function import located_in_play
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.renderers import renderer_name
 from labutopia_lerobot.task import SUCCESS
@@ -149,7 +150,8 @@ def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> C
             for name, video in videos.items():
                 video.add(pictures[name])
 
-        demonstration = demonstrate(env, config.seed + index, film)
+        with located_in_play(task, config.tasks_dir):
+            demonstration = demonstrate(env, config.seed + index, film)
     candidate = _summary(env, config.seed + index, index, demonstration)
     if candidate.stored(config.keep):
         arrays: dict[str, Any] = dict(demonstration.columns)

@@ -16,9 +16,10 @@ from labutopia_lerobot.datasets.original import RATE_HZ, OriginalEpisode, open_o
 from labutopia_lerobot.datasets.writer import EncodedDatasetWriter, Video
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.features import ACTION
-from labutopia_lerobot.robots import DEFAULT_ROBOT, load_robot
+from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.runtime.provenance import sha256
 from labutopia_lerobot.runtime.video import VideoWriter, require_filmable
+from labutopia_lerobot.setting import DEFAULT_ROBOT
 from labutopia_lerobot.world import CONTROL_HZ
 
 CONVERSION = "meta/labutopia_conversion.json"

@@ -16,6 +16,7 @@ from labutopia_lerobot.datasets.tables import SEED, Row, column, episode_setting
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.robots import load_robot
+from labutopia_lerobot.scenario.task_function import located_in_play
 from labutopia_lerobot.setting import Setting
 
 
@@ -84,16 +85,17 @@ class Player:
             return None
         env = self._environment(setting)
         commands = _commands(row, frames, len(load_robot(setting.robot).elements))
-        observation, info = env.reset(seed=row[SEED])
-        drawn = info["drawn"]
         replayed = Frames(env, setting.obs)
-        for number, command in enumerate(commands):
-            look(number, env)
-            replayed.begin(observation)
-            observation, reward, terminated, truncated, info = env.step(command)
-            replayed.end(command, reward, terminated or truncated, info)
-            if terminated or truncated:
-                break
+        with located_in_play(setting.task, setting.tasks_dir):
+            observation, info = env.reset(seed=row[SEED])
+            drawn = info["drawn"]
+            for number, command in enumerate(commands):
+                look(number, env)
+                replayed.begin(observation)
+                observation, reward, terminated, truncated, info = env.step(command)
+                replayed.end(command, reward, terminated or truncated, info)
+                if terminated or truncated:
+                    break
         volumes = {name: value for name, value in info.items() if name.startswith("ml_")}
         return Playback(
             instruction=env.task,

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterator
-from dataclasses import asdict, field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +13,13 @@ from labutopia_lerobot.registry import choose_tasks, listed
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.video import require_filmable
 from labutopia_lerobot.scenes import room_label
-from labutopia_lerobot.setting import Setting, require_choices, setting_of, with_setting
+from labutopia_lerobot.setting import (
+    Setting,
+    SettingOptions,
+    option,
+    require_choices,
+    setting_of,
+)
 
 LARGEST_SEED = 2**62
 """Beyond, tables have no numbers."""
@@ -30,41 +36,49 @@ class RecordingOptionError(UserError, ValueError):
     """An option with an impossible value; the message says which values are possible."""
 
 
-@with_setting
-class RecordingConfig:
-    """Options of a recording; the fields of `Setting` are options too.
+@dataclass
+class RecordingConfig(SettingOptions):
+    """Options of a recording, beside those of every program that plays."""
 
-    Attributes:
-        task: Task id such as `level1/pick`, the bare name of a task of the level, or a list.
-        level: 1 to 4, a list of these, or `all`.
-        together: Whether several tasks become one dataset, for which obs=pixels is needed.
-        split: `train`, from which policies are to learn, or another for measurements.
-        episodes: How many successful demonstrations of each task to store; more than a finished
-            recording has extend it.
-        keep: `successes`, or `failures`: those that fail on the way are stored beside.
-        language: Whether to write LeRobot's language columns too: paraphrases, steps, substeps
-            and phases.
-        workers: Processes that play candidates; the dataset does not depend on it.
-        launcher: `local`, or `ray`: on every machine of a Ray cluster, whatever `workers` says.
-        seed: Candidate i resets with `seed + i`.
-        root: Folder of the dataset, or of those of several tasks; `outputs/datasets/<task>` when
-            empty, and `outputs/datasets/level<level>` for several tasks together; of a step
-            `<task>-<step>`.
-        repo_id: Name of the dataset on the Hub; `local/<name of the task or level>` when empty.
-    """
-
-    task: Any = None
-    level: Any = None
-    together: bool = False
-    split: str = "train"
-    episodes: int = 100
-    keep: str = "successes"
-    language: bool = False
-    workers: int = field(default_factory=lambda: len(os.sched_getaffinity(0)))
-    launcher: str = "local"
-    seed: int = 0
-    root: str = ""
-    repo_id: str = ""
+    task: Any = option(
+        None, "Task id such as `level1/pick`, the bare name of a task of the level, or a list."
+    )
+    level: Any = option(None, "1 to 4, a list of these, or `all`.")
+    together: bool = option(
+        False, "Whether several tasks become one dataset, for which obs=pixels is needed."
+    )
+    split: str = option(
+        "train", "`train`, from which policies are to learn, or another for measurements."
+    )
+    episodes: int = option(
+        100,
+        "How many successful demonstrations of each task to store; more than a finished recording"
+        " has extend it.",
+    )
+    keep: str = option(
+        "successes", "`successes`, or `failures`: those that fail on the way are stored beside."
+    )
+    language: bool = option(
+        False,
+        "Whether to write LeRobot's language columns too: paraphrases, steps, substeps and phases.",
+    )
+    workers: int = field(
+        default_factory=lambda: len(os.sched_getaffinity(0)),
+        metadata={"help": "Processes that play candidates; the dataset does not depend on it."},
+    )
+    launcher: str = option(
+        "local", "`local`, or `ray`: on every machine of a Ray cluster, whatever `workers` says."
+    )
+    seed: int = option(0, "Candidate i resets with `seed + i`.")
+    root: str = option(
+        "",
+        "Folder of the dataset, or of those of several tasks; `outputs/datasets/<task>` when "
+        "empty, and `outputs/datasets/level<level>` for several tasks together; of a step "
+        "`<task>-<step>`.",
+    )
+    repo_id: str = option(
+        "", "Name of the dataset on the Hub; `local/<name of the task or level>` when empty."
+    )
 
     @property
     def tasks(self) -> list[str]:
@@ -73,7 +87,7 @@ class RecordingConfig:
         Raises:
             UnknownTaskError: If none is named, or one that does not exist.
         """
-        return choose_tasks(self.task, self.level, getattr(self, "tasks_dir", None))
+        return choose_tasks(self.task, self.level, self.tasks_dir)
 
     def datasets(self) -> "Iterator[RecordingConfig]":
         """Yield the options of each dataset, with its tasks, folder and name filled in.
@@ -82,7 +96,7 @@ class RecordingConfig:
             RecordingOptionError: If one folder or name is given for several datasets.
             UnknownTaskError: If no task is named, or one that does not exist.
         """
-        tasks, step = self.tasks, getattr(self, "step", None)
+        tasks, step = self.tasks, self.step
         only = "" if step is None else f"-{step}"
         if len(tasks) == 1 or self.together:
             task = tasks if len(tasks) > 1 else tasks[0]
@@ -152,13 +166,13 @@ class RecordingConfig:
         Raises:
             UnknownTaskError: If there is no such task.
         """
-        options = asdict(self)
+        options = self.chosen
         for name in _UNRECORDED:
             del options[name]
         options["room"] = room_label(options["room"])
         return {
             "config": options,
-            "code": provenance.code(self.tasks, getattr(self, "tasks_dir", None)),
+            "code": provenance.code(self.tasks, self.tasks_dir),
             "versions": provenance.versions(),
         }
 

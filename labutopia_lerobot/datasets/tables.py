@@ -10,7 +10,7 @@ it becomes a path: files lie where LeRobot puts them, and links lead nowhere els
 import json
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import fields
+from dataclasses import asdict, fields
 from itertools import groupby
 from pathlib import Path
 from typing import Any, TypedDict
@@ -24,6 +24,7 @@ from labutopia_lerobot.datasets.description import DamagedDatasetError, present_
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.foreign_files import checked, inside, parse_json, printable
 from labutopia_lerobot.registry import UnknownTaskError
+from labutopia_lerobot.scenes import load_room, room_label
 from labutopia_lerobot.setting import Setting
 
 TASKS = "meta/tasks.parquet"
@@ -206,8 +207,10 @@ def column(table: pa.Table, key: str) -> NDArray[Any]:
 
 
 def setting_column(setting: Setting) -> str:
-    """Return what the column `SETTING` holds."""
-    return json.dumps(setting.described)
+    """Return what the column `SETTING` holds: a room in a file by its content, no folder."""
+    told = asdict(setting) | {"room": room_label(setting.room)}
+    del told[_LOCAL]
+    return json.dumps(told)
 
 
 def episode_setting(row: Row, tasks_dir: str | None = None) -> Setting | None:
@@ -231,7 +234,8 @@ def episode_setting(row: Row, tasks_dir: str | None = None) -> Setting | None:
     known = {option.name for option in fields(Setting)} - {_LOCAL}
     chosen = {name: value for name, value in stored.items() if name in known}
     try:
-        return Setting(**chosen, tasks_dir=tasks_dir)
+        setting = Setting(**chosen, tasks_dir=tasks_dir)
+        load_room(setting.room)  # it must be one that can be played in
     except UnknownTaskError as error:
         raise UnknownTaskError(
             f"{error}. If {where} was recorded with a task of somebody's own, and you trust its "
@@ -239,6 +243,7 @@ def episode_setting(row: Row, tasks_dir: str | None = None) -> Setting | None:
         ) from None
     except (UserError, TypeError, ValueError) as error:
         raise DamagedDatasetError(f"{where} cannot be: {error}") from None
+    return setting
 
 
 def _numbers(values: pa.ChunkedArray) -> NDArray[Any]:

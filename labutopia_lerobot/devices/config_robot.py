@@ -1,10 +1,13 @@
 """`--robot.type=labutopia` for LeRobot's programs; imports no mujoco."""
 
+from dataclasses import dataclass
+
 from draccus.utils import DecodingError
 from lerobot.robots import RobotConfig
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.setting import OBSERVATION_KINDS, Setting, setting_of, with_setting
+from labutopia_lerobot.scenes import load_room
+from labutopia_lerobot.setting import OBSERVATION_KINDS, Setting, SettingOptions, option, setting_of
 
 
 class InvalidRobotError(UserError, DecodingError):
@@ -12,26 +15,22 @@ class InvalidRobotError(UserError, DecodingError):
 
 
 @RobotConfig.register_subclass("labutopia")
-@with_setting
-class LabUtopiaRobotConfig(RobotConfig):
-    """What is played and observed; the fields of `Setting` are fields of this too.
-
-    Attributes:
-        task: Task id.
-        split: `train`, for demonstrations, or another for measurements.
-        seed: Seed of the first episode; the next one has the next seed.
+@dataclass
+class LabUtopiaRobotConfig(SettingOptions, RobotConfig):
+    """What is played and observed.
 
     Raises:
         InvalidRobotError: If a field is not one of its choices.
     """
 
-    task: str = "level1/pick"
-    split: str = "train"
-    seed: int = 0
+    task: str = option("level1/pick", "Task id.")
+    split: str = option("train", "`train`, for demonstrations, or another for measurements.")
+    seed: int = option(0, "Seed of the first episode; the next one has the next seed.")
 
     def __post_init__(self) -> None:
         try:
             setting = self.setting
+            load_room(setting.room)  # it must be one that can be played in
         except UserError as error:
             raise InvalidRobotError((), str(error)) from error
         if setting.obs != OBSERVATION_KINDS[0]:

@@ -6,9 +6,8 @@ from draccus.utils import DecodingError
 from lerobot.teleoperators import TeleoperatorConfig
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.robots import DEFAULT_ROBOT, ROBOTS
-from labutopia_lerobot.scenes import DEFAULT_ROOM, load_room
-from labutopia_lerobot.setting import require_choices
+from labutopia_lerobot.scenes import load_room
+from labutopia_lerobot.setting import DEFAULT_ROBOT, DEFAULT_ROOM, ROBOT_NAMES, require_choices
 
 KEYBOARD, GAMEPAD = "keyboard", "gamepad"
 
@@ -42,7 +41,7 @@ class LabUtopiaTeleoperatorConfig(TeleoperatorConfig):
     def __post_init__(self) -> None:
         try:
             require_choices("device", [self.device], (KEYBOARD, GAMEPAD))
-            require_choices("robot", [self.robot], ROBOTS)
+            require_choices("robot", [self.robot], ROBOT_NAMES)
             load_room(self.room)
         except UserError as error:
             raise InvalidTeleoperatorError((), str(error)) from error

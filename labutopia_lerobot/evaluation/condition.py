@@ -6,9 +6,14 @@ Episodes of one condition differ in their seeds only, and only they are counted 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 
-from labutopia_lerobot.robots import DEFAULT_ROBOT
-from labutopia_lerobot.scenes import DEFAULT_ROOM
-from labutopia_lerobot.setting import ALL, CLASSIC, PARTICLES, canonical_axes
+from labutopia_lerobot.setting import (
+    ALL,
+    CLASSIC,
+    DEFAULT_ROBOT,
+    DEFAULT_ROOM,
+    PARTICLES,
+    canonical_axes,
+)
 
 SINGLE = "single"
 """One policy plays all steps (the paper's SP and, step by step, S1 to Sk)."""

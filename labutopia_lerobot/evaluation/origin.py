@@ -1,7 +1,6 @@
 """What the rows of an evaluation come from: options, code, versions, weights."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -70,7 +69,7 @@ def full_provenance(
 
 
 def _options(config: EvaluationConfig) -> dict[str, Any]:
-    options = asdict(config)
+    options = config.chosen
     return options | {"room": room_label(options["room"])}
 
 

@@ -24,6 +24,7 @@ from labutopia_lerobot.evaluation.result_folder import film_of, film_of_expert
 from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.runtime.video import write_video
 from labutopia_lerobot.runtime.workers import in_processes
+from labutopia_lerobot.scenario.task_function import located_in_play
 from labutopia_lerobot.scenes import room_label
 from labutopia_lerobot.setting import IMAGE_SIZE, Setting
 from labutopia_lerobot.sim.classic_renderer import NoOpenGLError
@@ -87,12 +88,14 @@ def play(job: EvaluationJob, seed: int) -> Episode:
 
     Raises:
         Exception: Whatever a policy or a task raises, with a note that names the episode: a bug is
-            not a failed episode. Only a policy elsewhere that cannot be asked any more ends it.
+            not a failed episode, and a mistake in a task of the user's is told by its line. Only a
+            policy elsewhere that cannot be asked any more ends it.
     """
+    setting = job.setting
     try:
-        return _play(job, seed)
+        with located_in_play(setting.task, setting.tasks_dir):
+            return _play(job, seed)
     except Exception as error:
-        setting = job.setting
         error.add_note(
             f"In the episode of {setting.task}, split {setting.split}, seed {seed}, played by "
             f"{job.policy}, {job.play}"

@@ -13,10 +13,8 @@ from labutopia_lerobot.evaluation.condition import Condition
 from labutopia_lerobot.evaluation.uncertainty.anytime import confidence_sequence
 from labutopia_lerobot.evaluation.uncertainty.intervals import Interval, exact, wilson
 from labutopia_lerobot.foreign_files import checked
-from labutopia_lerobot.robots import DEFAULT_ROBOT
 from labutopia_lerobot.scenario.draw import Value
-from labutopia_lerobot.scenes import DEFAULT_ROOM
-from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
+from labutopia_lerobot.setting import CLASSIC, DEFAULT_ROBOT, DEFAULT_ROOM, FILAMENT, PARTICLES
 
 _FORMER_NAMES = {"prelude_failures": "setup_failures"}
 """What a column was called in results of earlier versions -> what it is called now."""

@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Sequence
-from dataclasses import asdict
 from pathlib import Path
 from types import TracebackType
 from typing import Self
@@ -65,7 +64,7 @@ def run(config: EvaluationConfig, console: Console) -> Path | None:
         rows = [episode.row for episode in episodes]
         summaries = summarise(rows, sequential=config.until is not None)
         file = folder.finish(rows, summaries, full_provenance(began, config, rows))
-        result = LoadedResult(folder.path, True, tuple(rows), {"config": asdict(config)})
+        result = LoadedResult(folder.path, True, tuple(rows), {"config": config.chosen})
         for table in run_tables(report_entries([result]), level_means=config.level is not None):
             console.print(TextTable(table))
             console.print()

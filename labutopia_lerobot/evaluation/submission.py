@@ -29,11 +29,10 @@ from labutopia_lerobot.evaluation.result_folder import (
 from labutopia_lerobot.evaluation.rollout import play
 from labutopia_lerobot.evaluation.rows import Row, by_condition, from_columns
 from labutopia_lerobot.foreign_files import read_json_object
-from labutopia_lerobot.robots import DEFAULT_ROBOT, load_robot
+from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences, write_whole
-from labutopia_lerobot.scenes import DEFAULT_ROOM
-from labutopia_lerobot.setting import CLASSIC, PARTICLES, Setting
+from labutopia_lerobot.setting import CLASSIC, DEFAULT_ROBOT, DEFAULT_ROOM, PARTICLES, Setting
 
 FIRST_SEED = 100_000
 """Of every published evaluation."""

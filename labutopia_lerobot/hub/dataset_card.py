@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import MISSING, fields
+from dataclasses import MISSING
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from labutopia_lerobot.evaluation.uncertainty.intervals import wilson
 from labutopia_lerobot.hub.card import TAGS, dataset_card, rate, summary_row
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts
 from labutopia_lerobot.hub.feature_meanings import meaning
+from labutopia_lerobot.setting import options_of
 from labutopia_lerobot.task import SUCCESS
 
 LOCAL = "local/"
@@ -108,7 +109,7 @@ def _command(facts: DatasetFacts) -> str:
     config = facts.config
     defaults = {
         option.name: option.default
-        for option in fields(RecordingConfig)
+        for option in options_of(RecordingConfig)
         if option.default is not MISSING and option.name not in _NOT_TYPED
     }
     chosen = [

@@ -7,9 +7,6 @@ from labutopia_lerobot.robots.robot import Element, ParallelGripper, Robot, Unkn
 ROBOTS = {robot.name: robot for robot in (PANDA, IIWA)}
 """Every robot by its name."""
 
-DEFAULT_ROBOT = PANDA.name
-"""The robot of the paper's levels 1 to 4."""
-
 
 def load_robot(name: str) -> Robot:
     """Return the robot of a name.
@@ -23,7 +20,6 @@ def load_robot(name: str) -> Robot:
 
 
 __all__ = [
-    "DEFAULT_ROBOT",
     "IIWA",
     "PANDA",
     "ROBOTS",

@@ -1,11 +1,16 @@
 """How a program is told to end: SIGTERM, as a cluster sends it, does what Ctrl-C does."""
 
 import multiprocessing
+import os
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from types import FrameType
+from types import FrameType, TracebackType
+
+INTERRUPTED = "Interrupted. What was finished before is intact."
+"""What a program says when it is told to end."""
 
 
 class Terminated(KeyboardInterrupt):
@@ -26,6 +31,40 @@ def terminated_like_interrupted() -> Iterator[None]:
 
 
 @contextmanager
+def ended_at_once() -> Iterator[None]:
+    """End this process in one line if it is told to end here, where nothing has begun: in imports.
+
+    Nothing is raised. A `KeyboardInterrupt` may come to a library that clears it, or is written in
+    C++ and makes an `ImportError` of it, as mujoco and scipy do.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    numbers = (signal.SIGINT, signal.SIGTERM)
+    heard = [number for number in numbers if signal.getsignal(number) is not signal.SIG_IGN]
+    before = {number: signal.signal(number, _end) for number in heard}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def tell_interrupt_in_one_line() -> None:
+    """Let an interrupt that nobody takes care of be told in one line, if it is the next to be."""
+    before = sys.excepthook
+
+    def tell(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        sys.excepthook = before
+        if issubclass(kind, KeyboardInterrupt):
+            sys.stderr.write(f"{INTERRUPTED}\n")
+        else:
+            before(kind, error, trace)
+
+    sys.excepthook = tell
+
+
+@contextmanager
 def interrupts_held() -> Iterator[None]:
     """Hold Ctrl-C back for as long as this lasts.
 
@@ -42,6 +81,11 @@ def interrupts_held() -> Iterator[None]:
 def let_interrupts_through() -> None:
     """End what `interrupts_held` began in the process that started this one."""
     signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    os.write(2, f"{INTERRUPTED}\n".encode())
+    os._exit(128 + number)
 
 
 def _terminate(number: int, frame: FrameType | None) -> None:

@@ -8,6 +8,7 @@ from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario.draw import Draw, Value
 from labutopia_lerobot.scenario.task_function import task_function
 from labutopia_lerobot.scenario.variation import Variation, draw_instruction, draw_variation
+from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import ALL, Setting
 from labutopia_lerobot.task import Task
 
@@ -58,7 +59,9 @@ def canonical_task(setting: Setting) -> Task:
         AxisError: If the task declares an axis wrongly.
         TaskError: If the task does not have the step of the setting.
         UnknownOptionError: If the task does not have the axes of the setting.
+        UnknownRoomError: If there is no such room.
     """
+    load_room(setting.room)  # it must be one that can be played in
     task = _scenario(setting, Draw(setting.split, setting.axes)).task
     if setting.step is not None:
         task.steps_until(setting.step)

@@ -5,7 +5,7 @@ import importlib.util
 import inspect
 import sys
 from collections.abc import Callable
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -27,21 +27,44 @@ def task_function(task_id: str, tasks_dir: str | Path | None = None) -> Callable
         UnknownTaskError: If there is no such task, or its file defines no such function.
     """
     path = require_task(task_id, tasks_dir)
-    located = nullcontext if path.is_relative_to(PACKAGED) else mistakes_located  # ours are bugs
-    folder = path.parents[2 if path.parent.name == BEYOND else 1]
-    with located(folder):
+    with _located(path):
         function = getattr(_import(task_id, path), path.stem, None)
     if not callable(function):
         raise UnknownTaskError(f"{path} must define the function `{path.stem}() -> Task`")
 
     def made(*draw: Draw) -> Task:
-        with located(folder):
+        with _located(path):
             return _require_task_value(function(*draw), path)
 
     if inspect.signature(function).parameters:
         return made
     task = made()
     return lambda draw: task
+
+
+def located_in_play(
+    task_id: str, tasks_dir: str | Path | None = None
+) -> AbstractContextManager[None]:
+    """Return what tells of a mistake in a task's predicates or skills with its file and line.
+
+    Whoever plays episodes does so within it: a task's code is called wherever one is judged, by
+    the expert, and by what measures and explains. What the files of this package raise stays what
+    it is, a bug.
+
+    Raises:
+        FileMistakeError: Within, if a file of the user's raises anything that has no message of
+            ours.
+        UnknownTaskError: If there is no such task.
+    """
+    return _located(require_task(task_id, tasks_dir), playing=True)
+
+
+def _located(path: Path, *, playing: bool = False) -> AbstractContextManager[None]:
+    """Return what tells of mistakes in a task's file, and in those beside it; ours are bugs."""
+    if path.is_relative_to(PACKAGED):
+        return nullcontext()
+    folder = path.parents[2 if path.parent.name == BEYOND else 1]
+    return mistakes_located(folder, playing=playing)
 
 
 def _require_task_value(task: object, path: Path) -> Task:

@@ -14,9 +14,6 @@ from labutopia_lerobot.scenes.room_files import is_of_file, read_before, room_la
 ROOMS = {room.name: room for room in (LABORATORY,)}
 """Rooms that are no plans, by name."""
 
-DEFAULT_ROOM = LABORATORY.name
-"""The room of the paper's levels 1 to 4."""
-
 _LISTED = 30
 """How many names a message has at most."""
 
@@ -91,7 +88,6 @@ def _some(names: Sequence[str]) -> str:
 
 
 __all__ = [
-    "DEFAULT_ROOM",
     "LABORATORY",
     "ROOMS",
     "NoWorkPlaceError",

@@ -109,6 +109,45 @@ def test_a_good_task_passes_everything(monkeypatch, capsys, folder):
     assert lines[-1] == "1 task checked; no checks failed"
 
 
+@pytest.mark.parametrize(
+    ("line", "tasks"),
+    [
+        ("level1/pick", ["level1/pick"]),
+        ("task=level1/pick", ["level1/pick"]),
+        ("level1/pick level3/pick", ["level1/pick", "level3/pick"]),
+        ("mine", ["level1/broken", "level1/fine", "level1/lazy"]),
+        ("tasks_dir=mine", ["level1/broken", "level1/fine", "level1/lazy"]),
+        ("mine level1/fine", ["level1/fine"]),
+        ("level1/fine mine", ["level1/fine"]),
+        ("mine task=level1/fine", ["level1/fine"]),
+        ("level1/fine --tasks-dir mine", ["level1/fine"]),
+        ("level1/press", "'level1/press' is a task, and a folder here: say task=level1/press or"),
+        ("task=level1/press", ["level1/press"]),
+        ("tasks_dir=level1/press", ["level1/own"]),
+        ("./level1/press", ["level1/own"]),
+        ("level1/folder", ["level1/own"]),
+        ("level1/pik", "Unknown task 'level1/pik'. Did you mean 'level1/pick'"),
+        ("mine level1/pick", "mine does not hold level1/pick"),
+        ("mine level1/folder", "mine and level1/folder are two folders: check one at a time"),
+        ("", "Name a folder of tasks, or a task, such as level1/pick"),
+    ],
+)
+def test_a_bare_word_is_a_task_or_a_folder(monkeypatch, capsys, folder, line, tasks):
+    monkeypatch.chdir(folder.parent)
+    for name in ("press", "folder"):
+        file = folder.parent / "level1" / name / "level1" / "own.py"
+        file.parent.mkdir(parents=True)
+        file.write_text(FINE.replace("fine", "own"))
+    monkeypatch.setattr(check, "_outcomes", lambda task, folder, console: [("holds", None)])
+    status, lines = checked(monkeypatch, capsys, *line.split())
+    if isinstance(tasks, str):
+        assert status == 2
+        assert lines[0].startswith(f"Error: {tasks}")
+    else:
+        assert status == 0
+        assert [told.split()[1] for told in lines[:-1]] == tasks
+
+
 def test_a_folder_without_tasks_and_a_task_of_another_folder_are_told(monkeypatch, capsys, folder):
     status, lines = checked(monkeypatch, capsys, str(folder.parent))
     assert status == 2

@@ -10,7 +10,7 @@ import pytest
 from labutopia_lerobot.cli import publish, replay, verify
 from labutopia_lerobot.cli.evaluate import parse as evaluated
 from labutopia_lerobot.datasets.description import read_recording
-from labutopia_lerobot.datasets.tables import read_episodes
+from labutopia_lerobot.datasets.tables import read_episodes, setting_column
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.jobs import make_jobs
 from labutopia_lerobot.evaluation.origin import origin
@@ -36,6 +36,11 @@ def dataset(tmp_path_factory: pytest.TempPathFactory, file: Path) -> Path:
     return recording(root, f"task={PRESS}", "obs=state", "episodes=1", f"room={file}", workers=1)
 
 
+def described_room(room: Path | str) -> str:
+    """Return what a dataset calls a room."""
+    return json.loads(setting_column(Setting(PRESS, room=str(room))))["room"]
+
+
 @pytest.fixture
 def stranger(monkeypatch: pytest.MonkeyPatch) -> None:
     """A process that has not read the file."""
@@ -50,15 +55,15 @@ def test_an_environment_stands_in_the_room_of_a_file(file: Path) -> None:
 
 
 def test_rooms_in_files_are_called_by_their_content(file: Path, tmp_path: Path) -> None:
-    label = Setting(PRESS, room=str(file)).described["room"]
+    label = described_room(file)
     assert re.fullmatch(r"mine@[0-9a-f]{8}", label)
     elsewhere, other = tmp_path / "mine.json", tmp_path / "other" / "mine.json"
     elsewhere.write_text(file.read_text())
     other.parent.mkdir()
     other.write_text(text_of(replace(ROOM, wall="cream")))
-    assert Setting(PRESS, room=str(elsewhere)).described["room"] == label
-    assert Setting(PRESS, room=str(other)).described["room"] != label
-    assert Setting(PRESS, room="organic_7").described["room"] == "organic_7"
+    assert described_room(elsewhere) == label
+    assert described_room(other) != label
+    assert described_room("organic_7") == "organic_7"
 
 
 def test_an_evaluation_writes_no_path(file: Path) -> None:

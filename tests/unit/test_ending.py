@@ -29,6 +29,33 @@ launch.import_module = import_module
 launch.record()
 """
 
+SWALLOWING = """
+import time
+from labutopia_lerobot.cli import launch
+
+def import_module(name):
+    try:
+        print("ready", flush=True)
+        time.sleep(60)
+    except BaseException:  # as libraries do
+        raise ImportError("initialization failed") from None
+
+launch.import_module = import_module
+launch.record()
+"""
+
+REGISTERING = """
+import importlib.metadata
+import time
+
+def entry_points(group):
+    print("ready", flush=True)
+    time.sleep(60)
+
+importlib.metadata.entry_points = entry_points
+from labutopia_lerobot.cli import launch
+"""
+
 WORKING = """
 import time
 
@@ -105,14 +132,20 @@ def terminate(pid: int) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    [IMPORTING, WORKING.format(importing=True), WORKING.format(importing=False)],
-    ids=["importing", "workers_importing", "working"],
+    [IMPORTING, SWALLOWING, WORKING.format(importing=True), WORKING.format(importing=False)],
+    ids=["importing", "swallowing", "workers_importing", "working"],
 )
 @pytest.mark.parametrize(("send", "status"), [(interrupt, 130), (terminate, 143)])
 def test_a_program_that_is_told_to_end_says_one_line(tmp_path, text, send, status):
     program = tmp_path / "program.py"
     program.write_text(text)
     assert ended(program, send) == (status, TOLD)
+
+
+def test_ctrl_c_in_the_import_of_the_package_says_one_line(tmp_path):
+    program = tmp_path / "program.py"
+    program.write_text(REGISTERING)
+    assert ended(program, interrupt) == (-signal.SIGINT, TOLD)
 
 
 def test_every_installed_program_is_started_by_the_launcher():

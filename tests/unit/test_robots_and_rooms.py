@@ -4,6 +4,7 @@ import re
 import subprocess
 import sys
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 
 import mujoco
@@ -11,11 +12,15 @@ import numpy as np
 import pytest
 
 import labutopia_lerobot
+from labutopia_lerobot import setting
+from labutopia_lerobot.devices import LabUtopiaRobotConfig
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.policies import RandomPolicy, StillPolicy
 from labutopia_lerobot.features import action_feature, observation_features
+from labutopia_lerobot.gymnasium_ids import make_env
 from labutopia_lerobot.layout import Workspace
+from labutopia_lerobot.lerobot_plugin import LabUtopiaEnvConfig
 from labutopia_lerobot.robots import IIWA, PANDA, ROBOTS, load_robot
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.scenario import canonical_task
@@ -27,6 +32,7 @@ from six_joint_arm import SIX
 @pytest.fixture
 def env(monkeypatch) -> LabEnv:
     monkeypatch.setitem(ROBOTS, "six", SIX)
+    monkeypatch.setattr(setting, "ROBOT_NAMES", (*setting.ROBOT_NAMES, "six"))
     return LabEnv(Setting("level1/pick", obs="state", robot="six"))
 
 
@@ -139,13 +145,50 @@ def test_an_unknown_robot_or_room_is_told_with_the_choices(load, message):
         load("ur5")
 
 
+@pytest.mark.parametrize(
+    ("option", "told"),
+    [("robot", "robot='ur5' is unknown. Choose from: panda, iiwa"), ("room", "room='ur5' is")],
+)
+@pytest.mark.parametrize(
+    "line",
+    [
+        ["view", "level1/pick", "out=here"],
+        ["record", "level1/pick", "root=here"],
+        ["evaluate", "level1/pick", "policy=expert", "out=here", "videos=0"],
+        ["evaluate", "level2/pour_liquid", "policy=expert", "out=here", "play=staged", "videos=0"],
+        ["bench", "level1/pick"],
+    ],
+    ids=" ".join,
+)
+def test_no_program_begins_with_an_unknown_robot_or_room(
+    monkeypatch, capsys, tmp_path, line, option, told
+):
+    program, *words = line
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "argv", [f"labutopia-{program}", *words, f"{option}=ur5"])
+    with pytest.raises(SystemExit, match="2"):
+        import_module(f"labutopia_lerobot.cli.{program}").main()
+    (message,) = capsys.readouterr().err.splitlines()
+    assert message.startswith(f"Error: {told}")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("wrong", [{"robot": "ur5"}, {"room": "ur5"}])
+@pytest.mark.parametrize("make", [LabUtopiaEnvConfig, LabUtopiaRobotConfig, make_env])
+def test_no_environment_of_others_begins_with_an_unknown_robot_or_room(make, wrong):
+    task = {"task": "level1/pick"}
+    with pytest.raises(UserError, match="='ur5' is unknown"):
+        make(**task, **wrong)
+
+
 def test_no_other_module_names_a_robot():
     package = Path(labutopia_lerobot.__file__).parent
     named = re.compile(r"panda|iiwa|kuka|franka", re.IGNORECASE)
     elsewhere = [
         path.relative_to(package)
         for path in package.rglob("*.py")
-        if path.relative_to(package).parts[0] != "robots" and named.search(path.read_text())
+        if path.relative_to(package).parts[0] not in ("robots", "setting.py")
+        and named.search(path.read_text())
     ]
     assert elsewhere == []
 

@@ -6,7 +6,7 @@ import os
 import shlex
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, dataclass
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -28,6 +28,7 @@ from labutopia_lerobot.evaluation.reporting.result_tables import (
 from labutopia_lerobot.evaluation.result_folder import VIDEOS, film_of, film_of_expert
 from labutopia_lerobot.evaluation.rows import Row, UnreadableResultError
 from labutopia_lerobot.foreign_files import inside
+from labutopia_lerobot.setting import options_of
 from labutopia_lerobot.task import HOLD_S
 
 _PROGRAM = ("python", "eval/run.py")
@@ -70,7 +71,7 @@ def _command(entry: ReportEntry, seed: int, episodes: int) -> str:
 
 def _unusual(config: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
     """Yield the other options that were not left at their defaults."""
-    for option in fields(EvaluationConfig):
+    for option in options_of(EvaluationConfig):
         if option.name in config and option.name not in (*_OF_THE_ROW, *_OF_THE_RUN):
             value = config[option.name]
             usual = None if option.default is MISSING else option.default
