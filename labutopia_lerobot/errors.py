@@ -48,8 +48,8 @@ def mistakes_located(folder: Path) -> Iterator[None]:
             where = _place(error.filename or "", error.lineno or 1, None)
             raise FileMistakeError(f"{where}: {error.msg}") from error
         if frames and (isinstance(error, _MISTAKES) or _raised_by(error, frames[-1])):
-            told = f"{type(error).__name__}: {error}{_hint(error, frames[-1][2])}"
-            raise FileMistakeError(f"{_place(*frames[-1])}: {told}") from error
+            message = f"{type(error).__name__}: {error}{_hint(error, frames[-1][2])}"
+            raise FileMistakeError(f"{_place(*frames[-1])}: {message}") from error
         raise
 
 

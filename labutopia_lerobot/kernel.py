@@ -43,7 +43,7 @@ def _compiled_kernels() -> Path:
 
 
 @cache
-def tell_of_compiling() -> None:
+def announce_compiling() -> None:
     """Say, once in a process, that the next step with liquid compiles first, if so it is."""
     if not any(_compiled_kernels().rglob("*.nbi")):
         logging.getLogger(__name__).warning(

@@ -70,11 +70,11 @@ def the_expert_wins_at_least_nine_of_ten(env: LabEnv) -> None:
             seeds.append(seed)
     usual.close()
     failed = sum(len(seeds) for seeds, _ in failures.values())
-    told = (
+    reasons = (
         f"seeds {', '.join(map(str, seeds))}: {outcome}; the first: {why}"
         for (outcome, _), (seeds, why) in failures.items()
     )
-    require(failed <= 1, f"{failed} of 10 failed. {' | '.join(told)}")
+    require(failed <= 1, f"{failed} of 10 failed. {' | '.join(reasons)}")
 
 
 def _play(env: LabEnv, seed: int) -> Expert:

@@ -58,7 +58,7 @@ def main() -> None:
     )
     arguments = parser.parse_args()
     require_repo_id(arguments.repo_id)
-    results = [found for folder in arguments.results for found in load_results(folder)]
+    results = [result for folder in arguments.results for result in load_results(folder)]
     busy, console = Console(stderr=True), Console(highlight=False, soft_wrap=True)
     with doing(busy, f"Verifying {arguments.what}"):
         repository = _repository(arguments.what, arguments.repo_id, results, arguments.tasks_dir)
@@ -95,8 +95,8 @@ def _repository(
 
 def _require_known_room(dataset: Path) -> None:
     """Make sure that whoever gets a dataset can replay it."""
-    told = read_recording(dataset)
-    room = None if told is None else told["config"].get("room")
+    recording = read_recording(dataset)
+    room = None if recording is None else recording["config"].get("room")
     if isinstance(room, str) and is_of_file(room):
         raise UnpublishableError(
             f"{dataset} was recorded in a room of your own, {room}, which nobody else can replay "
@@ -106,12 +106,12 @@ def _require_known_room(dataset: Path) -> None:
 
 def _list(repository: Repository, repo_id: str, private: bool) -> str:
     lines = [f"{size:>14,}  {path}" for path, size in repository.sizes.items()]
-    seen = "private" if private else "public"
+    visibility = "private" if private else "public"
     tag = f", tag {repository.tag}" if repository.tag else ""
     return "\n".join(
         [
             *lines,
-            f"{_amount(repository)} to the {repository.kind} {repo_id} ({seen}){tag}. "
+            f"{_amount(repository)} to the {repository.kind} {repo_id} ({visibility}){tag}. "
             "Nothing was sent",
         ]
     )

@@ -28,12 +28,12 @@ def add_list(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") ->
 def _run(arguments: argparse.Namespace) -> None:
     """Print what there is."""
     console = Console(highlight=False, soft_wrap=True)
-    found = everything()
+    listing = everything()
     if arguments.json:
-        console.print(json.dumps(found, indent=2), markup=False)
+        console.print(json.dumps(listing, indent=2), markup=False)
         return
     width = min(console.width, _WIDTH)
-    for what, names in found.items():
+    for what, names in listing.items():
         console.print(f"{len(names)} {what}:", markup=False)
         for line in _lines(what, names):
             wrapped = textwrap.fill(

@@ -154,8 +154,8 @@ def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> C
     if candidate.stored(config.keep):
         arrays: dict[str, Any] = dict(demonstration.columns)
         for name, video in videos.items():
-            found = video.statistics().items()
-            arrays |= {f"{COLORS}{name}.{statistic}": values for statistic, values in found}
+            statistics = video.statistics().items()
+            arrays |= {f"{COLORS}{name}.{statistic}": values for statistic, values in statistics}
         np.savez(folder / COLUMNS, **arrays)
     else:
         for name in names:

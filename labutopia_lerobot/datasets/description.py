@@ -81,7 +81,7 @@ def read_info(root: Path) -> dict[str, Any]:
         DamagedDatasetError: If it is missing, or does not describe a LeRobotDataset.
     """
     info: dict[str, Any] = dict(_read(root, INFO, Info))
-    info["features"] = {present_name(key): told for key, told in info["features"].items()}
+    info["features"] = {present_name(key): feature for key, feature in info["features"].items()}
     if not 1 <= info["fps"] <= _LARGEST_RATE:
         raise DamagedDatasetError(f"{root / INFO}: fps is {info['fps']}, not 1 to {_LARGEST_RATE}")
     for key, feature in info["features"].items():
@@ -115,15 +115,15 @@ def read_statistics(root: Path) -> dict[str, dict[str, Any]]:
         DamagedDatasetError: If it is missing or holds something else.
     """
     said = _read(root, STATISTICS, dict[str, dict[str, Any]])
-    told = {present_name(key): statistics for key, statistics in said.items()}
-    for key, statistics in told.items():
+    by_name = {present_name(key): statistics for key, statistics in said.items()}
+    for key, statistics in by_name.items():
         for name, values in statistics.items():
             try:
                 np.array(values, dtype=float)
             except (OverflowError, TypeError, ValueError):
                 where = printable(f"{name} of {key}")
                 raise DamagedDatasetError(f"{root / STATISTICS}: {where} is no numbers") from None
-    return told
+    return by_name
 
 
 def _read[Kind](root: Path, name: str, kind: type[Kind]) -> Kind:

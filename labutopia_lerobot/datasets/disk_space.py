@@ -59,10 +59,11 @@ def require_space(config: RecordingConfig, missing: Mapping[str, int]) -> None:
     needed = needed_bytes(config, missing)
     if needed > free:
         raise NoSpaceError(
-            f"The recording takes about {_told(needed)}, but {folder} has {_told(free)} free. Make "
-            "room, choose another root=, or record fewer episodes=, cameras=, extras= or pixels"
+            f"The recording takes about {_size_text(needed)}, but {folder} has "
+            f"{_size_text(free)} free. Make room, choose another root=, or record fewer "
+            "episodes=, cameras=, extras= or pixels"
         )
 
 
-def _told(size: float) -> str:
+def _size_text(size: float) -> str:
     return f"{size / 1e9:.1f} GB" if size >= 1e8 else f"{size / 1e6:.0f} MB"

@@ -62,8 +62,8 @@ def find_episode(root: Path, episode: int, tasks_dir: str | None = None) -> tupl
             f"Episode {episode} of {root} tells no seed and setting, so that it cannot be played "
             "again: labutopia-record did not make it, or LeRobot's delete or split dropped them"
         )
-    (found,) = frames_of_episodes(root, [rows[episode]])
-    return found
+    (frames,) = frames_of_episodes(root, [rows[episode]])
+    return frames
 
 
 def look_at(

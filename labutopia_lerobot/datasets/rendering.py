@@ -169,8 +169,8 @@ def _columns(file: Path) -> Columns:
     with np.load(file) as stored:
         columns = {key: stored[key] for key in stored if not key.startswith(COLORS)}
     if ENVIRONMENT_STATE in columns:
-        told = columns.pop(ENVIRONMENT_STATE)
-        rows = [privileged_state(state, "pixels")[1] for state in told]
+        states = columns.pop(ENVIRONMENT_STATE)
+        rows = [privileged_state(state, "pixels")[1] for state in states]
         columns[PRIVILEGED_STATE] = np.array(rows)
     return columns
 

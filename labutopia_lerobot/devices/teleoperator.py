@@ -166,8 +166,8 @@ class LabUtopiaTeleoperator(Teleoperator):
         """Return where the person wants the elements [rad or m] in the next control period."""
         if self._device is None:
             raise ConnectionError("connect() comes first")
-        told = self._device.get_action()
-        return self.commanded(of_sticks(told) if self.config.device == GAMEPAD else of_keys(told))
+        raw = self._device.get_action()
+        return self.commanded(of_sticks(raw) if self.config.device == GAMEPAD else of_keys(raw))
 
     def commanded(self, wish: Wish) -> dict[str, Any]:
         """Return the action of a wish; a key that stays down asks for one next episode only."""

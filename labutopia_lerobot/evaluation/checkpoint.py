@@ -134,15 +134,15 @@ def open_checkpoint(
 
 
 def _type(folder: Path, config: dict[str, Any], policy: str | None) -> str:
-    found = config.get("type")
-    if not isinstance(found, str):
+    stored = config.get("type")
+    if not isinstance(stored, str):
         raise CheckpointError(f"{folder / CONFIG} does not tell the type of the policy")
-    if policy not in (None, found):
+    if policy not in (None, stored):
         raise CheckpointError(
-            f"policy={policy} cannot play {folder}, which holds a policy of type '{found}'. "
+            f"policy={policy} cannot play {folder}, which holds a policy of type '{stored}'. "
             "Leave policy= out, or choose another policy.path="
         )
-    return found
+    return stored
 
 
 def _require_obs(folder: Path, trained_on: str, obs: str | None) -> None:
@@ -162,10 +162,10 @@ def _shapes(folder: Path, config: dict[str, Any], kind: str) -> dict[str, tuple[
 
 def _require_size(folder: Path, key: str, shape: tuple[int, ...] | None, size: int) -> None:
     if shape != (size,):
-        found = "none" if shape is None else f"one of shape {shape}"
+        trained = "none" if shape is None else f"one of shape {shape}"
         raise CheckpointError(
             f"{folder} does not fit: `{key}` has {size} elements in this task, and it was trained "
-            f"with {found}. Train it on a dataset that labutopia-record made of this task"
+            f"with {trained}. Train it on a dataset that labutopia-record made of this task"
         )
 
 

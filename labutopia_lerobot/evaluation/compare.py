@@ -195,28 +195,29 @@ def compare(first: Sequence[LoadedResult], second: Sequence[LoadedResult]) -> li
     """
     ours, theirs = played_episodes(first), played_episodes(second)
     sequential = ours.sequential | theirs.sequential
-    found = []
+    comparisons = []
     for condition in sorted(ours.rows.keys() & theirs.rows.keys(), key=lambda c: c.description):
         pairs = PairedOutcomes.of(common_outcomes(ours.rows[condition], theirs.rows[condition]))
         if pairs.n:
-            found.append(Comparison(condition, pairs, condition in sequential))
-    if not found:
+            comparisons.append(Comparison(condition, pairs, condition in sequential))
+    if not comparisons:
         raise NoCommonEpisodesError(
             f"The results have no episode in common. First: {ours}. Second: {theirs}. Play the "
             "same tasks, splits, axes, steps and seeds with the same robot, room and liquid"
         )
-    return adjusted(found)
+    return adjusted(comparisons)
 
 
-def adjusted(found: Sequence[Comparison]) -> list[Comparison]:
+def adjusted(comparisons: Sequence[Comparison]) -> list[Comparison]:
     """Return comparisons with p-values adjusted for how many there are, and all tasks pooled."""
-    p_values = holm([comparison.p_value for comparison in found])
-    lines = [replace(each, p_value_holm=p) for each, p in zip(found, p_values, strict=True)]
-    conditions = [comparison.condition for comparison in found if comparison.condition is not None]
-    fixed = not any(comparison.sequential for comparison in found)
-    if len(found) == 1 or not fixed or not differ_in_task_only(conditions):
+    p_values = holm([comparison.p_value for comparison in comparisons])
+    lines = [replace(each, p_value_holm=p) for each, p in zip(comparisons, p_values, strict=True)]
+    conditions = [each.condition for each in comparisons if each.condition is not None]
+    fixed = not any(comparison.sequential for comparison in comparisons)
+    if len(comparisons) == 1 or not fixed or not differ_in_task_only(conditions):
         return lines
-    pooled = Comparison(None, reduce(PairedOutcomes.__add__, (each.pairs for each in found)), False)
+    pairs = reduce(PairedOutcomes.__add__, (each.pairs for each in comparisons))
+    pooled = Comparison(None, pairs, False)
     return [*lines, replace(pooled, p_value_holm=pooled.p_value)]
 
 

@@ -129,4 +129,4 @@ def differ_in_task_only(conditions: Sequence[Condition]) -> bool:
     }
     for name in ("liquid", "particles"):
         values[name].discard(None)
-    return all(len(found) <= 1 for found in values.values())
+    return all(len(distinct) <= 1 for distinct in values.values())

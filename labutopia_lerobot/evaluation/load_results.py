@@ -63,13 +63,13 @@ def load_results(place: Path) -> list[LoadedResult]:
         return [_read_file(place, place)]
     folders = {file.parent for name in (RESULT, ROWS) for file in place.rglob(name)}
     kept = () if folders else place.glob("*.json")
-    found = [*map(_read_folder, sorted(folders)), *(_read_file(f, f) for f in sorted(kept))]
-    if not found:
+    results = [*map(_read_folder, sorted(folders)), *(_read_file(f, f) for f in sorted(kept))]
+    if not results:
         raise UnreadableResultError(
             f"{place} holds neither {RESULT} nor {ROWS}. Make one: "
             f"python eval/run.py task=level1/pick policy=expert out={place}"
         )
-    return found
+    return results
 
 
 def _read_folder(folder: Path) -> LoadedResult:

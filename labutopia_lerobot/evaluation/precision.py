@@ -49,22 +49,22 @@ class Precision:
         """
         for step in self._task.steps:
             if step.name not in self._volumes and np.isfinite(substeps[step.substeps[-1].name]):
-                self._volumes[step.name] = self._off(_facts(step), "ml")
+                self._volumes[step.name] = self._misses(_facts(step), "ml")
         self._contacts.update(f"{first} and {second}" for first, second in self._unwanted())
 
     @property
     def columns(self) -> dict[str, Any]:
         """The columns of the row, as of now."""
         undone = (step for step in self._task.steps if step.name not in self._volumes)
-        volumes = [*self._volumes.values(), *(self._off(_facts(step), "ml") for step in undone)]
+        volumes = [*self._volumes.values(), *(self._misses(_facts(step), "ml") for step in undone)]
         return {
             "ml_off_target": _worst([*chain(*volumes)]),
-            "mm_off_place": _worst(self._off(self._task.goal, "mm")),
-            "deg_off_place": _worst(self._off(self._task.goal, "deg")),
+            "mm_off_place": _worst(self._misses(self._task.goal, "mm")),
+            "deg_off_place": _worst(self._misses(self._task.goal, "deg")),
             "unwanted_contacts": dict(sorted(self._contacts.items())),
         }
 
-    def _off(self, facts: Iterable[Predicate], unit: str) -> list[float]:
+    def _misses(self, facts: Iterable[Predicate], unit: str) -> list[float]:
         """Return by how much the world misses what facts ask for, in one unit."""
         misses = (fact.errors(self._world) for fact in facts)
         return [miss[unit] for miss in misses if unit in miss]

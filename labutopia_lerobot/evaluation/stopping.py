@@ -53,8 +53,8 @@ class StoppingRule:
             worse: Episodes in which only the rival did.
         """
         low, high = confidence_sequence(successes, n, self.confidence)
-        told_apart = log_evidence(better, worse) >= -np.log1p(-self.confidence)
-        done: NDArray[np.bool_] = ((high - low) / 2 <= self.half_width) | told_apart
+        distinguished = log_evidence(better, worse) >= -np.log1p(-self.confidence)
+        done: NDArray[np.bool_] = ((high - low) / 2 <= self.half_width) | distinguished
         return done
 
 

@@ -68,9 +68,9 @@ def _add_camera(spec: mujoco.MjSpec, plan: Plan) -> None:
     half = math.tan(math.radians(_FIELD_OF_VIEW_DEG / 2))
     middle = np.array([plan.size[0] / 2, plan.size[1] / 2, 0.6])
     corners = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * plan.size
-    seen = (corners - middle) @ axes  # right, up, towards the camera
+    in_camera = (corners - middle) @ axes  # right, up, towards the camera
     limits = np.array([half * WIDTH / HEIGHT, half])
-    away = (np.abs(seen[:, :2]) / limits + seen[:, 2:]).max()
+    away = (np.abs(in_camera[:, :2]) / limits + in_camera[:, 2:]).max()
     spec.worldbody.add_camera(
         name=OVERVIEW,
         pos=middle + 1.03 * away * back,

@@ -67,7 +67,7 @@ def summary_of_model(model: mujoco.MjModel, data: mujoco.MjData) -> Summary:
     moving = sorted({body for body in moves_with if body})
     joints = [joint for joint in range(model.njnt) if is_joint(model, joint)]
     geoms = range(model.ngeom)
-    corners = [_geom_corners(model, data, g) for g in geoms if _is_told(model, g)]
+    corners = [_geom_corners(model, data, g) for g in geoms if _is_summarized(model, g)]
     points = np.vstack([*corners, *([data.flexvert_xpos] if model.nflex else [])])
     return Summary(
         moving=len(moving),
@@ -85,7 +85,7 @@ def box_corners(low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[
     return np.array(list(product(*zip(low, high, strict=True))))
 
 
-def _is_told(model: mujoco.MjModel, geom: int) -> bool:
+def _is_summarized(model: mujoco.MjModel, geom: int) -> bool:
     return is_drawn(model, geom) or touches(model, geom)
 
 

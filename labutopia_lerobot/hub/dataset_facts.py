@@ -80,7 +80,7 @@ class DatasetFacts:
             },
             recording=recording,
             columns=[name for name in episodes[0] if name.startswith("labutopia/")],
-            episodes=[_told(row) for row in episodes],
+            episodes=[_episode_facts(row) for row in episodes],
             size_bytes=sum(file.stat().st_size for file in dataset_files(root).values()),
         )
 
@@ -126,7 +126,7 @@ def dataset_files(root: Path) -> dict[str, Path]:
     return files
 
 
-def _told(row: dict[str, Any]) -> dict[str, Any]:
+def _episode_facts(row: dict[str, Any]) -> dict[str, Any]:
     return {
         "seed": row.get(SEED),
         "frames": row["length"],

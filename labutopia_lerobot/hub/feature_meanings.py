@@ -62,4 +62,4 @@ _MEANINGS = {
 
 def meaning(key: str) -> Meaning | None:
     """Return what a feature means, or None for one that is not known here."""
-    return next((told for pattern, told in _MEANINGS.items() if fnmatch(key, pattern)), None)
+    return next((value for pattern, value in _MEANINGS.items() if fnmatch(key, pattern)), None)

@@ -39,14 +39,14 @@ def catalogue() -> "MappingProxyType[str, Maker]":
     Raises:
         CatalogueError: If a module does not define one instrument, or two have the same name.
     """
-    found: dict[str, Maker] = {}
+    makers: dict[str, Maker] = {}
     for module in pkgutil.walk_packages(instruments.__path__, f"{instruments.__name__}."):
         if not module.ispkg:
             kind = module.name.rpartition(".")[2]
-            if kind in found:
+            if kind in makers:
                 raise CatalogueError(f"Two modules are called {kind}: rename {module.name}")
-            found[kind] = _instrument_of(importlib.import_module(module.name))
-    return MappingProxyType(dict(sorted(found.items())))
+            makers[kind] = _instrument_of(importlib.import_module(module.name))
+    return MappingProxyType(dict(sorted(makers.items())))
 
 
 def instrument(kind: str, name: str | None = None) -> "Piece":

@@ -89,7 +89,7 @@ def pulled(part: Openable, by: Bar, *, to: float, slack: float) -> Count:
         to: Position of its joint that is far enough [rad or m].
         slack: How far it may move by itself [rad or m].
     """
-    name = f"{part.name} pulled by {by.name}, slack {part.spell(slack)}"
+    name = f"{part.name} pulled by {by.name}, slack {part.format_position(slack)}"
     return Count(name, lambda: _Pulled(part, by, slack), to)
 
 

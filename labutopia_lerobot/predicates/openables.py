@@ -50,7 +50,7 @@ class Openable(Thing, Protocol):
         """Joint position below which there is no gap [rad or m]."""
         ...
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write a joint position [rad or m] with a unit."""
         ...
 

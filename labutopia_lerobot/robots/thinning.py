@@ -88,12 +88,12 @@ def thin_mesh(parts: Sequence[Part], triangles: int) -> ThinMesh:
         [part + offset for (_, part), offset in zip(welded, offsets, strict=True)]
     )
     of = np.repeat(np.arange(len(parts)), [len(part) for _, part in welded])
-    seen = seen_from_outside(vertices, faces)
-    areas = np.bincount(of, weights=_areas(vertices, faces) * seen, minlength=len(parts))
+    visible = visible_from_outside(vertices, faces)
+    areas = np.bincount(of, weights=_areas(vertices, faces) * visible, minlength=len(parts))
     weights = np.where(areas > _LEAST_SHARE * areas.sum(), areas, 0.0) ** _SHARE_POWER
     made = []
     for number in np.flatnonzero(weights):
-        shown, left = weld(vertices, faces[seen & (of == number)])
+        shown, left = weld(vertices, faces[visible & (of == number)])
         if number != areas.argmax():
             shown = shown + _PROUD * vertex_normals(shown, left)
         few = round(triangles * weights[number] / weights.sum())
@@ -121,7 +121,7 @@ def weld(vertices: Vertices, faces: Faces) -> tuple[Vertices, Faces]:
     return vertices[first][used], place.reshape(-1, 3).astype(np.int32)
 
 
-def seen_from_outside(vertices: Vertices, faces: Faces) -> NDArray[np.bool_]:
+def visible_from_outside(vertices: Vertices, faces: Faces) -> NDArray[np.bool_]:
     """Tell which faces can be seen from anywhere outside, shape (m,).
 
     Points are strewn over the faces and painted, in parallel projection, along directions that are
@@ -141,7 +141,7 @@ def seen_from_outside(vertices: Vertices, faces: Faces) -> NDArray[np.bool_]:
     up = 1 - 2 * index / _VIEWS
     around = np.pi * (1 + np.sqrt(5)) * index
     flat = np.sqrt(1 - up**2)
-    seen = np.zeros(len(faces), bool)
+    visible = np.zeros(len(faces), bool)
     for direction in np.column_stack([flat * np.cos(around), flat * np.sin(around), up]):
         axes = Rotation.align_vectors([[0, 0, 1]], [direction])[0].as_matrix()
         x, y, depth = axes @ points.T
@@ -150,8 +150,8 @@ def seen_from_outside(vertices: Vertices, faces: Faces) -> NDArray[np.bool_]:
         front = np.full(pixel.max() + 1, -np.inf)
         np.maximum.at(front, pixel, depth)
         near = depth > front[pixel] - _BEHIND
-        seen[of[near & (normals[of] @ direction > 0)]] = True
-    return seen
+        visible[of[near & (normals[of] @ direction > 0)]] = True
+    return visible
 
 
 def hemmed(vertices: Vertices, faces: Faces) -> tuple[Vertices, Faces]:

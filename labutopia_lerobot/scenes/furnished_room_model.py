@@ -21,9 +21,9 @@ from labutopia_lerobot.scenes.laboratory_model import laboratory
 from labutopia_lerobot.scenes.plan import Plan, WorkPlace
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.scenery import scenery
-from labutopia_lerobot.scenes.seen import seen
 from labutopia_lerobot.scenes.space.claims import claims_of_piece
 from labutopia_lerobot.scenes.views import View
+from labutopia_lerobot.scenes.visible_triangles import visible_triangles
 from labutopia_lerobot.world import ROOM, FloatArray
 from labutopia_lerobot.world.model import BEYOND_GROUP, COLLISION_GROUP, VISUAL_GROUP
 
@@ -56,7 +56,7 @@ def decorate(plan: Plan, spec: mujoco.MjSpec, view: View) -> None:
     for number, surface in enumerate(scenery(plan)):
         vertices, normals, faces = surface.mesh
         there = vertices @ turn.as_matrix().T + pos, normals, faces
-        visible = seen(there, view.front) | seen(there, view.top)
+        visible = visible_triangles(there, view.front) | visible_triangles(there, view.top)
         colors = _palette(plan)[1][number]
         for suffix, chosen, group in (
             ("", visible, VISUAL_GROUP),

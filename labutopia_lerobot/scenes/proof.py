@@ -27,8 +27,8 @@ def proven(plan: Plan, source: str) -> Plan:
     Raises:
         PlanError: If it has any; the message lists them.
     """
-    if found := faults(plan):
-        raise PlanError("\n".join((f"{source} cannot be furnished so:", *found)))
+    if problems := faults(plan):
+        raise PlanError("\n".join((f"{source} cannot be furnished so:", *problems)))
     return plan
 
 

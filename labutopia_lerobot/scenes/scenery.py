@@ -57,19 +57,19 @@ def scenery(plan: Plan) -> tuple[SceneryMesh, ...]:
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
-    found: dict[str, list[tuple[Shell, Color]]] = {}
+    parts_of: dict[str, list[tuple[Shell, Color]]] = {}
     for geom in range(model.ngeom):
         if model.geom_group[geom] < COLLISION_GROUP:
             color, specular = _finish(model, geom)
             look = "clear" if color[3] < _CLEAR else "shiny" if specular > _SHINES else "matt"
-            found.setdefault(look, []).append((_placed(model, data, geom), color))
+            parts_of.setdefault(look, []).append((_placed(model, data, geom), color))
     return tuple(
         SceneryMesh(
             look,
             shell.joined([mesh for mesh, _ in parts]),
             np.repeat([color for _, color in parts], [len(mesh[2]) for mesh, _ in parts], axis=0),
         )
-        for look, parts in sorted(found.items())
+        for look, parts in sorted(parts_of.items())
     )
 
 

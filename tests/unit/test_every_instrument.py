@@ -140,7 +140,9 @@ def test_everything_that_moves_opens_and_shuts_again(kind):
                 run(model, data, 0.1)
                 break
         joint.qfrc_applied[:] = 0.0
-        assert reached, f"{part.name} is at {part.spell(share * part.widest)} after {way:+g}"
+        assert reached, (
+            f"{part.name} is at {part.format_position(share * part.widest)} after {way:+g}"
+        )
         assert np.isfinite(data.qpos).all()
         data.qvel[:] = 0.0  # a hand stops it
     for part in parts:

@@ -61,12 +61,12 @@ def check_features(subject: VerifiedDataset) -> Iterator[Finding]:
                 yield Unchecked(lacking) if subject.edited else Fault(lacking)
                 continue
             there = subject.features[key]
-            told = there | (there.get("info") or {})
+            recorded = there | (there.get("info") or {})
             declared = declared | declared.pop("info", {})
             for part, here in declared.items():
-                if _plain(told.get(part)) != _plain(here):
+                if _plain(recorded.get(part)) != _plain(here):
                     yield Fault(
-                        f"{INFO}: {part} of {key} is {told.get(part)}, but the environment of "
+                        f"{INFO}: {part} of {key} is {recorded.get(part)}, but the environment of "
                         f"episode {episode} has {here}"
                     )
     yield from _check_segments(subject, settings)
@@ -150,9 +150,9 @@ def _compare(row: Row, playback: Playback) -> Iterator[str]:
 
 
 def _compare_pictures(check: PictureCheck) -> Iterator[str]:
-    for key, off in check.worst.items():
-        if off.by > off.allowed:
-            yield f"frame {off.frame} of {key} is not what the camera sees: {off.text}"
+    for key, deviation in check.worst.items():
+        if deviation.by > deviation.allowed:
+            yield f"frame {deviation.frame} of {key} is not what the camera sees: {deviation.text}"
 
 
 def _other_build(subject: VerifiedDataset) -> str | None:

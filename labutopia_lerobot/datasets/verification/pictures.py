@@ -33,7 +33,7 @@ lossless."""
 
 
 @dataclass(frozen=True)
-class Off:
+class Deviation:
     """How far a stored picture is off.
 
     Attributes:
@@ -72,7 +72,7 @@ class PictureCheck:
             for key in subject.cameras
             if key.startswith(IMAGES)
         }
-        self.worst: dict[str, Off] = {}
+        self.worst: dict[str, Deviation] = {}
 
     def look(self, number: int, env: LabEnv) -> None:
         """Compare a frame, if it is wanted, with what the environment shows."""
@@ -80,23 +80,25 @@ class PictureCheck:
             return
         drawn = env.workcell.pictures([key.removeprefix(IMAGES) for key in self._decoded])
         for key, frames in self._decoded.items():
-            found, stored = next(frames, (-1, None))
-            off = self._off(
-                number, stored if found == number else None, drawn[key.removeprefix(IMAGES)], key
+            frame, stored = next(frames, (-1, None))
+            deviation = self._deviation(
+                number, stored if frame == number else None, drawn[key.removeprefix(IMAGES)], key
             )
-            if key not in self.worst or off.by > self.worst[key].by:
-                self.worst[key] = off
+            if key not in self.worst or deviation.by > self.worst[key].by:
+                self.worst[key] = deviation
 
-    def _off(self, number: int, stored: NDArray[Any] | None, drawn: NDArray[Any], key: str) -> Off:
+    def _deviation(
+        self, number: int, stored: NDArray[Any] | None, drawn: NDArray[Any], key: str
+    ) -> Deviation:
         kind = _kind(key)
         if kind == COLOR:
             by = 255.0 if stored is None else block_difference(stored, drawn)
-            told = f"off by {by:.0f} levels, where {TOLERANCE:g} are allowed"
-            return Off(number, by, TOLERANCE, told)
+            text = f"off by {by:.0f} levels, where {TOLERANCE:g} are allowed"
+            return Deviation(number, by, TOLERANCE, text)
         by = 100.0 if stored is None else other_pixels(stored, drawn, kind)
         allowed = 0.0 if self._drawn_by == opengl_renderer_name() else PIXELS_TOLERANCE
-        told = f"{by:.2g} % of its pixels are others, where {allowed:g} are allowed"
-        return Off(number, by, allowed, told)
+        text = f"{by:.2g} % of its pixels are others, where {allowed:g} are allowed"
+        return Deviation(number, by, allowed, text)
 
 
 def block_difference(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:

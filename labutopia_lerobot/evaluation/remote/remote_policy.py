@@ -67,10 +67,10 @@ def named(
 
 
 def _at(observation: Observation, path: str) -> NDArray[Any]:
-    found: Any = observation
+    value: Any = observation
     for part in path.split("/"):
-        found = found[part]
-    array: NDArray[Any] = found
+        value = value[part]
+    array: NDArray[Any] = value
     return array
 
 

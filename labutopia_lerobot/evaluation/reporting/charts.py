@@ -36,10 +36,10 @@ def failure_shares(entry: ReportEntry, causes: Sequence[str]) -> dict[str, Any]:
         entry: What was played.
         causes: Every cause of the page; its place in there is its colour.
     """
-    found = failures(entry)
-    total = found.total()
+    counts = failures(entry)
+    total = counts.total()
     steps: dict[str, list[dict[str, Any]]] = {}
-    for (step, cause), count in found.most_common():
+    for (step, cause), count in counts.most_common():
         segments = steps.setdefault(step, [])
         start = sum(segment["percent"] for segment in segments)
         percent = 100 * count / total

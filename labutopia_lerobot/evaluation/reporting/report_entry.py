@@ -75,17 +75,17 @@ def report_entries(results: Sequence[LoadedResult]) -> list[ReportEntry]:
     Two results of one policy under one condition, as of two checkpoints of one kind, are told apart
     by where they lie.
     """
-    found: dict[tuple[Condition, str], list[ReportEntry]] = {}
+    entries: dict[tuple[Condition, str], list[ReportEntry]] = {}
     for result in results:
         for key, rows in by_condition(sorted(result.rows, key=lambda row: row.seed)).items():
             entry = ReportEntry(key[1], key[0], tuple(rows), result)
-            found.setdefault(key, []).append(entry)
-    ambiguous = {policy for (_, policy), same in found.items() if len(same) > 1}
+            entries.setdefault(key, []).append(entry)
+    ambiguous = {policy for (_, policy), same in entries.items() if len(same) > 1}
     named = [
         replace(entry, place=_distinct_end(entry.result, results))
         if entry.policy in ambiguous
         else entry
-        for same in found.values()
+        for same in entries.values()
         for entry in same
     ]
     return sorted(named, key=_order)

@@ -91,10 +91,10 @@ def _by_task(entries: Sequence[ReportEntry]) -> Table:
     """A line per task, a column per policy, then the paper's."""
     columns = list(dict.fromkeys((e.label, e.condition.shift) for e in entries))
     several = len(shifts(entries)) > 1
-    found = {(e.task, e.label, e.condition.shift): e for e in entries}
+    entry_of = {(e.task, e.label, e.condition.shift): e for e in entries}
     lines = []
     for task in dict.fromkeys(entry.task for entry in entries):
-        ours = [found.get((task, *column)) for column in columns]
+        ours = [entry_of.get((task, *column)) for column in columns]
         theirs = [paper_number(task, policy) for policy in NAMES]
         lines.append(
             (task, *(None if entry is None else success(entry) for entry in ours), *theirs)
@@ -113,9 +113,9 @@ def _by_condition(entries: Sequence[ReportEntry], title: str) -> Table:
     shown = shifts(entries)
     lines: list[tuple[Cell, ...]] = []
     for (task, label), group in _by(entries):
-        found = {entry.condition.shift: entry for entry in group}
+        by_shift = {entry.condition.shift: entry for entry in group}
         name = group[0].policy
-        ours = [success(found[c]) if c in found else None for c in shown]
+        ours = [success(by_shift[c]) if c in by_shift else None for c in shown]
         lines.append((task, label, *ours, *(paper_number(task, name, c) for c in (ID, OOD))))
     head = ("Task", "Policy", *shown, f"paper {ID}", f"paper {OOD}")
     return _table(title, head, lines, entries)
@@ -265,9 +265,9 @@ def failure_table(entries: Sequence[ReportEntry]) -> Table:
     """Return one line per cause of failure, with its share of the failures."""
     lines: list[tuple[Cell, ...]] = []
     for entry in entries:
-        found = failures(entry)
-        for (step, cause), count in found.most_common():
-            share = entry.rate(count, found.total())
+        counts = failures(entry)
+        for (step, cause), count in counts.most_common():
+            share = entry.rate(count, counts.total())
             lines.append((entry.task, entry.label, entry.condition.played, step, cause, share))
     head = ("Task", "Policy", "Condition", "Failed in", "Cause", "Of the failures")
     note = "Every failed episode has one cause. Failed in: the first step that was not done."

@@ -262,7 +262,7 @@ def _shown(cell: Cell, brief: bool) -> str:
         return ""
     if brief and isinstance(cell, Rate):
         return f"{cell.percent:.1f}"
-    return re.sub(r"\[.*?\]", lambda found: found[0].replace(" ", _UNBREAKABLE), text(cell))
+    return re.sub(r"\[.*?\]", lambda match: match[0].replace(" ", _UNBREAKABLE), text(cell))
 
 
 def as_markdown(table: Table) -> str:

@@ -98,7 +98,7 @@ class Flap:
         """Torque with which a thumb opens it [N m]."""
         return 0.03
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return in_degrees(position)
 

@@ -55,8 +55,8 @@ def _around(width: int) -> NDArray[np.uint8]:
     opacity = _FACING + (1 - _FACING) * edge
     color = 1.0 - edge[:, None] * (1.0 - np.array(_OUTLINE))
     for middle, half_width, strength in _STREAKS:
-        off = np.angle(np.exp(1j * (azimuth - middle)))
-        streak = np.exp(-((off / half_width) ** 4))
+        deviation = np.angle(np.exp(1j * (azimuth - middle)))
+        streak = np.exp(-((deviation / half_width) ** 4))
         opacity = np.maximum(opacity, strength * streak)
         color = color + streak[:, None] * (1.0 - color)
     levels: NDArray[np.uint8] = np.rint(255 * np.column_stack([color, opacity])).astype(np.uint8)

@@ -63,7 +63,7 @@ class Lever:
         """Torque with which a hand on the bar turns it [N m]."""
         return 1.0
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return f"{math.degrees(position):.3g} deg"
 

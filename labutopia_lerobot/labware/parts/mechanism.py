@@ -36,7 +36,7 @@ class Mechanism(Protocol):
         """Torque [N m] or force [N] at its joint with which a hand moves it."""
         ...
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write a position with a unit."""
         ...
 

@@ -140,7 +140,7 @@ class Door[Grip]:
         spec.add_exclude(bodyname1=box.name, bodyname2=self.name)
         return body
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return f"{math.degrees(position):.3g} deg"
 
@@ -183,7 +183,7 @@ class Drawer:
         """Force with which a hand at the handle opens it [N]."""
         return 20.0
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write a travel [m] with a unit."""
         return f"{position:.3g} m"
 

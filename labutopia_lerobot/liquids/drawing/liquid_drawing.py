@@ -132,10 +132,10 @@ class LiquidDrawing:
         if len(self.colors) > 1:
             middles = surface.vertices_w[surface.quads].mean(axis=1)
             colors = self._colors(len(positions_w), amounts)
-            found = colors_at(middles, positions_w, colors, REACH * self.spacing)
+            texels = colors_at(middles, positions_w, colors, REACH * self.spacing)
             # The picture is drawn with the greatest opacity, of which a texel has a part.
-            found[:, 3] /= self.colors[:, 3].max()
-            self._texels = np.rint(255 * found).astype(np.uint8)
+            texels[:, 3] /= self.colors[:, 3].max()
+            self._texels = np.rint(255 * texels).astype(np.uint8)
         return surface
 
     def _colors(self, count: int, amounts: NDArray[np.float64] | None) -> NDArray[np.float64]:

@@ -86,14 +86,14 @@ def strands(
             _keep_nearest(nearest[a], squares[a], b, square)
             _keep_nearest(nearest[b], squares[b], a, square)
     points = np.empty((n * (1 + _MOST_BALLS), 3))
-    found = np.empty(len(points), np.float32)
+    point_weights = np.empty(len(points), np.float32)
     flows = np.empty(n)
     for a in range(n):
         flows[a] = min(max((totals[a] - 1.0) / _COMPANY - 1.0, 0.0), 1.0)
         for k in range(3):
             aside = sums[a, k] / totals[a] - positions_w[a, k]
             points[a, k] = positions_w[a, k] + flows[a] * _SMOOTHING[k] * aside
-        found[a] = weights[a]
+        point_weights[a] = weights[a]
     count = n
     for a in range(n):
         for link in range(_LINKS):
@@ -112,9 +112,9 @@ def strands(
                 )
                 for k in range(3):
                     points[count, k] = (1.0 - t) * points[a, k] + t * points[b, k]
-                found[count] = _BALL * flow * thin * min(weights[a], weights[b])
+                point_weights[count] = _BALL * flow * thin * min(weights[a], weights[b])
                 count += 1
-    return points[:count], found[:count]
+    return points[:count], point_weights[:count]
 
 
 @kernel

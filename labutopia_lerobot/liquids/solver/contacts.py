@@ -86,8 +86,8 @@ def find_contacts(
     while True:
         starts = np.zeros(len(positions) + 1, np.int64)
         normal, offset, extent = np.empty((room, 3)), np.empty(room), np.empty(room)
-        found = Contacts(starts, normal, offset, extent, np.empty(room, np.int64), np.empty(0))
-        if _list_walls(positions, glass, shapes, clear, reach, near, joined, found):
+        contacts = Contacts(starts, normal, offset, extent, np.empty(room, np.int64), np.empty(0))
+        if _list_walls(positions, glass, shapes, clear, reach, near, joined, contacts):
             break
         room *= 2
     count = starts[-1]
@@ -96,7 +96,7 @@ def find_contacts(
         normal[:count],
         offset[:count],
         extent[:count],
-        found.owner[:count],
+        contacts.owner[:count],
         np.zeros(count),
     )
 
@@ -110,12 +110,12 @@ def _list_walls(
     reach: float,
     near: NDArray[np.int64],
     joined: NDArray[np.bool_],
-    found: Contacts,
+    contacts: Contacts,
 ) -> bool:
     """Write down the walls within reach of all particles; tell whether there was room for them."""
     vessels, edges = len(glass.starts) - 1, glass.edges
-    starts, normal, offset = found.starts, found.normal, found.offset
-    extent, owner = found.extent, found.owner
+    starts, normal, offset = contacts.starts, contacts.normal, contacts.offset
+    extent, owner = contacts.extent, contacts.owner
     local, scratch, wall, count = np.empty(3), np.empty((3, 3)), np.zeros(4), 0
     for a in range(len(positions)):
         if count + len(edges) + len(near) > len(offset):

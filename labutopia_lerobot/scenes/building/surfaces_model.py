@@ -100,13 +100,13 @@ def add_wall_solids(room: mujoco.MjsBody, boxes: Iterable[Box]) -> None:
 
 def add_wall_looks(spec: mujoco.MjSpec, room: mujoco.MjsBody, walls: list[Masonry]) -> None:
     """Add what is seen of walls: one mesh a material."""
-    seen = {
+    faces_of = {
         "wall": [face for wall in walls for face in wall.faces()],
         "cap": [face for wall in walls for face in wall.caps()],
         "skirting": [face for wall in walls for face in wall.skirting(*_SKIRTING)],
         "sky": [face for wall in walls for face in wall.panes()],
     }
-    for name, faces in seen.items():
+    for name, faces in faces_of.items():
         if faces:
             _add_mesh(spec, room, name, shell_of(faces))
 

@@ -6,9 +6,14 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.scenes.generation.berth import WORK_BENCH, Berth, berth, work_place
 from labutopia_lerobot.scenes.generation.family import Need
 from labutopia_lerobot.scenes.generation.footprint import Footprint, Region
+from labutopia_lerobot.scenes.generation.required_space import (
+    WORK_BENCH,
+    RequiredSpace,
+    required_space,
+    work_place,
+)
 from labutopia_lerobot.scenes.generation.where import StandingPieces
 from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Heading, Placed, WorkPlace
@@ -35,7 +40,7 @@ class Entry:
     need: Need
     region: Region
     place: WorkPlace | None
-    room: Berth
+    room: RequiredSpace
 
 
 @dataclass
@@ -90,14 +95,14 @@ class Sketch:
         for index in np.unique(which):
             patch, those = patches[index], which == index
             spots[those] = patch.offsets(numbers[those] - ends[index])
-            room = berth(need, patch.heading)
+            room = required_space(need, patch.heading)
             inside[those] = self._inside(room, spots[those], region)
             at_openings[those] = _close(room.outline, spots[those], self._openings).any(axis=1)
             close[those] = _close(room.hull, spots[those], hulls)
         inside &= self._near(need, region, spots)
         for number in np.flatnonzero(inside):
             patch = patches[which[number]]
-            room = berth(need, patch.heading).moved(spots[number])
+            room = required_space(need, patch.heading).moved(spots[number])
             others = (self.entries[other].room for other in np.flatnonzero(close[number]))
             closed = at_openings[number] and room.solids.meet(self._openings)
             if not closed and not any(map(room.conflicts, others)):
@@ -108,7 +113,7 @@ class Sketch:
         self,
         need: Need,
         region: Region,
-        room: Berth,
+        room: RequiredSpace,
         x: float,
         y: float,
         height: float,
@@ -120,7 +125,7 @@ class Sketch:
         place = work_place(piece, number) if need.kind == WORK_BENCH else None
         return Entry(piece, need, region, place, room)
 
-    def _inside(self, room: Berth, spots: FloatArray, region: Region) -> NDArray[np.bool_]:
+    def _inside(self, room: RequiredSpace, spots: FloatArray, region: Region) -> NDArray[np.bool_]:
         """Tell at which spots all that a piece takes is in a region, shape (n,)."""
         taken = joined(room.solids, room.frees).hull
         low = np.array([region.x[0], region.y[0], 0.0]) - TOUCHING

@@ -77,6 +77,6 @@ class Where(Protocol):
         """Yield where in a room a piece of a kind could be, whatever else is there."""
         ...
 
-    def spelt(self, kind: Extent) -> str:
+    def describe(self, kind: Extent) -> str:
         """Write how much room a piece of a kind needs."""
         ...

@@ -80,13 +80,13 @@ def extent(kind: str) -> Extent:
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
-    seen = np.flatnonzero(model.geom_group != HULL_GROUP)
-    clouds = {geom: _points(model, data, geom) for geom in seen}
+    drawn = np.flatnonzero(model.geom_group != HULL_GROUP)
+    clouds = {geom: _points(model, data, geom) for geom in drawn}
     parts = _around(list(clouds.values()))
     hull = parts.hull
     solids = hull
     if piece.tops:
-        felt = model.geom_group[seen] == COLLISION_GROUP
+        felt = model.geom_group[drawn] == COLLISION_GROUP
         solids = Boxes(parts.low[felt], parts.high[felt]).without_inner()
     stands = parts.low[:, 2] < _SOLE
     swings = (

@@ -21,7 +21,7 @@ _FURNITURE = 0.6
 
 
 @dataclass(frozen=True, eq=False)
-class Berth:
+class RequiredSpace:
     """Boxes of a piece [m].
 
     Attributes:
@@ -46,12 +46,12 @@ class Berth:
         """The box around all of them."""
         return joined(self.solids, self.frees, self.walkway).hull
 
-    def moved(self, by: FloatArray) -> "Berth":
+    def moved(self, by: FloatArray) -> "RequiredSpace":
         """Return it elsewhere, shape (3,) [m]."""
         parts = (self.solids.moved(by), self.frees.moved(by), self.walkway.moved(by))
-        return Berth(*parts, self.is_furniture)
+        return RequiredSpace(*parts, self.is_furniture)
 
-    def conflicts(self, other: "Berth") -> bool:
+    def conflicts(self, other: "RequiredSpace") -> bool:
         """Tell whether two pieces cannot stand where they do."""
         return (
             self.solids.meet(other.solids)
@@ -63,7 +63,7 @@ class Berth:
 
 
 @cache
-def berth(need: Need, heading: Heading) -> Berth:
+def required_space(need: Need, heading: Heading) -> RequiredSpace:
     """Return what a piece takes at the origin, when its front faces a way."""
     kind = extent(need.kind)
     before, behind, beside = need.where.walkway
@@ -77,7 +77,7 @@ def berth(need: Need, heading: Heading) -> Berth:
         place = work_place(Placed(need.kind, "", 0.0, 0.0, heading), 1)
         frees = joined(frees, *(c.room for c in claims_of_work_place(place, float(high[2]))))
     stays = need.where.on_floor and not kind.movable and high[2] > _FURNITURE
-    return Berth(kind.solids.placed(heading), frees, walkway.placed(heading), stays)
+    return RequiredSpace(kind.solids.placed(heading), frees, walkway.placed(heading), stays)
 
 
 def work_place(bench: Placed, number: int) -> WorkPlace:
