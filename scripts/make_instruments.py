@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import piece_pictures
-from labutopia_lerobot.labware.catalogue import catalogue, instrument
+from labutopia_lerobot.labware.instrument_catalogue import catalogue, instrument
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 from word_tables import cell, code, summary
@@ -49,7 +49,7 @@ def _lines() -> Iterator[str]:
     yield 'depth x width x height with all that stands out. "From memory" means that no'
     yield "catalogue was at hand."
     yield ""
-    yield f"{len(catalogue())} kinds. `labware.catalogue.instrument(kind)` makes one."
+    yield f"{len(catalogue())} kinds. `labware.instrument_catalogue.instrument(kind)` makes one."
     yield ""
     yield "| | kind | what it is | size [mm], mass [kg] | moves | source |"
     yield "| --- | --- | --- | --- | --- | --- |"

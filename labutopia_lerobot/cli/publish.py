@@ -12,7 +12,7 @@ from labutopia_lerobot.datasets.description import INFO, read_recording
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
 from labutopia_lerobot.hub.dataset import dataset_repository
-from labutopia_lerobot.hub.environment import environment_repository
+from labutopia_lerobot.hub.environment_repository import environment_repository
 from labutopia_lerobot.hub.policy import find_policy, policy_repository
 from labutopia_lerobot.hub.publish import publish, require_repo_id
 from labutopia_lerobot.hub.repository import Repository

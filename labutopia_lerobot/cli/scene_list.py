@@ -71,14 +71,18 @@ def _by_number(name: str) -> list[tuple[bool, float, str]]:
 
 def everything() -> dict[str, list[str]]:
     """Return sorted names by what they are; glassware as `kind size`."""
-    from labutopia_lerobot.labware import catalogue  # here: they bring mujoco
-    from labutopia_lerobot.labware.glass import catalogue as glass
+    from labutopia_lerobot.labware import instrument_catalogue  # here: they bring mujoco
+    from labutopia_lerobot.labware.glass import catalogue as ware_catalogue
     from labutopia_lerobot.scenes.families import families
     from labutopia_lerobot.scenes.plans import plan_names
 
-    ware = [f"{kind} {size}" for kind, series in glass.catalogue().items() for size in series.sizes]
+    ware = [
+        f"{kind} {size}"
+        for kind, series in ware_catalogue.catalogue().items()
+        for size in series.sizes
+    ]
     return {
-        "instruments": sorted(catalogue.catalogue()),
+        "instruments": sorted(instrument_catalogue.catalogue()),
         "glassware": sorted(ware, key=_by_number),
         "families": sorted(families()),
         "rooms": sorted(plan_names(), key=_by_number),

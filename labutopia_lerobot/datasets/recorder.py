@@ -5,8 +5,8 @@ from concurrent.futures import FIRST_COMPLETED, Future, wait
 from pathlib import Path
 from typing import Protocol
 
-from labutopia_lerobot.datasets.assembly import Assembly
 from labutopia_lerobot.datasets.candidate import Candidate, finished_candidates
+from labutopia_lerobot.datasets.dataset_assembly import Assembly
 from labutopia_lerobot.datasets.disk_space import require_space
 from labutopia_lerobot.datasets.launcher import Launcher, launcher
 from labutopia_lerobot.datasets.recording_config import RecordingConfig

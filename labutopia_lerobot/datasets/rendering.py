@@ -17,7 +17,6 @@ from typing import Any, Self
 import numpy as np
 
 from labutopia_lerobot.datasets.annotations import annotated_candidate
-from labutopia_lerobot.datasets.assembly import Assembly
 from labutopia_lerobot.datasets.candidate import (
     COLORS,
     COLUMNS,
@@ -28,6 +27,7 @@ from labutopia_lerobot.datasets.candidate import (
     finished_candidates,
     read_candidate,
 )
+from labutopia_lerobot.datasets.dataset_assembly import Assembly
 from labutopia_lerobot.datasets.declaration import (
     ENVIRONMENT_STATE,
     PRIVILEGED_STATE,

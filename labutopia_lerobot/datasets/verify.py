@@ -23,7 +23,7 @@ from labutopia_lerobot.datasets.verification.structure import (
     check_info,
     check_videos,
 )
-from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.task import SUCCESS
 

@@ -15,7 +15,7 @@ from lerobot.teleoperators.gamepad import GamepadTeleop, GamepadTeleopConfig
 from lerobot.teleoperators.keyboard import KeyboardTeleop, KeyboardTeleopConfig
 
 from labutopia_lerobot.devices.config_teleoperator import GAMEPAD, LabUtopiaTeleoperatorConfig
-from labutopia_lerobot.devices.robot import NEXT_EPISODE
+from labutopia_lerobot.devices.lerobot_robot import NEXT_EPISODE
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.world import FloatArray
 

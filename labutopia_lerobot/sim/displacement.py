@@ -4,7 +4,7 @@ from typing import Protocol, runtime_checkable
 
 import mujoco
 
-from labutopia_lerobot.labware.soft.shell import Shell, enclosed_volume
+from labutopia_lerobot.labware.soft.elastic_shell import Shell, enclosed_volume
 from labutopia_lerobot.substances.filling import Dispenser
 from labutopia_lerobot.world import FloatArray
 

@@ -4,8 +4,8 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.catalogue import instrument
 from labutopia_lerobot.labware.glass.catalogue import ware
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.reading import Clock
 from labutopia_lerobot.layout import Placement

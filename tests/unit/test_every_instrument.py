@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.catalogue import catalogue, instrument
+from labutopia_lerobot.labware.instrument_catalogue import catalogue, instrument
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY

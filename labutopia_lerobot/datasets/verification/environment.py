@@ -26,8 +26,8 @@ from labutopia_lerobot.datasets.tables import (
     frames_of_episodes,
 )
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
-from labutopia_lerobot.datasets.verification.pictures import PictureCheck
-from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
+from labutopia_lerobot.datasets.verification.picture_check import PictureCheck
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences

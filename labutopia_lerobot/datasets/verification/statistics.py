@@ -19,7 +19,7 @@ from labutopia_lerobot.datasets.tables import (
 )
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
 from labutopia_lerobot.datasets.verification.structure import WITHOUT_STATISTICS
-from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.runtime.video import QUANTILES
 
 _COUNTERS = ("index", "frame_index", "episode_index", "task_index", "timestamp")

@@ -7,7 +7,7 @@ wall. They are drawn and touched, but sealed where they join: liquid knows walls
 import math
 from collections.abc import Callable
 
-from labutopia_lerobot.labware.glass.fittings import Fitting, Flap, SnapLid, Stopcock
+from labutopia_lerobot.labware.glass.moving_fittings import Fitting, Flap, SnapLid, Stopcock
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned
 from labutopia_lerobot.labware.parts.pipe import Pipe

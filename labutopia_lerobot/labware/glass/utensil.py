@@ -7,8 +7,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.glass.fittings import Fitting
 from labutopia_lerobot.labware.glass.material import Material
+from labutopia_lerobot.labware.glass.moving_fittings import Fitting
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.contact import FRICTION
 from labutopia_lerobot.labware.parts.form import Form

@@ -8,8 +8,8 @@ from itertools import pairwise
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.glass.fittings import Fitting
 from labutopia_lerobot.labware.glass.material import BOROSILICATE, Material
+from labutopia_lerobot.labware.glass.moving_fittings import Fitting
 from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
 from labutopia_lerobot.labware.glass.thread import Thread
 from labutopia_lerobot.labware.glass.vessel_look import VesselLook, add_look

@@ -16,8 +16,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.drawing.colors import REACH, colors_at
 from labutopia_lerobot.liquids.drawing.surface import LiquidSurface, VesselPose, liquid_surface
+from labutopia_lerobot.liquids.drawing.surface_colors import REACH, colors_at
 from labutopia_lerobot.substances.substance import Color
 from labutopia_lerobot.world.model import SKIN_GROUP
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.top import Top
 from labutopia_lerobot.scenes.space.boxes import Boxes, boxes

@@ -64,7 +64,7 @@ def _check_sizes(plan: Plan, source: str) -> None:
 
 
 def _check_names(plan: Plan, source: str) -> None:
-    from labutopia_lerobot.labware.catalogue import catalogue, instrument  # here: mujoco
+    from labutopia_lerobot.labware.instrument_catalogue import catalogue, instrument  # here: mujoco
 
     for look, finishes in (("floor", FLOOR_FINISHES), ("wall", WALL_FINISHES)):
         if (name := getattr(plan, look)) not in finishes:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.declaration import IMAGES
 from labutopia_lerobot.datasets.tables import RENDERER, Row
-from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.pictures import COLOR, camera_and_kind
 from labutopia_lerobot.runtime.video import ENCODINGS, read_frames

@@ -9,7 +9,7 @@ from PIL import Image
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.export.mjcf import write_mjcf
-from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.scenes.furnished_model import build
 from labutopia_lerobot.scenes.plan import Plan

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from lerobot.robots import Robot
 
-from labutopia_lerobot.devices.config_robot import LabUtopiaRobotConfig
+from labutopia_lerobot.devices.config_lerobot_robot import LabUtopiaRobotConfig
 from labutopia_lerobot.robots import load_robot
 
 if TYPE_CHECKING:
