@@ -21,7 +21,7 @@ class FileMistakeError(UserError, ValueError):
 
 
 _MISTAKES = (SyntaxError, ImportError, NameError, AttributeError, TypeError, ValueError)
-"""What a mistake in a file raises, there or in what it calls."""
+"""Exceptions that a mistake in a file raises, there or in what it calls."""
 
 
 @contextmanager

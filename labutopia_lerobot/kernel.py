@@ -78,7 +78,7 @@ class _Kernel:
 
     @property
     def _numba_type_(self) -> object:
-        """What numba takes it for in other kernels."""
+        """Its numba type in other kernels."""
         return self._compiled._numba_type_
 
 

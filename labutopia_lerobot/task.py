@@ -23,7 +23,7 @@ from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import CONTROL_HZ, Thing
 
 HOLD_S = 2.0
-"""How long the goal must hold without a break (paper, "Evaluation Execution")."""
+"""Time that the goal must hold without a break [s] (paper, "Evaluation Execution")."""
 
 RUNNING = "running"
 SUCCESS = "success"
@@ -211,7 +211,7 @@ class Task:
 
     @property
     def watched(self) -> tuple[Predicate, ...]:
-        """What is asked at every control step, whichever step is being done."""
+        """Facts that are evaluated at every control step, whichever step is being done."""
         steps = (
             (*(fact for substep in step.substeps for fact in substep.facts), *step.notes)
             for step in self.steps

@@ -21,7 +21,7 @@ PICTURES = DOCS / "instruments"
 SIZE = 260
 """Width and height of a picture [pixels]; two stand side by side."""
 _OPENED = 0.9
-"""How far everything is opened, as a share of its range."""
+"""Opening of every moving part, as a share of its range."""
 
 
 def main() -> None:

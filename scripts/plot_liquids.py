@@ -25,7 +25,7 @@ from run_over import run_over, tilt_to_barrier
 DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = DOCS / "liquids"
 SEEDS = 3
-"""How often every fill height is measured."""
+"""Number of measurements of every fill height."""
 
 type Texts = dict[str, str]
 

@@ -13,7 +13,7 @@ from labutopia_lerobot.world import CONTROL_HZ
 
 
 def expert_commands_are_never_clipped(env: LabEnv) -> None:
-    """What the expert commands is what acts."""
+    """Check that the expert's commands are what acts."""
     _, info = play(env, expert, 100).trace[-1]
     clipped, bad = info["clipped_actions"], info["nonfinite_actions"]
     require(clipped == 0, f"{clipped} commands of the expert were clipped")

@@ -39,7 +39,7 @@ _FEWEST = 2
 
 @dataclass(frozen=True)
 class Candidate:
-    """What became of one candidate.
+    """Result of one candidate.
 
     Attributes:
         task: Id of its task.

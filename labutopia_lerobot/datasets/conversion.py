@@ -22,7 +22,7 @@ from labutopia_lerobot.runtime.video import VideoWriter, require_filmable
 from labutopia_lerobot.world import CONTROL_HZ
 
 CONVERSION = "meta/labutopia_conversion.json"
-"""What a converted dataset was made of, and what it cannot do."""
+"""File that says what a converted dataset was made of, and what it cannot do."""
 
 _PATTERNS = ("*.h5", "*.hdf5")
 

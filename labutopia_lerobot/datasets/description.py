@@ -1,4 +1,4 @@
-"""What a dataset tells of itself in JSON: its features, its statistics, how it was recorded."""
+"""A dataset's own description in JSON: its features, its statistics, how it was recorded."""
 
 import re
 from pathlib import Path
@@ -24,7 +24,7 @@ _LARGEST_SIZE = 1_000_000
 
 
 _FORMER_NAMES = {"annotation.milestone": "annotation.substep"}
-"""What a feature was called in datasets of earlier versions -> what it is called now."""
+"""Feature name in datasets of earlier versions -> its name now."""
 
 
 class DamagedDatasetError(UserError):
@@ -32,7 +32,7 @@ class DamagedDatasetError(UserError):
 
 
 class FeatureDescription(TypedDict):
-    """What LeRobot says of a feature; of videos `info` says more."""
+    """LeRobot's description of a feature; of videos `info` says more."""
 
     dtype: str
     shape: list[int]
@@ -41,7 +41,7 @@ class FeatureDescription(TypedDict):
 
 
 class Info(TypedDict):
-    """What is read of `meta/info.json`."""
+    """The part of `meta/info.json` that is read."""
 
     codebase_version: str
     robot_type: NotRequired[str | None]
@@ -52,7 +52,7 @@ class Info(TypedDict):
 
 
 class RecordedWith(TypedDict):
-    """What is read of the options in `meta/labutopia.json`."""
+    """The part of the options in `meta/labutopia.json` that is read."""
 
     task: str | list[str]
     episodes: int
@@ -61,7 +61,7 @@ class RecordedWith(TypedDict):
 
 
 class Recording(TypedDict):
-    """What is read of `meta/labutopia.json`."""
+    """The part of `meta/labutopia.json` that is read."""
 
     config: RecordedWith
     code: dict[str, Any]

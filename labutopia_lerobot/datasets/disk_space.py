@@ -1,4 +1,4 @@
-"""How much room a recording takes, checked before anything is played."""
+"""Disk space of a recording, checked before anything is played."""
 
 import shutil
 from collections.abc import Mapping
@@ -18,7 +18,7 @@ _BYTES_PER_FRAME = 600
 """Of the tables, per frame, as they are put aside: about 150 numbers of four bytes."""
 
 _SHARE_OF_LIMIT = 0.6
-"""How long a demonstration is, as a share of its time limit: 0.2 to 0.7 by the README's table."""
+"""Length of a demonstration as a share of its time limit: 0.2 to 0.7 by the README's table."""
 
 
 class NoSpaceError(UserError):

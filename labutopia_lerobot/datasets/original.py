@@ -26,7 +26,7 @@ RATE_HZ = 60
 """Frames per second (the original's physics and rendering step)."""
 
 CAMERAS = {"camera_1_rgb": "front", "camera_2_rgb": "top", "camera_3_rgb": "wrist"}
-"""What its cameras are called here: facing the robot, overhead, on the hand."""
+"""Names of its cameras here: facing the robot, overhead, on the hand."""
 
 _POSE, _ACTIONS, _INSTRUCTION = "agent_pose", "actions", "language_instruction"
 _NAVIGATION = {"joint_positions", "robot_position"}

@@ -21,7 +21,7 @@ from labutopia_lerobot.setting import Setting
 
 @dataclass(frozen=True)
 class Difference:
-    """Where a replayed episode first leaves the recorded one.
+    """First difference between a replayed episode and the recorded one.
 
     Attributes:
         frame: The first frame that differs.

@@ -16,7 +16,7 @@ class ForeignDatasetError(UserError):
 
 @dataclass(frozen=True)
 class Replay:
-    """How the replay of an episode went.
+    """Result of the replay of an episode.
 
     Attributes:
         episode: Index of the episode.

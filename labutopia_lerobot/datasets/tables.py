@@ -71,7 +71,7 @@ _JSON = (SETTING, DRAWN, VOLUMES, PARAPHRASES, PRIVILEGED, SEGMENTS)
 
 
 class PlayedIn(TypedDict):
-    """What is always there in the column `SETTING`."""
+    """Keys that the column `SETTING` always has."""
 
     task: str
 

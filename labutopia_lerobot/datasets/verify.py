@@ -34,12 +34,12 @@ PICTURES = 4
 type Check = Callable[[VerifiedDataset], Iterator[Finding]]
 
 _DAMAGE = (ArithmeticError, LookupError, MemoryError, TypeError, ValueError)
-"""What computing with numbers and texts of the wrong kind raises."""
+"""Exceptions raised when computing with numbers and texts of the wrong kind."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What is known of a dataset.
+    """Verdict on a dataset.
 
     Attributes:
         faults: What is wrong with it.

@@ -1,4 +1,4 @@
-"""What LeRobot's programs for real robots drive: a `Robot`, and what a person moves it with."""
+"""Devices for LeRobot's programs for real robots: a `Robot`, and what a person moves it with."""
 
 from labutopia_lerobot.devices.config_lerobot_robot import LabUtopiaRobotConfig
 from labutopia_lerobot.devices.config_teleoperator import LabUtopiaTeleoperatorConfig

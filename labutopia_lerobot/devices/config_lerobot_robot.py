@@ -14,7 +14,7 @@ class InvalidRobotError(UserError, DecodingError):
 @RobotConfig.register_subclass("labutopia")
 @with_setting
 class LabUtopiaRobotConfig(RobotConfig):
-    """What is played and observed; the fields of `Setting` are fields of this too.
+    """Options of what is played and observed; the fields of `Setting` are fields of this too.
 
     Attributes:
         task: Task id.
@@ -45,7 +45,7 @@ class LabUtopiaRobotConfig(RobotConfig):
 
     @property
     def setting(self) -> Setting:
-        """What is played and observed.
+        """The setting that is played and observed.
 
         Raises:
             UnknownOptionError: If a value is impossible.

@@ -46,12 +46,12 @@ CLOSE, OPEN, NEXT = "c", "v", "n"
 """Keys that close and open the hand, and that ask for the next episode."""
 
 _FINGERS = 0.08
-"""How fast the pads move [m/s]; ours."""
+"""Speed of the pads [m/s]; ours."""
 
 
 @dataclass(frozen=True)
 class Wish:
-    """What a person wants of the hand now.
+    """Motion of the hand that a person asks for now.
 
     Attributes:
         along_w: Where it is to move, shape (3,), 1 for full speed, world frame.
@@ -114,7 +114,7 @@ class LabUtopiaTeleoperator(Teleoperator):
 
     @property
     def action_features(self) -> dict[str, type]:
-        """What is commanded: absolute targets of the elements [rad or m]."""
+        """Commanded features: absolute targets of the elements [rad or m]."""
         return dict.fromkeys(self._names, float)
 
     @property

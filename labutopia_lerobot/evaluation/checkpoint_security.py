@@ -31,7 +31,7 @@ _IMPORTING = ("megatron_config", "loftq_config", "corda_config", "eva_config", "
 """Keys of an adapter by which PEFT imports modules or reads other files."""
 
 _LARGEST = {"layers": 1_000, "heads": 10_000, "dim": 1_000_000, "size": 1_000_000}
-"""What the name of a number of a network contains -> the most that it can be."""
+"""Part of the name of a network's number -> the largest value that it may have."""
 
 _REPEATED_GROUP = re.compile(r"\)[*+{]")
 _REPETITION = re.compile(r"[*+{]")
@@ -45,7 +45,7 @@ _CURE = "Save the policy with LeRobot's save_pretrained, or do not use it if it 
 
 
 class ProcessorStep(TypedDict):
-    """What is read of a step of a processor."""
+    """The part of a processor's step that is read."""
 
     config: NotRequired[dict[str, Any]]
 

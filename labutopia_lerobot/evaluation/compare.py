@@ -24,7 +24,7 @@ class NoCommonEpisodesError(UserError):
 
 @dataclass(frozen=True)
 class PlayedEpisodes:
-    """What one policy played.
+    """Episodes that one policy played.
 
     Attributes:
         rows: Condition without what only the observer sees -> seed -> row.

@@ -21,10 +21,10 @@ REFERENCES = (EXPERT, RANDOM, STILL)
 """Policies that need no training, and look at no observation."""
 
 ID, OOD, ALL_AXES = "ID", "OOD", "all axes"
-"""How tables call the usual shifts, the first two as the paper does."""
+"""Names of the usual shifts in tables; the first two are the paper's."""
 
 _MARKED = ("liquid", "particles", "robot", "room", "after")
-"""What tables mark where it is not as published; shifts and steps have names of their own."""
+"""Options that tables mark where they differ from those published, beside shifts and steps."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ class Condition:
 
     @property
     def shift(self) -> str:
-        """What is drawn otherwise than in training: `ID`, `OOD` (what the task shifts), ..."""
+        """Things drawn otherwise than in training: `ID`, `OOD` (what the task shifts), ..."""
         if self.axes == (ALL,) and self.split == "ood":
             return ALL_AXES
         name = {"id": ID, "ood": OOD}.get(self.split, self.split)

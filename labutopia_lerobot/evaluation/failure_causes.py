@@ -24,7 +24,7 @@ _BREACHES = {
 """Part of the name of an outcome that a task forbids -> cause."""
 
 _GRIPS = (" gripped", " grasped")
-"""How the facts end that tell of a thing in the hand."""
+"""Suffix of the facts about a thing in the hand."""
 
 _LETTING_GO = ("placed", "released", "withdrawn")
 """Substeps that are about letting go."""

@@ -1,4 +1,4 @@
-"""Where a checkpoint lies, here or on the Hugging Face Hub, and which files it must have."""
+"""Finding a checkpoint, here or on the Hugging Face Hub, and the files that it must have."""
 
 import re
 import shlex
@@ -33,7 +33,7 @@ _INNER = tuple(
     for outer in ("", "checkpoints/last/")
     for name in ("pretrained_model_ema", "pretrained_model")
 )
-"""What `lerobot-train` saves below its `output_dir`; where it averaged the weights over the
+"""Folders that `lerobot-train` saves in its `output_dir`; where it averaged the weights over the
 training (`--ema.enable=true`), it evaluates the average itself, and so do we."""
 
 

@@ -1,4 +1,4 @@
-"""What an evaluation plays: one job per task, split and way of playing."""
+"""Jobs of an evaluation: one per task, split and way of playing."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache

@@ -21,7 +21,7 @@ from labutopia_lerobot.evaluation.checkpoint_security import (
 from labutopia_lerobot.evaluation.policies import Action
 
 NOT_LOADED = "Could not load state dict"
-"""What LeRobot 0.6.1 prints, instead of raising, before it goes on with random weights (pi0, pi0.5:
+"""Message of LeRobot 0.6.1 before it goes on, without raising, with random weights (pi0, pi0.5:
 `PI0Policy.from_pretrained`)."""
 
 

@@ -25,7 +25,7 @@ class LoadedResult:
         place: Folder of the result, or file of kept rows.
         finished: Whether every episode was played.
         rows: Its rows, in order; of an unfinished one, of the episodes so far.
-        provenance: What they come from (see `origin`), as far as it is told.
+        provenance: What they come from (see `origin`), as far as it is recorded.
     """
 
     place: Path
@@ -35,7 +35,7 @@ class LoadedResult:
 
     @property
     def config(self) -> Mapping[str, Any]:
-        """The options of the run, as far as they are told."""
+        """The options of the run, as far as they are recorded."""
         config: Mapping[str, Any] = self.provenance.get("config", {})
         return config
 
@@ -46,7 +46,7 @@ class LoadedResult:
 
     @cached_property
     def summaries(self) -> list[EvaluationSummary]:
-        """What it tells."""
+        """Summaries of its rows, one per policy and condition."""
         return summarise(self.rows, sequential=self.sequential)
 
 

@@ -1,4 +1,4 @@
-"""What the rows of an evaluation come from: options, code, versions, weights."""
+"""Origin of the rows of an evaluation: options, code, versions, weights."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict

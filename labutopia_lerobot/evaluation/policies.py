@@ -1,4 +1,4 @@
-"""What plays an episode: reference policies, one policy per step, and recorded actions."""
+"""Players of an episode: reference policies, one policy per step, and recorded actions."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -190,7 +190,7 @@ class StagedPolicy:
 
     @property
     def failure(self) -> str | None:
-        """What the policy that plays could not do, or None."""
+        """Reason why the policy could not act, or None."""
         failure: str | None = getattr(self._playing, "failure", None)
         return failure
 

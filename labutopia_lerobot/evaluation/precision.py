@@ -1,4 +1,4 @@
-"""How precisely an episode was done, beside whether it succeeded; measured, it decides nothing."""
+"""Precision of an episode, beside its success; it is measured and decides nothing."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping

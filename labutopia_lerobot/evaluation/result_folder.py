@@ -40,7 +40,7 @@ RESULT = "result.json"
 VIDEOS = "videos"
 
 SCHEMA = 1
-"""What the columns of a result mean. A column more changes nothing; another meaning raises it."""
+"""Version of the meaning of a result's columns. A new column leaves it; a new meaning raises it."""
 
 EpisodeKey = tuple[str, str, str, int]
 """Task, split, way of playing and seed: all in which episodes of one run differ."""

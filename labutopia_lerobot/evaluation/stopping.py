@@ -1,4 +1,4 @@
-"""When a run has seen enough: its interval is narrow, or it is told apart from another result."""
+"""Stopping a run: its interval is narrow enough, or it differs clearly from another result."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field

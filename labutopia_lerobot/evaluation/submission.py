@@ -63,7 +63,7 @@ class SubmissionError(UserError):
 
 @dataclass(frozen=True)
 class Submission:
-    """What a file of the leaderboard holds.
+    """Content of a file of the leaderboard.
 
     Attributes:
         result: Its rows, and where they come from.

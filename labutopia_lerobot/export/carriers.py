@@ -1,4 +1,4 @@
-"""What moves as one: the rigid bodies that other programs know."""
+"""Rigid bodies as other programs know them: things that move as one."""
 
 import mujoco
 

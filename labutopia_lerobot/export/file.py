@@ -12,7 +12,7 @@ from labutopia_lerobot.export.summary import Summary, summary_of_model
 
 _MJCF, _USD = (".xml",), (".usda", ".usdc")
 SUFFIXES = _MJCF + _USD
-"""What a file may end on: MJCF, OpenUSD as text, OpenUSD as binary."""
+"""Suffixes of exported files: MJCF, OpenUSD as text, OpenUSD as binary."""
 
 
 class ExportError(UserError, ValueError):

@@ -22,7 +22,7 @@ WIDTH, HEIGHT = 1280, 800
 """Of the picture [pixels]."""
 _FIELD_OF_VIEW_DEG = 32.0
 _FROM = np.array([-0.35, -0.62, 0.85])
-"""Where the camera is, seen from the middle of the room: above its south-west."""
+"""Direction of the camera from the middle of the room: above its south-west."""
 
 
 def write_room(plan: Plan, folder: Path) -> tuple[Path, Path, Path]:

@@ -1,4 +1,4 @@
-"""What can be exported, by name: an instrument, a piece of ware, a room, the start of a task."""
+"""Exportable things by name: an instrument, a piece of ware, a room, the start of a task."""
 
 import difflib
 from dataclasses import dataclass
@@ -27,12 +27,12 @@ _SHOWN = 12
 
 
 class UnknownSubjectError(UserError, ValueError):
-    """What is to be exported does not exist; the message lists what is called like it."""
+    """A thing to be exported does not exist; the message lists those of a similar name."""
 
 
 @dataclass(frozen=True)
 class ExportSubject:
-    """What is exported.
+    """The thing that is exported.
 
     Attributes:
         name: As files and models are called after it, such as `level1_pick`.

@@ -1,4 +1,4 @@
-"""What a file must say again when it is opened: how many of everything, how heavy, how large."""
+"""Summary that an exported file must reproduce when it is opened: counts, masses, sizes."""
 
 import math
 from dataclasses import dataclass, fields
@@ -18,7 +18,7 @@ _TOLERANCE = 1e-3
 
 @dataclass(frozen=True)
 class Summary:
-    """What is the same in a model and in what is written of it.
+    """Numbers that are the same in a model and in its export.
 
     Attributes:
         moving: How many bodies move.

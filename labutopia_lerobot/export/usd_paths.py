@@ -1,4 +1,4 @@
-"""Where things are in a stage: what never moves hangs together, moving bodies lie side by side.
+"""Paths of things in a stage: what never moves hangs together, moving bodies lie side by side.
 
 USD's rigid bodies may not be nested. So a body that moves lies below the nearest thing that does
 not, or, as the parts of a movable instrument, in a group with the name of the whole.

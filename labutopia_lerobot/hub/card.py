@@ -33,7 +33,7 @@ class UnfinishedResultError(UserError):
 TAGS = ("LeRobot", "labutopia", "laboratory", "mujoco", "robotics", "simulation")
 
 _MARKUP = {"<": "&lt;", "![": "!\\[", "|": "\\|"}
-"""What would begin HTML, a picture or another column -> how Markdown shows it as it is."""
+"""Character that begins HTML, a picture or another column -> its escape in Markdown."""
 
 
 class _Finished(str):

@@ -1,4 +1,4 @@
-"""What a card tells of a dataset, read from its files: a value that JSON can hold."""
+"""Facts about a dataset for its card, read from its files: a value that JSON can hold."""
 
 import json
 from dataclasses import asdict, dataclass
@@ -27,7 +27,7 @@ _FILES = (
     "data/chunk-*/file-*.parquet",
     "videos/*/chunk-*/file-*.mp4",
 )
-"""What is sent of a dataset, and nothing else that lies beside it."""
+"""Files of a dataset that are sent, and nothing else that lies beside them."""
 
 _TOLD = ("min", "max", "mean", "std")
 """The statistics that a card tells; LeRobot stores more."""
@@ -39,7 +39,7 @@ class UntoldDatasetError(UserError):
 
 @dataclass(frozen=True)
 class DatasetFacts:
-    """What a dataset is.
+    """Facts about a dataset.
 
     Attributes:
         info: LeRobot's description of it: features, frame rate, totals.

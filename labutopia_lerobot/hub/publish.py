@@ -20,7 +20,7 @@ from labutopia_lerobot.hub.repository import Repository
 from labutopia_lerobot.runtime.provenance import sha256
 
 _OF_THE_HUB = ".gitattributes"
-"""What the Hub itself puts into a new repository."""
+"""File that the Hub itself puts into a new repository."""
 
 
 class RepoIdError(UserError):

@@ -15,7 +15,7 @@ class Switchable(Protocol):
 
     @property
     def name(self) -> str:
-        """What the world calls it."""
+        """Its name in the world."""
         ...
 
 

@@ -14,7 +14,7 @@ from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.world import FloatArray, OpenVessel, Thing, World
 
 POURS_BELOW = 0.30
-"""How high above the target a lip may pour [m]; ours: paper "above", original 0.1 to 0.2."""
+"""Most that a pouring lip may be above the target [m]; ours: paper "above", original 0.1 to 0.2."""
 
 _EMPTIED_DEG = 95.0
 """Lean from which on nothing stays in a beaker: beyond the level [deg]."""
@@ -112,7 +112,7 @@ def _runs_over_deg(vessel: Thing) -> float:
 
 @dataclass(frozen=True)
 class Transfer:
-    """What is to be poured where.
+    """A transfer that is to be poured.
 
     Attributes:
         origin: What the liquid was filled into at the start.

@@ -24,7 +24,7 @@ class Bar(Thing, Protocol):
 
 
 class Engaging(Protocol):
-    """What keeps a shut door shut."""
+    """Mechanism that keeps a shut door shut."""
 
     @property
     def joint(self) -> str:
@@ -60,7 +60,7 @@ class Latching(Openable, Protocol):
 
     @property
     def catch(self) -> Engaging | None:
-        """What keeps it shut, or None."""
+        """Mechanism that keeps it shut, or None."""
         ...
 
 

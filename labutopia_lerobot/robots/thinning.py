@@ -23,10 +23,10 @@ _SEAM = 5e-5
 """Vertices closer than this are one [m]."""
 
 _HEM = 0.002
-"""How far the borders are hemmed inwards [m]."""
+"""Distance by which the borders are hemmed inwards [m]."""
 
 _PROUD = 0.0008
-"""How far all parts but the largest stand out: thinned, one would show through the other [m]."""
+"""Height by which all parts but the largest stand out [m]: thinned, they would show through."""
 
 _CREASE = np.cos(np.radians(40.0))
 """Faces that meet at less are shaded as one; cosine."""
@@ -46,7 +46,7 @@ _PIXEL = 0.0015
 """Of the pictures that tell what can be seen [m]."""
 _SAMPLES_PER_PIXEL = 4.0
 _BEHIND = 0.0008
-"""How far behind the front of a pixel something still counts as seen [m]."""
+"""Depth behind the front of a pixel up to which something still counts as seen [m]."""
 
 
 class Part(NamedTuple):
@@ -64,7 +64,7 @@ class Part(NamedTuple):
 
 
 class ThinMesh(NamedTuple):
-    """What is drawn of a mesh.
+    """The drawn part of a mesh.
 
     Attributes:
         vertices: Metres, shape (n, 3).

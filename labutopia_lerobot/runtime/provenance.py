@@ -1,4 +1,4 @@
-"""Where numbers and datasets come from: the code, the task files, the versions, the machine.
+"""Provenance of numbers and datasets: the code, the task files, the versions, the machine.
 
 Recordings and results tell it with these functions, and neither goes on with what other code began.
 """

@@ -1,4 +1,4 @@
-"""How a program is told to end: SIGTERM, as a cluster sends it, does what Ctrl-C does."""
+"""Ending a program by a signal: SIGTERM, as a cluster sends it, does what Ctrl-C does."""
 
 import multiprocessing
 import signal

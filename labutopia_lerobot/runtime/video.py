@@ -34,7 +34,7 @@ _ALONE = ":frame-threads=1:pools=none:log-level=error"
 
 @dataclass(frozen=True)
 class Encoding:
-    """How pictures of a kind are stored.
+    """Storage format of pictures of one kind.
 
     Attributes:
         codec: FFmpeg's name of the codec.

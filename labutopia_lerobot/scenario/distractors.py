@@ -16,12 +16,12 @@ INSTRUMENT_GAP = 0.45
 """The same before an instrument [m]: the drying oven's door sweeps so far."""
 
 HAND_REACH = 0.35
-"""How far behind a vessel the hand and the wrist that come to it reach [m]."""
+"""Reach of the hand and the wrist behind a vessel that they come to [m]."""
 
 _TRIES = 1000
 """Places that are tried for a thing."""
 _ARRANGEMENTS = 10
-"""How often all begin anew where the last of them finds no place."""
+"""Number of fresh starts where the last of them finds no place."""
 
 
 def distractor_sets() -> dict[str, tuple[Piece, ...]]:

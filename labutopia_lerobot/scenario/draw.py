@@ -1,4 +1,4 @@
-"""What an episode draws: one value per axis, with train and test values that never meet."""
+"""Drawing an episode: one value per axis, with train and test values that never meet."""
 
 import zlib
 from collections.abc import Callable, Mapping, Sequence
@@ -10,7 +10,7 @@ from labutopia_lerobot.setting import ALL, UnknownOptionError
 from labutopia_lerobot.world import FloatArray
 
 type Value = str | int | float | list[float]
-"""What was drawn on an axis, as `info`, result rows and datasets have it."""
+"""Value drawn on an axis, as `info`, result rows and datasets have it."""
 
 type Span = tuple[float, float]
 

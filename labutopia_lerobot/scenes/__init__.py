@@ -18,7 +18,7 @@ DEFAULT_ROOM = LABORATORY.name
 """The room of the paper's levels 1 to 4."""
 
 _LISTED = 30
-"""How many names a message has at most."""
+"""Greatest number of names in a message."""
 
 
 class NoWorkPlaceError(UserError, ValueError):

@@ -28,8 +28,8 @@ from labutopia_lerobot.world import ROOM, FloatArray
 from labutopia_lerobot.world.model import BEYOND_GROUP, COLLISION_GROUP, VISUAL_GROUP
 
 _SOLID_WITHIN = 1.25
-"""What is nearer to the robot's base is solid [m]: the longest arm's 0.90, its hand and what that
-holds."""
+"""Distance from the robot's base up to which things are solid [m]: the longest arm's 0.90, its hand
+and what that holds."""
 _FARTHEST_PIECE = 3.5
 """Whose middle is farther from the robot is not within its reach with any part [m]."""
 _PALETTE = 16

@@ -14,7 +14,7 @@ from labutopia_lerobot.scenes.space.extent import extent
 from labutopia_lerobot.scenes.space.reach import BENCH_SIDE, REACH, ROBOT_RADIUS, Reach
 
 HUNG_WITHIN = 0.05
-"""How far behind what hangs a wall is at most [m]."""
+"""Greatest distance from a hanging piece to the wall behind it [m]."""
 
 
 def proven(plan: Plan, source: str) -> Plan:

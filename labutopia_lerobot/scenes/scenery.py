@@ -33,7 +33,7 @@ _CELL = 0.1
 
 
 class SceneryMesh(NamedTuple):
-    """What is drawn alike.
+    """The parts of a room that are drawn alike.
 
     Attributes:
         look: `matt`, `shiny` or `clear`.

@@ -9,7 +9,7 @@ from labutopia_lerobot.labware.parts.shell import Shell
 from labutopia_lerobot.scenes.views import MOST_DISPLACED, WIDEST_PICTURE, CameraPose
 
 _MARGIN = MOST_DISPLACED + 0.02
-"""How much nearer to the picture a thing may be than it is [m]."""
+"""Margin by which a thing may be nearer to the picture than it is [m]."""
 
 
 def visible_triangles(mesh: Shell, camera: CameraPose) -> NDArray[np.bool_]:

@@ -29,7 +29,7 @@ _CURE = (
 
 
 _FAR = (0.0, 0.0, -1e3)
-"""Where nothing is seen [m]."""
+"""Position where no camera sees a thing [m]."""
 
 
 class NoOpenGLError(UserError, RuntimeError):

@@ -1,4 +1,4 @@
-"""What a squeezed bottle gives away: the fall of the volume inside its wall."""
+"""Volume that a squeezed bottle dispenses: the fall of the volume inside its wall."""
 
 from typing import Protocol, runtime_checkable
 

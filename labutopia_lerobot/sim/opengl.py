@@ -5,7 +5,7 @@ import os
 import sys
 
 BACKENDS = ("egl", "osmesa", "glfw")
-"""What `MUJOCO_GL` may name on Linux."""
+"""Values that `MUJOCO_GL` may have on Linux."""
 
 _SWITCHES = ("", "enable", "enabled", "on", "true", "1", "glx")
 _OFF = ("disable", "disabled", "off", "false", "0")

@@ -1,4 +1,4 @@
-"""What draws pictures: one protocol, two renderers."""
+"""Renderers of pictures: one protocol, two implementations."""
 
 from collections.abc import Sequence
 from typing import Protocol

@@ -50,7 +50,7 @@ class SimulatedWorld:
 
     @property
     def robot(self) -> Manipulator:
-        """What is known of the robot beforehand."""
+        """The facts about the robot that are known beforehand."""
         return self._simulation.scene.robot
 
     @property
@@ -161,7 +161,7 @@ class SimulatedWorld:
 
     @property
     def liquid(self) -> LiquidAccount | None:
-        """Where the liquid is; None where none is simulated."""
+        """Account of where the liquid is; None where none is simulated."""
         return self._simulation.account
 
     def touching(self, first: str, second: str) -> bool:

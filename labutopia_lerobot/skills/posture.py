@@ -1,4 +1,4 @@
-"""How the hand and what it holds are best turned: as the robot reaches vessels comfortably."""
+"""Orientations of the hand and of what it holds in which the robot reaches vessels comfortably."""
 
 import math
 

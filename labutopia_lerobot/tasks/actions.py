@@ -44,7 +44,7 @@ from labutopia_lerobot.task import Step, Substep
 from labutopia_lerobot.world import BENCH, Button, Graspable, OpenVessel, Standing, Thing
 
 OFF_THE_BENCH = 0.10
-"""How far level 4 lifts at least [m]; ours: the paper's 20 cm are those of levels 1 to 3."""
+"""Least lift at level 4 [m]; ours: the paper's 20 cm are those of levels 1 to 3."""
 
 
 def pick(

@@ -1,4 +1,4 @@
-"""What must not happen: the other half of an action, shared by the tasks of all levels.
+"""Facts that must not happen: the other half of an action, shared by the tasks of all levels.
 
 What a number comes from is said on its line. What no task forgives, such as broken glass, stands in
 `Task.forbidden`.

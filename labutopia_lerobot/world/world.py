@@ -39,7 +39,7 @@ class World(Protocol):
 
     @property
     def robot(self) -> Manipulator:
-        """What is known of the robot beforehand."""
+        """The facts about the robot that are known beforehand."""
         ...
 
     @property
@@ -125,7 +125,7 @@ class World(Protocol):
 
     @property
     def liquid(self) -> LiquidAccount | None:
-        """Where the liquid is; None where none is simulated."""
+        """Account of where the liquid is; None where none is simulated."""
         ...
 
     def touching(self, first: str, second: str) -> bool:

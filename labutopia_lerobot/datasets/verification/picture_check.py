@@ -21,20 +21,20 @@ _GRID = 8
 """A picture is compared block by block, on a grid of as many rows and columns."""
 
 TOLERANCE = 12.0
-"""How far the mean of a block may be off [levels of 255]. Measured in `level1/pick`, cameras front
+"""Greatest deviation of a block's mean [levels of 255]. Measured in `level1/pick`, cameras front
 and wrist: compression makes up to 2.9 at 256 x 256 pixels and up to 8.6 at 64 x 48; a mirrored
 picture at least 25 and 14; that of another episode mostly 9 (wrist) and 30 (front)."""
 
 
 PIXELS_TOLERANCE = 1.0
-"""How many pixels of a depth or a segmentation may be others on another renderer [%], which may
+"""Share of a depth's or segmentation's pixels that may differ on another renderer [%], which may
 draw the edges of things otherwise: chosen, not measured. On the same one none may: both are
 lossless."""
 
 
 @dataclass(frozen=True)
 class Deviation:
-    """How far a stored picture is off.
+    """Deviation of a stored picture from the one drawn again.
 
     Attributes:
         frame: Its number.

@@ -55,7 +55,7 @@ _UNREADABLE = (
     TypeError,
     ValueError,
 )
-"""What damaged or hostile pickles raise."""
+"""Exceptions that damaged or hostile pickles raise."""
 
 _KNOWN = {
     (TimedAction.__module__, TimedAction.__name__): TimedAction,
@@ -97,7 +97,7 @@ _MOST_ACTIONS = 10_000
 
 @dataclass(frozen=True)
 class ServedCheckpoint:
-    """What LeRobot's server is to load.
+    """The policy that LeRobot's server is to load.
 
     Attributes:
         path: Where the server finds it: a folder of its machine, or a Hub id.

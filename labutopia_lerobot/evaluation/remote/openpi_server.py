@@ -74,7 +74,7 @@ _MOST_LINES = 100
 """Of what a server says is wrong."""
 
 _CLOSE_S = 1.0
-"""How long a server may take to say goodbye [s]."""
+"""Longest time for a server to say goodbye [s]."""
 
 
 class OpenPiServer:

@@ -178,10 +178,10 @@ _OPENPI_NAMES = {
     "observation.images.front": "observation/image",
     "observation.images.wrist": "observation/wrist_image",
 }
-"""What openpi's configurations for LIBERO, its template for own robots, call what is observed."""
+"""Names of observations in openpi's configurations for LIBERO, its template for own robots."""
 
 _CONNECT_S = 5.0
-"""How long a server may take to accept a first connection [s]."""
+"""Longest time for a server to accept a first connection [s]."""
 
 
 @dataclass(frozen=True)

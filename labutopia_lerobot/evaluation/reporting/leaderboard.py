@@ -28,7 +28,7 @@ SUBMISSIONS = "submissions"
 """Folder of submissions, below that of the expert's rows."""
 
 REFERENCE = "scripted expert"
-"""What the kept rows are called. It is no entry: it looks at the simulation itself."""
+"""Policy name of the kept rows. It is no entry: the expert looks at the simulation itself."""
 
 
 def _widest_ranked() -> float:

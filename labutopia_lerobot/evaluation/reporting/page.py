@@ -107,7 +107,7 @@ class FilmedEpisode:
 
     @property
     def outcome(self) -> str:
-        """How it ended, in words."""
+        """Outcome of the episode in words."""
         how = (
             "success"
             if self.row.success
@@ -117,7 +117,7 @@ class FilmedEpisode:
 
     @property
     def command(self) -> str:
-        """What plays it again."""
+        """Command that plays it again."""
         return episode_command(self.entry, self.row)
 
 

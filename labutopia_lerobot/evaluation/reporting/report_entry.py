@@ -43,12 +43,12 @@ class ReportEntry:
 
     @property
     def name(self) -> str:
-        """What the policy is called, whatever it played."""
+        """Name of the policy, whatever it played."""
         return f"{self.policy} ({self.place})" if self.place else self.policy
 
     @property
     def label(self) -> str:
-        """What the policy is called in tables: its name, and whatever sets it apart."""
+        """Name of the policy in tables, with what distinguishes it from others."""
         return self.condition.label(self.policy) + (f" ({self.place})" if self.place else "")
 
     @cached_property

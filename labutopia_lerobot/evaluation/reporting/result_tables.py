@@ -14,7 +14,7 @@ from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.evaluation.uncertainty.intervals import Median
 
 _SIZES = "_sizes"
-"""How the names of the tasks of the size test end."""
+"""Suffix of the names of the tasks of the size test."""
 
 _RATES = "Successes of episodes, per cent, 95 % interval (Wilson{})."
 _ANYTIME = "; of a run with `until` the confidence sequence, which is valid whenever one stops"

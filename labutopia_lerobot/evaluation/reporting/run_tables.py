@@ -1,4 +1,4 @@
-"""What a run prints: a line per task, or its steps; what a wanted precision costs."""
+"""Tables that a run prints: a line per task, or its steps; the cost of a wanted precision."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace

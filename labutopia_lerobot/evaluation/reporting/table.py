@@ -36,7 +36,7 @@ class Rate:
 
 
 Cell = str | int | Rate | PaperNumber | Median | None
-"""What stands in a table; None where there is nothing."""
+"""Content of a table's cell; None where there is nothing."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class Table:
 
     @property
     def repeated(self) -> list[int]:
-        """How many words at the beginning of each line are those of the line above."""
+        """Number of words at the beginning of each line that equal those of the line above."""
         pairs = zip(self.lines, ((), *self.lines[:-1]), strict=True)
         return [
             len(list(takewhile(lambda both: both[0] == both[1] and isinstance(both[0], str), both)))
@@ -328,7 +328,7 @@ FORMATS: dict[str, Callable[[Table], RenderableType]] = {
     "csv": as_csv,
     "latex": as_latex,
 }
-"""How tables can be written."""
+"""Formats in which tables can be written."""
 
 _PARTS: dict[type, tuple[str, ...]] = {
     str: ("",),

@@ -20,7 +20,7 @@ class DoesNotFitError(UserError, ValueError):
 
 
 class Hold(Protocol):
-    """How a closure stays on a vessel, and on which."""
+    """Fastening of a closure on a vessel, and the vessels that it fits."""
 
     @property
     def tight(self) -> bool:
@@ -29,7 +29,7 @@ class Hold(Protocol):
 
     @property
     def needs(self) -> str:
-        """What a vessel must be like, to be told to the user."""
+        """Requirement on a vessel, in words for the user."""
         ...
 
     def fits(self, vessel: Vessel) -> bool:

@@ -20,7 +20,7 @@ _SIZE = 256, 8
 _FACING = 0.14
 """Opacity of what faces the eye, as a part of that of the outline."""
 _OUTLINE_POWER = 7.0
-"""How narrow the outline is: its opacity grows with this power of the sine of the angle."""
+"""Narrowness of the outline: its opacity grows with this power of the sine of the angle."""
 _OUTLINE = (0.66, 0.82, 0.79)
 """Colour of the outline beside that of the wall: glass is greenish where it is thick."""
 _STREAKS = ((-0.62, 0.09, 0.60), (0.80, 0.05, 0.34))

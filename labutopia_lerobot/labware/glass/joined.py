@@ -1,4 +1,4 @@
-"""What is joined to a wall of revolution: arms, necks, jackets, spouts, handles, plates.
+"""Parts joined to a wall of revolution: arms, necks, jackets, spouts, handles, plates.
 
 Each function takes numbers in millimetres, as in catalogues, and returns what makes the forms for a
 wall. They are drawn and touched, but sealed where they join: liquid knows walls of revolution only.

@@ -20,7 +20,7 @@ _DARK, _LIT = (9, 14, 17), (150, 235, 220)
 
 
 class Reading(Protocol):
-    """What a display shows."""
+    """Reading of a display."""
 
     def text(self, model: mujoco.MjModel, data: mujoco.MjData) -> str:
         """Return it as it is now."""

@@ -1,4 +1,4 @@
-"""What moves on an instrument: one joint, how far, and how hard a hand moves it."""
+"""Moving parts of an instrument: one joint, its range, and the force by which a hand moves it."""
 
 import math
 from typing import Protocol

@@ -1,4 +1,4 @@
-"""What displays show: a state, a mass on a pan, what a knob is set to, the time."""
+"""Readings of displays: a state, a mass on a pan, what a knob is set to, the time."""
 
 import math
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ class Either:
 
 @dataclass(frozen=True)
 class Mass:
-    """What is on a pan, in grams, less what was tared; the weight of the pan always is.
+    """Mass on a pan, in grams, less what was tared; the weight of the pan always is.
 
     Attributes:
         sensor: Name of the sensor of the force on what carries the pan [N].

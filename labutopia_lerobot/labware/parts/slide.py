@@ -1,4 +1,4 @@
-"""What slides: sashes on counterweights, panes, trays, carriages, plungers."""
+"""Sliding parts: sashes on counterweights, panes, trays, carriages, plungers."""
 
 from dataclasses import dataclass
 

@@ -20,7 +20,7 @@ class Tare:
 
     @property
     def name(self) -> str:
-        """What the simulation remembers the tared mass as, and the model has it as [kg]."""
+        """Name of the tared mass in the simulation and in the model [kg]."""
         return self.reading.tare
 
 

@@ -180,7 +180,7 @@ class LiquidDrawing:
 
     @property
     def quads(self) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.uint8]]:
-        """What was extracted last.
+        """The surface that was extracted last.
 
         Corners, four for every quad, shape (4 quads, 3), metres, world frame; their normals; the
         share that every quad has of `tint`, shape (quads, 4), 0 to 255, empty for one substance.
@@ -189,7 +189,7 @@ class LiquidDrawing:
 
     @property
     def tint(self) -> NDArray[np.float32]:
-        """What the surface is drawn with, shape (4,): its colour, or that of full texels."""
+        """Colour that the surface is drawn with, shape (4,): its own, or that of full texels."""
         tint: NDArray[np.float32] = np.ones(4, np.float32)
         tint[:] = self.colors[0] if len(self.colors) == 1 else (1, 1, 1, self.colors[:, 3].max())
         return tint

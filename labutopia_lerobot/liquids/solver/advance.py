@@ -23,7 +23,7 @@ _WETTING = 10.0
 """Rate at which what lies on the bench comes to rest [1/s]: a puddle's rim sticks."""
 
 NOTHING = -1
-"""What a particle touches that touches neither a vessel nor a shape."""
+"""Owner number of a particle that touches neither a vessel nor a shape."""
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""Where particles are near walls: each such place as a plane, found once per step."""
+"""Contacts of particles with walls: each as a plane, computed once per step."""
 
 from typing import NamedTuple
 

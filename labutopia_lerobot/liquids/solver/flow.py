@@ -1,4 +1,4 @@
-"""What the solver knows of liquids: numbers of the scene, of every substance, of every particle."""
+"""Properties of liquids for the solver: of the scene, of every substance, of every particle."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -61,7 +61,7 @@ class Flow(NamedTuple):
 
 
 class Matter(NamedTuple):
-    """What each particle is made of, as the solver needs it; shape (n,) each.
+    """Properties of each particle, as the solver needs them; shape (n,) each.
 
     Masses are those of particles of the lightest substance in the scene: an inverse mass, by which
     corrections and changes of velocity are multiplied, is then never more than 1. Where there is

@@ -37,7 +37,7 @@ _SMOOTH = 0.3
 """Sine of the angle up to which a joint is none: a curved wall cut into edges."""
 
 SKIN = 2e-5
-"""How far from the glass a stopped particle is left [m]: enough for rounding, too little to see."""
+"""Distance of a stopped particle from the glass [m]: enough for rounding, too little to see."""
 
 _ROUNDING = 1e-7
 """Two edges overlap by this much [m], so that nothing slips through between them."""

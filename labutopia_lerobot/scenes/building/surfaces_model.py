@@ -22,7 +22,7 @@ _TEXTURE = mujoco.mjtTexture.mjTEXTURE_2D
 _RGB = int(mujoco.mjtTextureRole.mjTEXROLE_RGB)
 
 CEILING_LIGHT = 0.45
-"""How much of its colour the ceiling shines by itself."""
+"""Share of its colour that the ceiling emits by itself."""
 LOOKS = {
     "skirting": Finish((0.38, 0.40, 0.42, 1.0), 0.1, 0.1),
     "cap": Finish((0.30, 0.31, 0.33, 1.0), 0.0, 0.0),

@@ -1,4 +1,4 @@
-"""Where things belong that need another: on a bench, before a desk, facing a board."""
+"""Places for things that need another: on a bench, before a desk, facing a board."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

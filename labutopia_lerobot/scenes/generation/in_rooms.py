@@ -1,4 +1,4 @@
-"""Where things belong in a room: at a wall, hung on it, in the middle, to work at."""
+"""Places for things in a room: at a wall, hung on it, in the middle, to work at."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What a piece takes of a room while that is being planned, walkways included."""
+"""The space that a piece requires in a room that is being planned, walkways included."""
 
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -13,11 +13,11 @@ from labutopia_lerobot.world import FloatArray
 WORK_BENCH = "work_bench"
 """Kind of the bench that a robot stands at."""
 _BEFORE_BENCH = 0.2
-"""How far before its edge the base of the robot is [m], as in the room of levels 1 to 4."""
+"""Distance of the robot's base from the edge of the bench [m], as in the room of levels 1 to 4."""
 _KNEE = 0.7
 """Walkways are free of what is between the floor and this [m]; what hangs higher is no matter."""
 _FURNITURE = 0.6
-"""What stands on the floor for good and is higher keeps out of walkways [m]."""
+"""Height above which what stands on the floor for good keeps out of walkways [m]."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,7 +22,7 @@ TRIES = 240
 SAMPLES = 10
 """Spots among them that fit, of which the best is taken."""
 PASSES = 2
-"""How often all is begun anew before places are searched depth first."""
+"""Number of fresh starts before places are searched depth first."""
 GRID_TRIES = 700
 """Spots of the whole grid that the search looks at for a piece, evenly spread."""
 BRANCHES = 6

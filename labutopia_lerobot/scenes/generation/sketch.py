@@ -45,7 +45,7 @@ class Entry:
 
 @dataclass
 class Sketch:
-    """What stands in a footprint so far.
+    """The pieces that stand in a footprint so far.
 
     Attributes:
         footprint: Where.

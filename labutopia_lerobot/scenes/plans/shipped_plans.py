@@ -9,7 +9,7 @@ from labutopia_lerobot.scenes.plan import Plan
 from labutopia_lerobot.scenes.plans.plan_files import read_plan
 
 FOLDER = Path(__file__).parent
-"""Where they lie, a file each."""
+"""Folder of the plans, a file each."""
 
 
 class UnknownPlanError(UserError, ValueError):

@@ -25,15 +25,15 @@ if TYPE_CHECKING:
 _STATIONS = 12
 """Positions of a joint; between two neighbours all is taken that is between their boxes."""
 _STICKING_OUT = 0.005
-"""What moves out of the hull by less needs no room of its own [m]."""
+"""Least travel out of the hull that needs room of its own [m]."""
 _SOLE = 0.03
-"""What stands is what is less than this above the ground [m]."""
+"""Height above the ground up to which a part counts as standing on it [m]."""
 _CORNERS = np.array(np.meshgrid(*([-1.0, 1.0],) * 3)).reshape(3, -1).T
 
 
 @dataclass(frozen=True, eq=False)
 class Swing:
-    """What something takes that moves.
+    """The space that a moving part takes.
 
     Attributes:
         name: Of its mechanism, without the name of the piece.

@@ -1,4 +1,4 @@
-"""What goes with ware: bars, pestles, spatulas, thermometers, syringes, droppers."""
+"""Tools used with ware: bars, pestles, spatulas, thermometers, syringes, droppers."""
 
 from functools import partial
 

@@ -36,7 +36,7 @@ class PeristalticPump(Instrument):
 
     @property
     def head(self) -> Rotor:
-        """What carries the rollers."""
+        """Rotor that carries the rollers."""
         return Rotor(f"{self.name}_head", friction=0.03, effort=0.3)
 
     @property

@@ -33,7 +33,7 @@ class SyringePump(Instrument):
 
     @property
     def carriage(self) -> Slide:
-        """What pushes the plunger, to the left."""
+        """Slide that pushes the plunger, to the left."""
         return Slide(f"{self.name}_carriage", 0.100, friction=4.0, effort=20.0)
 
     @property

@@ -43,7 +43,7 @@ class Autoclave(Instrument):
 
     @property
     def wheel(self) -> HandWheel:
-        """What locks the lid."""
+        """Hand wheel that locks the lid."""
         wheel = f"{self.name}_wheel"
         return HandWheel(wheel, diameter=0.220, turns=2.0, look="black", standoff=0.060, effort=4.0)
 
@@ -57,7 +57,7 @@ class Autoclave(Instrument):
 
     @property
     def valve(self) -> Tap:
-        """What lets steam out, on the right."""
+        """Valve that lets steam out, on the right."""
         return Tap(f"{self.name}_valve", length=0.050, look="red")
 
     @property

@@ -16,7 +16,7 @@ from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
 
 _ROWS, _COLUMNS = (0.007, 0.030, 0.053), (0.0345, 0.0115, -0.0115, -0.0345)
-"""Where the bores are: from the front, from left to right [m]."""
+"""Positions of the bores: from the front, from left to right [m]."""
 
 
 @dataclass(frozen=True)

@@ -41,7 +41,7 @@ class ThermalCycler(Instrument):
 
     @property
     def pressure(self) -> Knob:
-        """What presses the heated plate down."""
+        """Knob that presses the heated plate down."""
         return Knob(f"{self.name}_pressure", diameter=0.060, depth=0.026, look="anthracite")
 
     @property

@@ -47,7 +47,7 @@ class WaterBath(Instrument):
 
     @property
     def drain(self) -> Tap:
-        """What lets the water out, on the right."""
+        """Valve that lets the water out, on the right."""
         return Tap(f"{self.name}_drain", look="red", length=0.036)
 
     @property
@@ -56,7 +56,7 @@ class WaterBath(Instrument):
 
     @property
     def grid(self) -> Seat:
-        """Where vessels stand in the water."""
+        """Place of vessels in the water."""
         return Seat(f"{self.name}_grid", self.name, (0.0, 0.0, 0.112), width=0.200)
 
     @property

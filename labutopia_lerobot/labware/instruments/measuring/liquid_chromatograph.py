@@ -53,7 +53,7 @@ class LiquidChromatograph(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where vials stand in the drawer, from left to right."""
+        """Places of vials in the drawer, from left to right."""
         return tuple(
             Seat(f"{self.name}_vial_{n}", self.drawer.name, (0.0, y, 0.006), 0.0125, 0.020)
             for n, y in enumerate((0.075, 0.045, 0.015, -0.015, -0.045, -0.075))
@@ -61,7 +61,7 @@ class LiquidChromatograph(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        """What the pump delivers, to the column or to waste, and how long the detector has run."""
+        """Display of the pump's flow, to column or waste, and of the detector's running time."""
         flow = Either(self.purge.joint, math.radians(30.0), "PURGE", "1.00 ml/min")
         return (
             Display(f"{self.name}_flow", (0.100, 0.034), flow),

@@ -53,7 +53,7 @@ class MoistureAnalyser(Instrument):
 
     @property
     def tare(self) -> PushButton:
-        """What sets the display to zero."""
+        """Button that sets the display to zero."""
         blue = FINISHES["blue"].rgba
         return PushButton(f"{self.name}_tare", blue, radius=0.009, travel=0.003, proud=0.006)
 

@@ -34,7 +34,7 @@ class PlateReader(Instrument):
 
     @property
     def drawer(self) -> Slide:
-        """What the plate stands on; it comes out in front."""
+        """Drawer that the plate stands on; it comes out in front."""
         return Slide(f"{self.name}_drawer", 0.150, friction=2.0, effort=10.0)
 
     @property
@@ -56,7 +56,7 @@ class PlateReader(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where the plate stands in the drawer."""
+        """Place of the plate in the drawer."""
         at = (0.0, 0.0, 0.006)
         return (Seat(f"{self.name}_plate", self.drawer.name, at, width=0.084),)
 

@@ -37,12 +37,12 @@ class Refractometer(Instrument):
 
     @property
     def index(self) -> Knob:
-        """What turns the prisms until the edge of the shadow is in the cross."""
+        """Knob that turns the prisms until the edge of the shadow is in the cross."""
         return Knob(f"{self.name}_index", diameter=0.040, look="black")
 
     @property
     def dispersion(self) -> Knob:
-        """What takes the colours from the edge."""
+        """Knob that takes the colours from the edge."""
         return Knob(f"{self.name}_dispersion", diameter=0.028, look="black")
 
     @property

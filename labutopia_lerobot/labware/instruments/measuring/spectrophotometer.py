@@ -38,7 +38,7 @@ class Spectrophotometer(Instrument):
 
     @property
     def carriage(self) -> Slide:
-        """What holds the cuvettes; its rod is pulled out in front."""
+        """Carriage of the cuvettes; its rod is pulled out in front."""
         return Slide(f"{self.name}_carriage", 0.054, friction=2.0, effort=10.0)
 
     @property
@@ -51,7 +51,7 @@ class Spectrophotometer(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where cuvettes stand, from the back to the front."""
+        """Places of the cuvettes, from the back to the front."""
         return tuple(
             Seat(
                 f"{self.name}_cuvette_{n}",

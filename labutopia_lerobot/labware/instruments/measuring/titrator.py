@@ -34,7 +34,7 @@ class Titrator(Instrument):
 
     @property
     def arm(self) -> Slide:
-        """What holds the electrode and the burette's tip, which is pushed down."""
+        """Holder of the electrode and the burette's tip, which is pushed down."""
         return Slide(f"{self.name}_arm", 0.110, friction=4.0, effort=15.0)
 
     @property
@@ -61,7 +61,7 @@ class Titrator(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where the beaker stands, over the stirrer."""
+        """Place of the beaker, over the stirrer."""
         return (Seat(f"{self.name}_plate", self.name, (-0.075, 0.030, 0.052), width=0.080),)
 
     @property

@@ -50,7 +50,7 @@ class Viscometer(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where the beaker stands, below the spindle."""
+        """Place of the beaker, below the spindle."""
         return (Seat(f"{self.name}_base", self.name, (-0.070, 0.0, 0.026), width=0.110),)
 
     @property

@@ -36,7 +36,7 @@ class OrbitalShaker(Instrument):
 
     @property
     def sledge(self) -> Slide:
-        """What carries the platform to and fro."""
+        """Slide that carries the platform to and fro."""
         return Slide(f"{self.name}_sledge", _ORBIT, friction=6.0, effort=25.0)
 
     @property

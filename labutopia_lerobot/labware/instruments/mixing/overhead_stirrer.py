@@ -52,7 +52,7 @@ class OverheadStirrer(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where the vessel stands, below the propeller."""
+        """Place of the vessel, below the propeller."""
         return (Seat(f"{self.name}_base", self.name, (-0.060, 0.0, 0.024), width=0.110),)
 
     @property

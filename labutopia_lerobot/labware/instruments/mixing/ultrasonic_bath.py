@@ -50,7 +50,7 @@ class UltrasonicBath(Instrument):
 
     @property
     def basket(self) -> Seat:
-        """Where glass stands in the water."""
+        """Place of glass in the water."""
         return Seat(f"{self.name}_basket", self.name, (0.0, 0.0, 0.116), width=0.110)
 
     @property

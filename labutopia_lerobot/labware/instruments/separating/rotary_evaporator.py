@@ -19,7 +19,7 @@ from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.labware.parts.valve import Tap
 
 _LEAN = math.radians(30.0)
-"""How far the flask's axis points down [rad]."""
+"""Angle by which the flask's axis points down [rad]."""
 _AXIS = (-math.cos(_LEAN), 0.0, -math.sin(_LEAN))
 
 
@@ -57,7 +57,7 @@ class RotaryEvaporator(Instrument):
 
     @property
     def stopcock(self) -> Tap:
-        """What lets air in, on top of the condenser."""
+        """Stopcock that lets air in, on top of the condenser."""
         return Tap(f"{self.name}_stopcock", length=0.030, look="blue", standoff=0.012)
 
     @property

@@ -15,7 +15,7 @@ from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.tare import Tare
 
 _SLOPE = 68.0
-"""How far the console leans back [deg]."""
+"""Angle by which the console leans back [deg]."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class PrecisionBalance(Instrument):
 
     @property
     def tare(self) -> PushButton:
-        """What sets the display to zero."""
+        """Button that sets the display to zero."""
         blue = (0.15, 0.35, 0.65, 1.0)
         return PushButton(f"{self.name}_tare", blue, radius=0.010, travel=0.003, proud=0.006)
 
