@@ -1,4 +1,4 @@
-"""Mistakes that a user can mend: told in one message, without a traceback."""
+"""Mistakes that a user can mend: shown in one message, without a traceback."""
 
 import builtins
 import difflib
@@ -26,7 +26,7 @@ _MISTAKES = (SyntaxError, ImportError, NameError, AttributeError, TypeError, Val
 
 @contextmanager
 def mistakes_located(folder: Path) -> Iterator[None]:
-    """Tell of a mistake that is made here with the file and line of the user's that makes it.
+    """Report a mistake that is made here with the file and line of the user's that makes it.
 
     Args:
         folder: Where the user's files lie.

@@ -11,7 +11,7 @@ COLOR = "color"
 """Red, green and blue, 0 to 255."""
 
 FARTHEST_M = 4.095
-"""Depths from here on are told as this [m]. LeRobot stores depth in 12 bits, which hold it in whole
+"""Depths from here on are stored as this [m]. LeRobot has 12 bits, which hold depth in whole
 millimetres so far. Bench and robot are nearer than 3 m to every camera."""
 
 BACKGROUND, ROBOT, LIQUID = "background", "robot", "liquid"

@@ -164,7 +164,7 @@ class Progress:
             self._passed, self.counted, self._counter = 0, 0.0, None
 
     def _pass_through(self, substep: Substep, world: World) -> bool:
-        """Advance along the course of a substep; tell whether it latches now."""
+        """Advance along the course of a substep; return whether it latches now."""
         course = substep.via
         while self._passed < len(course) and self._holds(course[self._passed]):
             self._passed += 1

@@ -114,7 +114,7 @@ class Step:
             was not filled into ends the episode.
         never: Outcome that ends the episode -> the fact that must not occur during this step; of
             the last step also behind it.
-        notes: Facts that are told of beside, and judge nothing.
+        notes: Facts that are reported beside, and judge nothing.
 
     Raises:
         TaskError: If it has no substep, or anything is of the wrong kind.
@@ -135,7 +135,7 @@ class Step:
         _require_all(Predicate, self.notes, f"`notes` of step '{self.name}'")
         _require_outcomes(self.never, f"step '{self.name}'")
         if not self.substeps:
-            raise TaskError(f"Step '{self.name}' has no substep: say what tells that it is done")
+            raise TaskError(f"Step '{self.name}' has no substep: say by what it is done")
 
     def named(self, name: str) -> "Step":
         """Return the same step under another name, which its substeps bear before their own."""

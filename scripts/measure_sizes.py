@@ -90,7 +90,7 @@ def handled(model: mujoco.MjModel, step: Step, task: Task) -> list[str]:
 
 
 def has_body(model: mujoco.MjModel, name: str) -> bool:
-    """Tell whether a thing is a body of its own, as a handle or a button is."""
+    """Return whether a thing is a body of its own, as a handle or a button is."""
     return bool(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, name) >= 0)
 
 

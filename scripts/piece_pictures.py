@@ -54,7 +54,7 @@ def _makes_a_piece(member: Any) -> bool:
 
 
 def needs_only_a_name(maker: Maker) -> bool:
-    """Tell whether a maker has a default for everything but the name."""
+    """Return whether a maker has a default for everything but the name."""
     parameters = list(inspect.signature(maker).parameters.values())
     return all(parameter.default is not parameter.empty for parameter in parameters[1:])
 

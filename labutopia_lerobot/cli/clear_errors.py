@@ -14,8 +14,8 @@ from labutopia_lerobot.runtime.termination import Terminated, terminated_like_in
 def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
     """Wrap a program: user errors exit with 2, failures of disk with 1, Ctrl-C 130, SIGTERM 143.
 
-    What a `KeyboardInterrupt` says, such as how to go on, is told. Anything else is a bug of ours
-    and keeps its traceback.
+    The text of a `KeyboardInterrupt`, such as how to go on, is printed. Anything else is a bug of
+    ours and keeps its traceback.
     """
 
     @wraps(main)

@@ -94,7 +94,7 @@ def _repository(
 
 
 def _require_known_room(dataset: Path) -> None:
-    """Make sure that whoever gets a dataset can replay it."""
+    """Make sure that the users of a dataset can replay it."""
     recording = read_recording(dataset)
     room = None if recording is None else recording["config"].get("room")
     if isinstance(room, str) and is_of_file(room):

@@ -67,7 +67,7 @@ def measure(
         tasks: Tasks whose demonstrations per hour are asked for.
         seconds: How long each rate is measured [s].
         episodes: Demonstrations recorded per rate of recording.
-        watcher: Is told of every measurement.
+        watcher: Notified of every measurement.
     """
     cores = len(os.sched_getaffinity(0))
     blind = replace(base, task=RIGID, obs="state")

@@ -1,7 +1,7 @@
 """`labutopia-verify DATASET`: is a dataset whole, and is it what the environment does?
 
 Exit status 1 for faults only: what could not be checked, such as after an edit with LeRobot's
-tools, is told and is no fault.
+tools, is reported and is no fault.
 """
 
 import argparse

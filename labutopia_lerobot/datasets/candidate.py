@@ -77,7 +77,7 @@ class Candidate:
         return self.outcome == SUCCESS
 
     def stored(self, keep: str) -> bool:
-        """Tell whether its frames are stored.
+        """Return whether its frames are stored.
 
         Args:
             keep: Which candidates are (`RecordingConfig.keep`).

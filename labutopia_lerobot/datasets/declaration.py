@@ -75,7 +75,7 @@ def dataset_features(setting: Setting) -> dict[str, dict[str, Any]]:
 
 
 def same_features(settings: Sequence[Setting]) -> bool:
-    """Tell whether datasets of these settings can be one."""
+    """Return whether datasets of these settings can be one."""
     first, *others = (dataset_features(setting) for setting in settings)
     return all(features == first for features in others)
 

@@ -103,7 +103,7 @@ def read_recording(root: Path) -> dict[str, Any] | None:
     """Return `meta/labutopia.json`, or None where there is none.
 
     Raises:
-        DamagedDatasetError: If it does not tell what recordings tell.
+        DamagedDatasetError: If it lacks what recordings have.
     """
     return dict(_read(root, RECORDING, Recording)) if (root / RECORDING).exists() else None
 

@@ -22,7 +22,7 @@ _SHARE_OF_LIMIT = 0.6
 
 
 class NoSpaceError(UserError):
-    """The disk is too small for the recording; the message tells what it takes."""
+    """The disk is too small for the recording; the message says what it takes."""
 
 
 def needed_bytes(config: RecordingConfig, missing: Mapping[str, int]) -> int:

@@ -16,7 +16,7 @@ from labutopia_lerobot.datasets.verify import require_intact
 
 
 class Watcher(Protocol):
-    """Is told how a recording gets on."""
+    """Receives the progress of a recording."""
 
     def resumed(self, candidates: Sequence[Candidate]) -> None:
         """Take note of the candidates that a previous run finished."""
@@ -36,7 +36,7 @@ def record(config: RecordingConfig, watcher: Watcher) -> list[Candidate]:
 
     Args:
         config: One of `RecordingConfig.datasets`.
-        watcher: Is told how it gets on.
+        watcher: Notified of the progress.
 
     Returns:
         Every candidate that was played, by task and in index order.

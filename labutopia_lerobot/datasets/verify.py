@@ -101,7 +101,7 @@ def _verdict(root: Path, tasks_dir: str | None, checks: list[Check]) -> Verdict:
 
 
 def _check_recording(subject: VerifiedDataset) -> Iterator[Finding]:
-    """Yield what is wrong with what the recording tells of itself."""
+    """Yield what is wrong with the recording's own description."""
     if subject.edited is not None:
         yield Unchecked(f"whether the recording is complete: {subject.edited}")
     elif subject.recording is not None:
@@ -144,7 +144,7 @@ def _check_seeds(subject: VerifiedDataset) -> Iterator[Finding]:
 def _whatever_comes(check: Check) -> Check:
     """Return a check of files that calls every oddity a fault.
 
-    Tables of numbers and texts can be wrong in more ways than are told one by one.
+    Tables of numbers and texts can be wrong in more ways than are listed one by one.
     """
 
     def careful(subject: VerifiedDataset) -> Iterator[Finding]:

@@ -125,7 +125,7 @@ class _AnnotatedMetadata(LeRobotDatasetMetadata):  # type: ignore[misc]  # LeRob
     next_annotations: dict[str, int | str]
 
     def update_video_info(self, video_key: str, video_encoder: VideoEncoderConfig) -> None:
-        """Note how the pictures of a feature are encoded, which LeRobot takes as it is told.
+        """Note how the pictures of a feature are encoded, which LeRobot takes as it is given.
 
         It knows two encoders, one for depth and one for everything else.
         """

@@ -84,7 +84,7 @@ def _sum_of(pressed: Collection[str], axes: Mapping[str, Axis]) -> FloatArray:
 
 
 def of_sticks(moved: Mapping[str, float]) -> Wish:
-    """Return what LeRobot's gamepad tells: full deflection is 1, `gripper` 0 closes and 2 opens.
+    """Return the motion of LeRobot's gamepad: full deflection is 1, `gripper` 0 closes and 2 opens.
 
     Its x is ahead of the robot, its y to the left.
     """

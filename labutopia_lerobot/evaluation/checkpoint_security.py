@@ -103,7 +103,7 @@ def read_steps(file: Path) -> list[dict[str, Any]]:
 
 def _model_problems(config: dict[str, Any]) -> Iterator[str]:
     if not isinstance(config.get("type"), str):
-        yield "it does not tell the type of the policy"
+        yield "it does not name the type of the policy"
     elif config["type"] in FOREIGN_CODE:
         yield f"LeRobot runs code from elsewhere for policies of type '{config['type']}'"
     for key, value in _leaves(config):
@@ -160,7 +160,7 @@ def _require_tokenizers(folder: Path, name: str, steps: list[dict[str, Any]]) ->
 
 
 def _cached(repo: str) -> bool:
-    """Tell whether a tokenizer of the Hub is in the cache of this machine."""
+    """Return whether a tokenizer of the Hub is in the cache of this machine."""
     try:
         return any(isinstance(try_to_load_from_cache(repo, f), str) for f in _TOKENIZER_FILES)
     except ValueError:  # no name of the Hub
@@ -193,7 +193,7 @@ def _leaves(value: object, key: str = "") -> Iterator[tuple[str, object]]:
 
 
 def leaves_folder(text: str) -> bool:
-    """Tell whether a text is a path that leads out of the folder that it is read in."""
+    """Return whether a text is a path that leads out of the folder that it is read in."""
     # Both kinds, so that what is refused does not depend on the machine.
     paths = PurePosixPath(text), PureWindowsPath(text)
     absolute = text.startswith(("~", "/", "\\", "file:")) or any(p.is_absolute() for p in paths)

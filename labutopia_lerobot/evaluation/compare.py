@@ -119,8 +119,8 @@ class Comparison:
         condition: What both played, without what only they saw; None over all tasks.
         pairs: Common episodes, by who succeeded.
         sequential: Whether one of the runs could stop by what it had seen: then the number of
-            episodes says something of the outcome, and only what is valid anytime is told.
-        p_value_holm: Its p-value, adjusted for the number of conditions that are told; over all
+            episodes says something of the outcome, and only what is valid anytime is given.
+        p_value_holm: Its p-value, adjusted for the number of conditions that are listed; over all
             tasks as it is.
     """
 
@@ -186,7 +186,7 @@ class Comparison:
 def compare(first: Sequence[LoadedResult], second: Sequence[LoadedResult]) -> list[Comparison]:
     """Return the comparison under each common condition, and of all tasks together.
 
-    All tasks are told together where the conditions differ in nothing else, and every number of
+    All tasks are pooled where the conditions differ in nothing else, and every number of
     episodes was fixed beforehand.
 
     Raises:

@@ -94,7 +94,7 @@ class Condition:
         return ", ".join([self.shift, *staged, *alone])
 
     def without_task(self, policy: str | None = None) -> str:
-        """Return everything that tells it from others of its task, in words; see `marks`."""
+        """Return what distinguishes it from others of its task, in words; see `marks`."""
         return ", ".join([self.played, *self.marks(policy)])
 
     @property
@@ -121,7 +121,7 @@ class Condition:
 
 
 def differ_in_task_only(conditions: Sequence[Condition]) -> bool:
-    """Tell whether a mean over conditions is one over tasks: a task may have no liquid."""
+    """Return whether a mean over conditions is one over tasks: a task may have no liquid."""
     values = {
         field.name: {getattr(condition, field.name) for condition in conditions}
         for field in fields(Condition)

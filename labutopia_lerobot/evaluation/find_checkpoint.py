@@ -136,7 +136,7 @@ def adapted(folder: Path) -> Path | None:
     named, revision = adapter.get("base_model_name_or_path"), adapter.get("revision")
     if not isinstance(named, str) or not named:
         raise CheckpointError(
-            f"{folder / ADAPTER} does not tell which policy it adapts (base_model_name_or_path)"
+            f"{folder / ADAPTER} does not name the policy that it adapts (base_model_name_or_path)"
         )
     base: Path | None = Path(named)
     if not Path(named).is_dir():

@@ -55,7 +55,7 @@ def full_provenance(
     Args:
         began: Its `origin`.
         config: Options of the run that finished it.
-        rows: Its rows, which tell what they were played and drawn with.
+        rows: Its rows, which say what they were played and drawn with.
     """
     return {
         **began["code"],
@@ -120,7 +120,7 @@ def _hashes(folder: Path, names: Iterable[str]) -> dict[str, str]:
 
 
 def _training_step(folder: Path) -> int | None:
-    """Return after how many steps of training it was saved, or None if nothing tells."""
+    """Return after how many steps of training it was saved, or None if nothing says so."""
     file = folder.parent / "training_state" / "training_step.json"
     if file.is_file():
         step = read_json_object(file, CheckpointError).get("step")

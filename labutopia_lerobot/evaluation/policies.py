@@ -29,7 +29,7 @@ class Policy(Protocol):
     """Plays one episode after another.
 
     What it does depends on the observations and the seed of the episode alone. It may have a
-    `failure` (what it could not do, or None) and a `device` (of torch), which rows then tell.
+    `failure` (what it could not do, or None) and a `device` (of torch), which rows then record.
     """
 
     def start(self, env: LabEnv, seed: int) -> None:

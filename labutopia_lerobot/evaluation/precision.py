@@ -83,7 +83,7 @@ class Precision:
                     yield piece.name, other
 
     def _belongs_to_the_task(self, name: str) -> bool:
-        """Tell whether a body is one of a thing's: the name of each starts with the thing's."""
+        """Return whether a body is one of a thing's: the name of each starts with the thing's."""
         return any(f"{name}_".startswith(f"{piece.name}_") for piece in self._task.start)
 
 

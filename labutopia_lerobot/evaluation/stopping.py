@@ -29,7 +29,7 @@ class StoppingRule:
 
     Attributes:
         half_width: Half of the width of the confidence sequence of the rate that is enough.
-        confidence: Of the sequence, and of telling two policies apart.
+        confidence: Of the sequence, and of distinguishing two policies.
 
     Raises:
         PrecisionError: If no interval can be that narrow.
@@ -44,7 +44,7 @@ class StoppingRule:
     def enough(
         self, successes: ArrayLike, n: ArrayLike, better: ArrayLike = 0, worse: ArrayLike = 0
     ) -> NDArray[np.bool_]:
-        """Tell whether no more episodes are needed.
+        """Return whether no more episodes are needed.
 
         Args:
             successes: Successes so far, any shape.
@@ -84,7 +84,7 @@ class SequentialMonitor:
     Args:
         rule: When it is enough; None if every episode is to be played.
         seed: Of the first episode.
-        rival: What the policy is to be told apart from, if anything.
+        rival: Result that the policy is to be distinguished from, if any.
     """
 
     def __init__(
@@ -112,12 +112,12 @@ class SequentialMonitor:
             sequence.seed += 1
 
     def enough(self, condition: Condition) -> bool:
-        """Tell whether no more episodes are needed of a condition."""
+        """Return whether no more episodes are needed of a condition."""
         sequence = self._sequences.get(condition.scene)
         return sequence is not None and sequence.enough
 
     def counts(self, row: Row) -> bool:
-        """Tell whether an episode belongs to the result, or was begun before it was enough."""
+        """Return whether an episode belongs to the result, or was begun before it was enough."""
         sequence = self._sequences.get(row.condition.scene)
         return sequence is None or not sequence.enough or row.seed < sequence.seed
 

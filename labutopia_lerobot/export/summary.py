@@ -45,7 +45,7 @@ class Summary:
         return sum(self.masses)
 
     def differences(self, other: "Summary") -> list[str]:
-        """Tell in what another differs, one line each."""
+        """Return in what another differs, one line each."""
         same = {
             "limits": _near(self.limits, other.limits, atol=_TOLERANCE),
             "masses": _near(self.masses, other.masses, rtol=_MASS_TOLERANCE),

@@ -21,7 +21,7 @@ def free_path(stage: Usd.Stage, parent: Sdf.Path, name: str) -> Sdf.Path:
 
 
 def needs_group(model: mujoco.MjModel, moves_with: Sequence[int], tree: int) -> bool:
-    """Tell whether a tree of bodies needs a group: its root moves, and parts of it on their own."""
+    """Return whether a tree of bodies needs a group: its root moves, and parts on their own."""
     own = {moves_with[body] for body in range(model.nbody) if model.body_rootid[body] == tree}
     return moves_with[tree] == tree and len(own) > 1
 

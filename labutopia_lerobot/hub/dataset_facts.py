@@ -30,7 +30,7 @@ _FILES = (
 """Files of a dataset that are sent, and nothing else that lies beside them."""
 
 _TOLD = ("min", "max", "mean", "std")
-"""The statistics that a card tells; LeRobot stores more."""
+"""The statistics that a card shows; LeRobot stores more."""
 
 
 class UntoldDatasetError(UserError):

@@ -18,7 +18,7 @@ class HubError(UserError):
 
 @contextmanager
 def explain_errors(repo_id: str) -> Iterator[None]:
-    """Tell what goes wrong between here and the Hub in one message.
+    """Report what goes wrong between here and the Hub in one message.
 
     Args:
         repo_id: The repository that is sent to.

@@ -114,7 +114,7 @@ def _refuse_other(
 
 
 def _is(file: RepoSibling, content: Path | bytes) -> bool:
-    """Return whether a file of the Hub has this content; the hashes tell."""
+    """Return whether a file of the Hub has this content, by their hashes."""
     if file.lfs is None:
         data = content if isinstance(content, bytes) else content.read_bytes()
         return file.blob_id == git_hash(data)

@@ -84,7 +84,7 @@ def _instrument_of(module: ModuleType) -> "Maker":
             f"{module.__name__} must define one public frozen dataclass with `add_to` that needs "
             f"nothing but a name; it defines: {', '.join(k.__name__ for k in kinds) or 'none'}"
         )
-    maker: Maker = kinds[0]  # type: ignore[assignment]  # what it lacks of one, tests tell
+    maker: Maker = kinds[0]  # type: ignore[assignment]  # tests find what it lacks of one
     return maker
 
 

@@ -234,7 +234,7 @@ class Liquid:
         self._around.push(-self._mixing.density * self.volume * self.hertz * self._impulse)
 
     def _sane(self) -> bool:
-        """Tell whether all is in motion as liquid on a bench can be; a speed may be no number."""
+        """Return whether all is in motion as liquid on a bench can be; a speed may be no number."""
         return not self.diverged and bool(np.abs(self.velocities).max() < _FASTEST)
 
     def _advance(self) -> None:

@@ -28,7 +28,7 @@ _FELLED = 30.0
 
 @predicate(f"anything knocked at {_KNOCK:g} m/s or pressed with {_LOAD:g} N")
 def broken(world: World) -> bool:
-    """A free-standing thing is knocked or pressed too hard, against anything but the rubber pads."""
+    """A free-standing thing is knocked or pressed too hard against anything but the rubber pads."""
     return any(_blows(world))
 
 

@@ -102,7 +102,7 @@ def _runs_over_deg(vessel: Thing) -> float:
     A half-full cylinder runs over where the tangent of its lean is its height over the diameter of
     its mouth, one that tapers later. 9 degrees before that: 45 for a beaker; where it is tall and
     narrow 60, from where on a lip that pours must be over its target (`actions.pour`). A bottle
-    with a spout is not told apart from a beaker.
+    with a spout is not distinguished from a beaker.
     """
     if not isinstance(vessel, OpenVessel):
         return 45.0

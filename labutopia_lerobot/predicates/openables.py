@@ -28,7 +28,7 @@ class Engaging(Protocol):
 
     @property
     def joint(self) -> str:
-        """Name of the joint that tells whether it does [m]."""
+        """Name of the joint that shows whether it does [m]."""
         ...
 
     @property

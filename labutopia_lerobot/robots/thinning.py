@@ -43,7 +43,7 @@ _SHARE_POWER = 0.7
 
 _VIEWS = 40
 _PIXEL = 0.0015
-"""Of the pictures that tell what can be seen [m]."""
+"""Of the pictures that show what can be seen [m]."""
 _SAMPLES_PER_PIXEL = 4.0
 _BEHIND = 0.0008
 """Depth behind the front of a pixel up to which something still counts as seen [m]."""
@@ -122,7 +122,7 @@ def weld(vertices: Vertices, faces: Faces) -> tuple[Vertices, Faces]:
 
 
 def visible_from_outside(vertices: Vertices, faces: Faces) -> NDArray[np.bool_]:
-    """Tell which faces can be seen from anywhere outside, shape (m,).
+    """Return which faces can be seen from anywhere outside, shape (m,).
 
     Points are strewn over the faces and painted, in parallel projection, along directions that are
     spread evenly over the sphere (Fibonacci's lattice).

@@ -30,7 +30,7 @@ def interrupts_held() -> Iterator[None]:
     """Hold Ctrl-C back for as long as this lasts.
 
     A process that is started here holds it back too, until `let_interrupts_through`: in its imports
-    it would be told with a traceback.
+    it would be printed with a traceback.
     """
     before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
     try:

@@ -41,7 +41,7 @@ class Encoding:
         pixel_format: FFmpeg's name of what is stored.
         array: FFmpeg's name of what goes in and out.
         options: Of the codec.
-        threading: Options that keep it in one thread, silently: LeRobot is not told of them.
+        threading: Options that keep it in one thread, silently: LeRobot does not know of them.
         levels: How many values a channel can have.
         step: What one of these levels is worth: 1, or that many metres.
     """

@@ -112,7 +112,7 @@ def _out_of_the_way(
     workspace: Workspace,
     approach: float,
 ) -> bool:
-    """Tell whether a thing is in the way of neither the arm nor the hand."""
+    """Return whether a thing is in the way of neither the arm nor the hand."""
     point, robot = np.array([at.x, at.y]), np.array(workspace.robot)
     for other, placement in layout.items():
         thing = np.array([placement.x, placement.y])
@@ -130,7 +130,7 @@ def _out_of_the_way(
 
 
 def _is_behind(instrument: Placement, point: FloatArray) -> bool:
-    """Tell whether a point is behind the middle of an instrument, which faces its own -x."""
+    """Return whether a point is behind the middle of an instrument, which faces its own -x."""
     dx, dy = point - (instrument.x, instrument.y)
     return bool(math.cos(instrument.yaw) * dx + math.sin(instrument.yaw) * dy > 0.0)
 

@@ -32,7 +32,7 @@ def load_room(name: str) -> Room:
         name: Its name, a file that `labutopia-scene generate` made, or what a dataset calls that.
 
     Raises:
-        UnknownRoomError: If there is none; the message names what is spelt alike.
+        UnknownRoomError: If there is none; the message names similar names.
         NoWorkPlaceError: If no robot can work in it.
         PlanError: If the file cannot be read or is no plan.
     """

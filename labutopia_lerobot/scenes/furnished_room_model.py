@@ -102,7 +102,7 @@ def _frame(place: WorkPlace) -> tuple[Rotation, FloatArray]:
 
 
 def _near(point: FloatArray, low: FloatArray, high: FloatArray) -> bool:
-    """Tell whether a box is within reach of a point."""
+    """Return whether a box is within reach of a point."""
     return bool(np.linalg.norm(np.clip(point, low, high) - point) < _SOLID_WITHIN)
 
 

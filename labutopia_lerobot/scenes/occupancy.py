@@ -84,7 +84,7 @@ class Occupancy:
                 block[block == FREE] = OCCUPIED
 
     def passable(self, radius: float) -> NDArray[np.bool_]:
-        """Tell where the middle of a disc of a radius [m] can be, shape (rows, columns)."""
+        """Return where the middle of a disc of a radius [m] can be, shape (rows, columns)."""
         blocked = np.pad(self.cells != FREE, 1, constant_values=True)
         distance = ndimage.distance_transform_edt(~blocked)[1:-1, 1:-1]
         least = radius / self.resolution + math.sqrt(0.5)  # from middle to middle of a cell

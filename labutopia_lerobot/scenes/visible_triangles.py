@@ -13,7 +13,7 @@ _MARGIN = MOST_DISPLACED + 0.02
 
 
 def visible_triangles(mesh: Shell, camera: CameraPose) -> NDArray[np.bool_]:
-    """Tell of each triangle whether a camera, or one that is displaced, may see its front.
+    """Return for each triangle whether a camera, or one that is displaced, may see its front.
 
     What stands before what is not asked.
 

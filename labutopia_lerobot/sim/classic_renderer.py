@@ -175,7 +175,7 @@ class ClassicRenderer:
 
 
 def _is_geom(drawn: mujoco.MjvGeom, geom: int) -> bool:
-    """Tell whether what is drawn is a geom of the model, by its number."""
+    """Return whether what is drawn is a geom of the model, by its number."""
     return bool(drawn.objid == geom and drawn.objtype == int(mujoco.mjtObj.mjOBJ_GEOM))
 
 

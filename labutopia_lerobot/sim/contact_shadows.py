@@ -1,8 +1,8 @@
 """Soft dark spots on the bench under what stands on it or hovers over it, in pictures only.
 
-Shadow maps cost two to five times the picture on a CPU; a spot is one transparent square. It tells
-what stands from what hovers: with the height it grows and fades. Neither depth nor segmentation
-has it.
+Shadow maps cost two to five times the picture on a CPU; a spot is one transparent square. It
+distinguishes what stands from what hovers: with the height it grows and fades. Neither depth
+nor segmentation has it.
 """
 
 from collections.abc import Sequence

@@ -13,7 +13,7 @@ _LIBRARIES = {"egl": "libEGL.so.1", "osmesa": "libOSMesa.so.8"}
 
 
 _REFUSED = "LABUTOPIA_REFUSED_MUJOCO_GL"
-"""Environment variable that tells worker processes which value of `MUJOCO_GL` was unknown."""
+"""Environment variable that informs worker processes which value of `MUJOCO_GL` was unknown."""
 
 
 def choose_backend() -> None:

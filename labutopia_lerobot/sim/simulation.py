@@ -195,12 +195,12 @@ class Simulation:
             self.scene.model.numeric(tare.name).data[0] = self._remembered(tare.name)[0]
 
     def pressed(self, name: str) -> bool:
-        """Tell whether a button has clicked in, and not out again."""
+        """Return whether a button has clicked in, and not out again."""
         index = [button.name for button in self._buttons].index(name)
         return bool(self._remembered(CONTACTS)[index])
 
     def switched_on(self, name: str) -> bool:
-        """Tell whether a switch is on."""
+        """Return whether a switch is on."""
         return bool(self._remembered(name)[0])
 
     def displaced(self, name: str) -> float:

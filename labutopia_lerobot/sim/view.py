@@ -140,13 +140,13 @@ class SimulatedWorld:
             ) from None
 
     def pressed(self, name: str) -> bool:
-        """Tell whether a named button has clicked in, and not out again."""
+        """Return whether a named button has clicked in, and not out again."""
         if name not in self._buttons:
             raise self._unknown("button", name, self._buttons)
         return self._simulation.pressed(name)
 
     def switched_on(self, name: str) -> bool:
-        """Tell whether a named switch is on."""
+        """Return whether a named switch is on."""
         switches = [switch.name for piece in self._pieces for switch in piece.switches]
         if name not in switches:
             raise self._unknown("switch", name, switches)
@@ -165,7 +165,7 @@ class SimulatedWorld:
         return self._simulation.account
 
     def touching(self, first: str, second: str) -> bool:
-        """Tell whether the two touched since the last control step."""
+        """Return whether the two touched since the last control step."""
         return bool(self._simulation.contacts.touched[self._pair(first, second)])
 
     def touched_by(self, name: str) -> frozenset[str]:
@@ -194,7 +194,7 @@ class SimulatedWorld:
         return twist
 
     def _pair(self, first: str, second: str) -> tuple[int, int]:
-        """Return where a record of contacts tells of two groups."""
+        """Return where a record of contacts is about two groups."""
         return self._touching(first), self._touching(second)
 
     def _body(self, thing: Thing) -> int:

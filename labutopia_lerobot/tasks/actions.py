@@ -1,4 +1,4 @@
-"""The paper's actions as steps: what the expert plays, and what tells that it is done.
+"""The paper's actions as steps: what the expert plays, and the facts by which it is done.
 
 Tasks of all levels share them (paper, appendix "Task Details"); what a number comes from is said on
 its line. A task that does an action twice gives the step another name (`Step.named`).

@@ -48,7 +48,7 @@ def of_any(*each: Mapping[str, Predicate]) -> dict[str, Predicate]:
 
 
 def slamming(part: Operable, *, faster_than: float) -> dict[str, Predicate]:
-    """Return what must not happen to a door or drawer, whoever moves it (paper: "smoothly").
+    """Return what must not happen to a door or drawer, by any mover (paper: "smoothly").
 
     Args:
         part: The door or drawer.

@@ -112,11 +112,11 @@ class World(Protocol):
         ...
 
     def pressed(self, name: str) -> bool:
-        """Tell whether a named button has clicked in, and not out again."""
+        """Return whether a named button has clicked in, and not out again."""
         ...
 
     def switched_on(self, name: str) -> bool:
-        """Tell whether a named switch is on."""
+        """Return whether a named switch is on."""
         ...
 
     def displaced(self, thing: Thing) -> float:
@@ -129,7 +129,7 @@ class World(Protocol):
         ...
 
     def touching(self, first: str, second: str) -> bool:
-        """Tell whether the two touched at any physics step since the last control step."""
+        """Return whether the two touched at any physics step since the last control step."""
         ...
 
     def touched_by(self, name: str) -> frozenset[str]:

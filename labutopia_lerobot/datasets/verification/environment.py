@@ -2,7 +2,7 @@
 
 Every episode is reset from its seed and given its commands. On the build and machine that recorded
 it, everything is the same bit for bit, or the dataset is wrong. On another, rounding may differ:
-unless some episode is the same there too, only by how much is told.
+unless some episode is the same there too, only the amount is reported.
 """
 
 import json
@@ -130,7 +130,8 @@ def check_replay(subject: VerifiedDataset, pictures: int) -> Iterator[Finding]:
 
 def _compare(row: Row, playback: Playback) -> Iterator[str]:
     if row["tasks"] != [playback.instruction]:
-        yield f"it is told {row['tasks']}, but the environment says {playback.instruction!r}"
+        instruction = playback.instruction
+        yield f"its instruction is {row['tasks']}, but the environment says {instruction!r}"
     for name, column, here in (
         ("drew", DRAWN, playback.drawn),
         ("ends with the volumes", VOLUMES, playback.volumes),

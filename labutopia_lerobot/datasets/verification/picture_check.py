@@ -144,5 +144,5 @@ def _decoded(
 ) -> Iterator[tuple[int, NDArray[Any]]]:
     try:
         yield from read_frames(path, first, wanted, kind)
-    except (OSError, ValueError):  # told by the check of the files
+    except (OSError, ValueError):  # reported by the check of the files
         return

@@ -55,11 +55,11 @@ class _Line:
         return fmean(entry.summary.rate for entry in self.entries.values())
 
     def has_all(self, columns: Sequence[str]) -> bool:
-        """Tell whether no column is missing: a mean over other tasks would not compare."""
+        """Return whether no column is missing: a mean over other tasks would not compare."""
         return self.entries.keys() == set(columns)
 
     def is_ranked(self, columns: Sequence[str]) -> bool:
-        """Tell whether it may stand before others, or behind them."""
+        """Return whether it may stand before others, or behind them."""
         intervals = (entry.summary.interval for entry in self.entries.values())
         known = all(high - low <= _widest_ranked() for low, high in intervals)
         return self.name != REFERENCE and self.has_all(columns) and known

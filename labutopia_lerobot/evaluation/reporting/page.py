@@ -32,7 +32,7 @@ from labutopia_lerobot.task import HOLD_S
 
 _PROGRAM = ("python", "eval/run.py")
 _OF_THE_ROW = ("task", "level", "split", "play", "policy", "seed", "episodes", "axes", "obs")
-"""Options that the rows tell, and those that they make needless."""
+"""Options that the rows record, and those that they make needless."""
 
 _OF_THE_RUN = ("out", "workers", "videos", "until", "versus", "episodes_for")
 """Options on which no row depends, or whose work the number of episodes does."""
@@ -280,7 +280,7 @@ def _origin(result: LoadedResult) -> dict[str, Any]:
 
 
 def _described(provenance: Any) -> Iterator[tuple[str, str]]:
-    """Yield what is told of where rows come from, in words."""
+    """Yield the origin of rows, in words."""
     for name, value in provenance:
         if name == "versions" and isinstance(value, dict):
             value = ", ".join(f"{package} {v}" for package, v in value.items() if v is not None)

@@ -21,7 +21,8 @@ class ReportEntry:
         condition: Under which condition it played.
         rows: Its rows, in the order of the seeds.
         result: Where they come from.
-        place: What tells its result from another with the same policy and condition, or nothing.
+        place: Folder or file that distinguishes its result from another with the same policy and
+            condition, or nothing.
     """
 
     policy: str
@@ -72,8 +73,8 @@ class ReportEntry:
 def report_entries(results: Sequence[LoadedResult]) -> list[ReportEntry]:
     """Return what results hold, by task, policy and condition; `single` before `staged`.
 
-    Two results of one policy under one condition, as of two checkpoints of one kind, are told apart
-    by where they lie.
+    Two results of one policy under one condition, as of two checkpoints of one kind, are
+    distinguished by where they lie.
     """
     entries: dict[tuple[Condition, str], list[ReportEntry]] = {}
     for result in results:

@@ -18,9 +18,7 @@ _SIZES = "_sizes"
 
 _RATES = "Successes of episodes, per cent, 95 % interval (Wilson{})."
 _ANYTIME = "; of a run with `until` the confidence sequence, which is valid whenever one stops"
-_INFERRED = (
-    "Paper: as printed there; of how many episodes it does not tell, its fractions imply {}."
-)
+_INFERRED = "Paper: as printed there; of how many episodes it does not say, its fractions imply {}."
 _STRICTER = "Its judge forgives what ends an episode here: any push of the arm over 2 N."
 
 
@@ -46,7 +44,7 @@ def level_tables(entries: Sequence[ReportEntry]) -> list[Table]:
 
 
 def step_by_step(entries: Sequence[ReportEntry]) -> list[ReportEntry]:
-    """Return those that are told step by step: above level 3, and of tasks played staged."""
+    """Return those that are shown step by step: above level 3, and of tasks played staged."""
     staged = {entry.task for entry in entries if entry.condition.play == STAGED}
     return [
         entry
@@ -329,7 +327,7 @@ _MEASURES: dict[str, Callable[[Row], float | None]] = {
 def _over(
     pace: Mapping[tuple[Condition, int], float], entry: ReportEntry
 ) -> Callable[[Row], float | None]:
-    """Return how to tell how many seconds an episode took over the expert's."""
+    """Return the wording for the seconds that an episode took over the expert's."""
     if entry.policy == EXPERT:
         return lambda row: None
     return lambda row: row.seconds - pace[row.scene] if row.scene in pace else None

@@ -252,7 +252,7 @@ def _wrapped(words: str, width: int) -> list[str]:
 
 
 def _is_number(cell: Cell) -> bool:
-    """Tell whether words begin with a number, as `12.5 s` or `< 0.0001`, or are none."""
+    """Return whether words begin with a number, as `12.5 s` or `< 0.0001`, or are none."""
     return not cell or re.match(r"[-+<>]? ?\d", str(cell)) is not None
 
 

@@ -2,8 +2,8 @@
 
 A wall seen edge on is looked through for a long way, and mirrors more than it lets through
 (Fresnel; Hecht, "Optics", 4.6). Fixed shading knows nothing of that. But a vessel is round: a
-texture that goes around it says how a wall looks by its angle to the line of sight, and whoever
-draws the vessel turns it about its axis until the beginning of the texture faces the eye.
+texture that goes around it says how a wall looks by its angle to the line of sight, and the
+code that draws the vessel turns it about its axis until the beginning of the texture faces the eye.
 """
 
 import mujoco

@@ -113,7 +113,7 @@ _BITE = 0.00012
 class SnapLid:
     """A hinged lid whose nose snaps over a bead at the rim: contact alone keeps it shut.
 
-    Between 0.1 and 2.6 N at the nose opens it (a test measures it); makers do not tell.
+    Between 0.1 and 2.6 N at the nose opens it (a test measures it); makers do not say.
 
     Attributes:
         mechanism: Its hinge, at +x of the rim.

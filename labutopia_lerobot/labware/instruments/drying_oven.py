@@ -1,6 +1,6 @@
 """A bench-top drying oven: a heated box with a hinged door, a window and a bar handle.
 
-It may have a push button that starts it, and a lamp that tells.
+It may have a push button that starts it, and a lamp that shows it.
 """
 
 import math

@@ -27,7 +27,7 @@ _CLEAR = 0.004
 
 HOLDS = 17.0
 """Force at the catch that pulls a shut door open [N]; a fifth more shuts it. Ours, no maker of
-ovens tells: two fingers open it, and it does not shake open. A test measures it."""
+ovens gives: two fingers open it, and it does not shake open. A test measures it."""
 
 _ACROSS = (0.5**0.5, 0.5**0.5, 0.0, 0.0)  # z axis along -y
 

@@ -77,7 +77,7 @@ class Door[Grip]:
         handle: What to hold it by.
         widest: Angle at which it stops [rad].
         closed_within: Angle below which there is no gap [rad].
-        catch: What keeps it shut, if anything; whoever builds the door adds it to it.
+        catch: Mechanism that keeps it shut, if any; the builder of the door adds it.
         hinge: On which side it hangs, for who stands before it.
     """
 

@@ -71,7 +71,7 @@ class LiquidDrawing:
             colors: Red, green, blue and opacity, 0 to 1, of every substance.
             spacing: Edge of the cube that has a particle's volume [m].
             particles: The most that are ever drawn.
-            skin: Whether there is a skin: without, `draw` and `upload` draw nothing, `quads` tell.
+            skin: Whether there is a skin: without, `draw` and `upload` draw nothing; see `quads`.
         """
         spec.worldbody.add_body(name=name)
         quads = QUADS_PER_PARTICLE * particles
@@ -119,7 +119,7 @@ class LiquidDrawing:
                 the first if not said.
 
         Raises:
-            RuntimeError: There are more particles than `add_to` was told.
+            RuntimeError: There are more particles than `add_to` was given.
         """
         surface = liquid_surface(positions_w, self.spacing, vessels, bench_height)
         if len(surface.quads) > self._capacity:

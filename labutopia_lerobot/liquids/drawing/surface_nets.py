@@ -185,7 +185,7 @@ def _blocks_ahead(grid: Grid) -> NDArray[np.int32]:
 
 @kernel
 def _crossed(field: Field, ahead: NDArray[np.int32], outside: float) -> NDArray[np.bool_]:
-    """Tell which blocks, with the first layers of those ahead, the surface may go through."""
+    """Return which blocks, with the first layers of those ahead, the surface may go through."""
     count = len(field)
     lowest, highest = np.empty(count, np.float32), np.empty(count, np.float32)
     for b in range(count):

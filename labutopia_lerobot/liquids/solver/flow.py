@@ -35,7 +35,7 @@ settled liquid is compressed by when corrections end after a few iterations (`do
 
 _LEAST_VISCOSITY = 0.02
 """Part of the velocity difference to its neighbours that a particle always loses in a step: less
-than this, 12 times water's viscosity at 0.1 ml, cannot be told apart at this resolution."""
+than this, 12 times water's viscosity at 0.1 ml, cannot be distinguished at this resolution."""
 
 _MOST_VISCOSITY = 0.5
 """Part that may be evened out at once; a thicker liquid takes several passes."""

@@ -71,7 +71,7 @@ def edges_of(profile: Profile) -> Edges:
 
 @kernel
 def holds(edges: Edges, inner: int, x: float, y: float, z: float) -> bool:
-    """Tell whether a point of the vessel's frame [m] is in the cavity.
+    """Return whether a point of the vessel's frame [m] is in the cavity.
 
     Args:
         edges: Of the glass.
@@ -95,7 +95,7 @@ def holds(edges: Edges, inner: int, x: float, y: float, z: float) -> bool:
 
 @kernel
 def in_glass(edges: Edges, x: float, y: float, z: float) -> bool:
-    """Tell whether a point of the vessel's frame [m] is within the glass (even-odd rule)."""
+    """Return whether a point of the vessel's frame [m] is within the glass (even-odd rule)."""
     radius = np.sqrt(x * x + y * y)
     odd = False
     for k in range(len(edges)):

@@ -52,7 +52,7 @@ class RequiredSpace:
         return RequiredSpace(*parts, self.is_furniture)
 
     def conflicts(self, other: "RequiredSpace") -> bool:
-        """Tell whether two pieces cannot stand where they do."""
+        """Return whether two pieces cannot stand where they do."""
         return (
             self.solids.meet(other.solids)
             or self.solids.meet(other.frees)

@@ -126,7 +126,7 @@ class Sketch:
         return Entry(piece, need, region, place, room)
 
     def _inside(self, room: RequiredSpace, spots: FloatArray, region: Region) -> NDArray[np.bool_]:
-        """Tell at which spots all that a piece takes is in a region, shape (n,)."""
+        """Return at which spots all that a piece takes is in a region, shape (n,)."""
         taken = joined(room.solids, room.frees).hull
         low = np.array([region.x[0], region.y[0], 0.0]) - TOUCHING
         high = np.array([region.x[1], region.y[1], self.footprint.size[2]]) + TOUCHING
@@ -134,7 +134,7 @@ class Sketch:
         return np.asarray(inside.all(axis=1))
 
     def _near(self, need: Need, region: Region, spots: FloatArray) -> NDArray[np.bool_]:
-        """Tell which spots are near one of what is needed beside it, shape (n,)."""
+        """Return which spots are near one of what is needed beside it, shape (n,)."""
         if need.near is None:
             return np.ones(len(spots), bool)
         wanted = [(piece.x, piece.y) for piece in self.standing(region).of_kind(need.near)]
@@ -173,7 +173,7 @@ def _gets_to(reach: Reach, entry: Entry) -> bool:
 
 
 def _close(hull: Boxes, spots: FloatArray, others: Boxes) -> NDArray[np.bool_]:
-    """Tell at which spots a box meets which others, shape (n, number of others)."""
+    """Return at which spots a box meets which others, shape (n, number of others)."""
     low, high = spots + hull.low, spots + hull.high
     meeting = low[:, None] + TOUCHING < others.high
     meeting &= others.low + TOUCHING < high[:, None]

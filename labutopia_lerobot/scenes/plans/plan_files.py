@@ -1,4 +1,4 @@
-"""Reading a plan: what is wrong in a file is told by its place in it."""
+"""Reading a plan: a mistake in a file is reported by its place in it."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ class PlanError(UserError, ValueError):
 
 
 def read_plan(path: Path) -> Plan:
-    """Return the plan in a file; whether it can be furnished so, `proof.faults` tells.
+    """Return the plan in a file; `proof.faults` says whether it can be furnished so.
 
     Raises:
         PlanError: If it cannot be read, is no plan, or names what does not exist.

@@ -47,7 +47,7 @@ class Boxes(NamedTuple):
         return Boxes(self.low + by, self.high + by)
 
     def meet(self, other: "Boxes") -> bool:
-        """Tell whether any of them is in any of others by more than they may touch."""
+        """Return whether any of them is in any of others by more than they may touch."""
         if not (len(self.low) and len(other.low)):
             return False
         inside = self.low[:, None] + TOUCHING < other.high

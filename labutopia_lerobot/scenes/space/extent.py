@@ -134,7 +134,7 @@ def _swept(
 
 
 def _hangs(model: mujoco.MjModel, geom: int, carrier: int) -> bool:
-    """Tell whether a geom moves with a body."""
+    """Return whether a geom moves with a body."""
     body = model.geom_bodyid[geom]
     while body not in (0, carrier):
         body = model.body_parentid[body]

@@ -51,19 +51,19 @@ class Reach:
         return cls(occupancy.middles(reached))
 
     def gets_to(self, place: WorkPlace) -> bool:
-        """Tell whether it gets to a work place."""
+        """Return whether it gets to a work place."""
         away = np.hypot(*(self.middles - (place.x, place.y)).T)
         return bool((away < _STAND).any())
 
     def front_of(self, piece: Placed) -> bool:
-        """Tell whether it can reach for the front of a piece, standing before it."""
+        """Return whether it can reach for the front of a piece, standing before it."""
         hull = extent(piece.kind).hull
         along = (float(hull.low[0, 1]), float(hull.high[0, 1]))
         before, beside = self._from(piece, float(hull.low[0, 0]), along, behind=False)
         return bool(((before > 0) & (np.hypot(before, beside) <= REACH)).any())
 
     def side_of(self, piece: Placed, top: Top) -> bool:
-        """Tell whether it gets to the side of a piece of furniture at which one works."""
+        """Return whether it gets to the side of a piece of furniture at which one works."""
         edge = top.x[1] if top.behind else top.x[0]
         before, beside = self._from(piece, edge, top.y, behind=top.behind)
         return bool(((before > 0) & (before <= BENCH_SIDE) & (beside == 0)).any())
