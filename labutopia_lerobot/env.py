@@ -72,7 +72,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     @property
     def workcell(self) -> Workcell:
-        """What the present episode is played in.
+        """The work cell that the present episode is played in.
 
         Raises:
             ResetNeeded: If there is none yet.

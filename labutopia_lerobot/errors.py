@@ -1,4 +1,4 @@
-"""Mistakes that a user can mend: told in one message, without a traceback."""
+"""Mistakes that a user can mend: shown in one message, without a traceback."""
 
 import builtins
 import difflib
@@ -22,7 +22,7 @@ class FileMistakeError(UserError, ValueError):
 
 _OURS = Path(__file__).parent
 _MISTAKES = (SyntaxError, ImportError, NameError, AttributeError, TypeError, ValueError)
-"""What a mistake in a file raises, there or in what it calls."""
+"""Exceptions that a mistake in a file raises, there or in what it calls."""
 
 
 @contextmanager

@@ -123,7 +123,7 @@ def checked(kind: Any, said: Any, where: str, refusal: type[UserError]) -> Any:
         refusal: What is raised otherwise.
 
     Raises:
-        UserError: Of the kind `refusal`, if it is of another type; the message tells the place.
+        UserError: Of the kind `refusal`, if it is of another type; the message names the place.
     """
     if isinstance(kind, typing.TypeAliasType):
         kind = kind.__value__
@@ -193,7 +193,7 @@ def _typed_dict(kind: Any, said: Any, where: str, refusal: type[UserError]) -> d
 
 
 def _fits(kind: Any, said: Any) -> bool:
-    """Tell whether a value may be meant as a member of a union."""
+    """Return whether a value may be meant as a member of a union."""
     if isinstance(kind, typing.TypeAliasType):
         kind = kind.__value__
     plain = typing.get_origin(kind) or kind

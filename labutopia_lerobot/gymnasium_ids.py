@@ -24,7 +24,7 @@ def gymnasium_id(task_id: str, robot: str = DEFAULT_ROBOT) -> str:
 def register_tasks() -> None:
     """Register every task and robot; what they need is imported when the first is made.
 
-    Tasks that clash, of installed packages, are told when one is asked for, not by the import.
+    Tasks that clash, of installed packages, are reported when one is asked for, not by the import.
     """
     try:
         tasks = task_files()

@@ -43,7 +43,7 @@ def _compiled_kernels() -> Path:
 
 
 @cache
-def tell_of_compiling() -> None:
+def announce_compiling() -> None:
     """Say, once in a process, that the next step with liquid compiles first, if so it is."""
     if not any(_compiled_kernels().rglob("*.nbi")):
         logging.getLogger(__name__).warning(
@@ -78,7 +78,7 @@ class _Kernel:
 
     @property
     def _numba_type_(self) -> object:
-        """What numba takes it for in other kernels."""
+        """Its numba type in other kernels."""
         return self._compiled._numba_type_
 
 

@@ -1,4 +1,4 @@
-"""Where things stand at the start of an episode."""
+"""Positions of things at the start of an episode."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -62,7 +62,7 @@ class Piece(Thing, Protocol):
 
 @dataclass(frozen=True)
 class Placement:
-    """Where a thing stands.
+    """Place of a thing.
 
     Attributes:
         x: Of its origin [m], world frame.
@@ -156,12 +156,12 @@ class Inside:
 
 
 type Start = OnBench | Inside
-"""Where a thing stands at the start, as a distribution."""
+"""Distribution of the place of a thing at the start."""
 
 
 @dataclass(frozen=True)
 class Workspace:
-    """Where things can be.
+    """Region where things can be.
 
     Attributes:
         x: Least and greatest x of the bench top [m], world frame.

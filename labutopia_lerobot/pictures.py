@@ -11,11 +11,11 @@ COLOR = "color"
 """Red, green and blue, 0 to 255."""
 
 FARTHEST_M = 4.095
-"""Depths from here on are told as this [m]. LeRobot stores depth in 12 bits, which hold it in whole
+"""Depths from here on are stored as this [m]. LeRobot has 12 bits, which hold depth in whole
 millimetres so far. Bench and robot are nearer than 3 m to every camera."""
 
 BACKGROUND, ROBOT, LIQUID = "background", "robot", "liquid"
-"""What a segmentation calls 0, 1 and 2: room and bench; arm and hand; whatever flows, wherever it
+"""Classes 0, 1 and 2 of a segmentation: room and bench; arm and hand; whatever flows, wherever it
 is. Things of the task follow, in the order of its start, and then distractors. A vessel
 is seen where its glass is, and so hides the liquid behind it, as it does in depth."""
 

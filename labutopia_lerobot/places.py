@@ -13,7 +13,7 @@ class Destination(Protocol):
 
     @property
     def name(self) -> str:
-        """How it is called in the name of a fact."""
+        """Its name in the name of a fact."""
         ...
 
     @property
@@ -89,7 +89,7 @@ class OnShelf:
 
 @dataclass(frozen=True)
 class WhereItStood:
-    """Where a thing stood on the bench when the episode began.
+    """Place where a thing stood on the bench when the episode began.
 
     Attributes:
         thing: The thing.

@@ -19,7 +19,7 @@ from labutopia_lerobot.world import CONTROL_HZ, World
 
 @dataclass
 class History:
-    """When a fact held in an episode.
+    """Times at which a fact held in an episode.
 
     Attributes:
         first: Time at which it first held [s], or None.
@@ -109,7 +109,7 @@ class Progress:
 
     @property
     def awaited(self) -> tuple[Predicate, ...]:
-        """What must hold next: for the first substep that has not latched, or else the goal."""
+        """Facts that must hold next: those of the first unlatched substep, or else of the goal."""
         if self._latched == len(self._course):
             return self._goal
         substep = self._course[self._latched][1]
@@ -121,7 +121,7 @@ class Progress:
 
     @property
     def counting(self) -> Count | None:
-        """What is counted now, or None."""
+        """The counter of the present substep, or None."""
         if self._latched == len(self._course):
             return None
         return self._course[self._latched][1].count
@@ -164,7 +164,7 @@ class Progress:
             self._passed, self.counted, self._counter = 0, 0.0, None
 
     def _pass_through(self, substep: Substep, world: World) -> bool:
-        """Advance along the course of a substep; tell whether it latches now."""
+        """Advance along the course of a substep; return whether it latches now."""
         course = substep.via
         while self._passed < len(course) and self._holds(course[self._passed]):
             self._passed += 1

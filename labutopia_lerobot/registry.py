@@ -58,7 +58,7 @@ def task_files(tasks_dir: str | Path | None = None) -> dict[str, Path]:
 
 
 def is_beyond_paper(task_id: str, tasks_dir: str | Path | None = None) -> bool:
-    """Tell whether a task is none of the paper's.
+    """Return whether a task is none of the paper's.
 
     Raises:
         UnknownTaskError: If there is no such task.
@@ -158,7 +158,7 @@ def require_task(task_id: str, tasks_dir: str | Path | None = None) -> Path:
 
 
 def _nearest(task_id: str, tasks: list[str]) -> list[str]:
-    """Return the tasks of a bare name, of the lowest level first, or else those spelt alike."""
+    """Return the tasks of a bare name, lowest level first, or else those of similar names."""
     named = [task for task in tasks if task.split("/")[1] == task_id]
     if named or "/" in task_id:
         return named or difflib.get_close_matches(task_id, tasks, n=3, cutoff=0.8)

@@ -23,7 +23,7 @@ from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import CONTROL_HZ, Thing
 
 HOLD_S = 2.0
-"""How long the goal must hold without a break (paper, "Evaluation Execution")."""
+"""Time that the goal must hold without a break [s] (paper, "Evaluation Execution")."""
 
 RUNNING = "running"
 SUCCESS = "success"
@@ -118,7 +118,7 @@ class Step:
             was not filled into ends the episode.
         never: Outcome that ends the episode -> the fact that must not occur during this step; of
             the last step also behind it.
-        notes: Facts that are told of beside, and judge nothing.
+        notes: Facts that are reported beside, and judge nothing.
 
     Raises:
         TaskError: If it has no substep, or anything is of the wrong kind.
@@ -139,7 +139,7 @@ class Step:
         _require_all(Predicate, self.notes, f"`notes` of step '{self.name}'")
         _require_outcomes(self.never, f"step '{self.name}'")
         if not self.substeps:
-            raise TaskError(f"Step '{self.name}' has no substep: say what tells that it is done")
+            raise TaskError(f"Step '{self.name}' has no substep: say by what it is done")
 
     def named(self, name: str) -> "Step":
         """Return the same step under another name, which its substeps bear before their own."""
@@ -217,7 +217,7 @@ class Task:
 
     @property
     def watched(self) -> tuple[Predicate, ...]:
-        """What is asked at every control step, whichever step is being done."""
+        """Facts that are evaluated at every control step, whichever step is being done."""
         steps = (
             (*(fact for substep in step.substeps for fact in substep.facts), *step.notes)
             for step in self.steps

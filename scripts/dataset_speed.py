@@ -1,4 +1,4 @@
-"""What datasets cost on this machine: recording, assembling, verifying, reading.
+"""Cost of datasets on this machine: recording, assembling, verifying, reading.
 
     python scripts/dataset_speed.py task=level1/pick episodes=40
 
@@ -104,7 +104,7 @@ class _Watch:
 
     @property
     def second_half_over_first(self) -> float:
-        """How much longer the second half of the episodes took, the very first left out."""
+        """Time of the second half of the episodes over the first half, the very first left out."""
         took = np.diff(self._moments)[1:]
         half = len(took) // 2
         return float(took[-half:].sum() / took[:half].sum())

@@ -1,4 +1,4 @@
-"""What an evaluation costs over its parts: its episodes without a policy, and the policy alone.
+"""Cost of an evaluation by its parts: its episodes without a policy, and the policy alone.
 
     python scripts/evaluation_cost.py task=level1/pick policy.path=outputs/demo/train episodes=50
 

@@ -82,12 +82,12 @@ def read(folder: Path) -> dict[str, list[Row]]:
             f"{folder} lacks the expert's rows of {', '.join(missing)}. Measure them, and keep "
             f"them: python scripts/expert_rows.py OUT (its help says how)"
         )
-    found = {}
+    rows_of = {}
     for task, file in files.items():
         content = read_json_object(file, OtherRowsError)
         _require_expert(file, task, content["rows"], content["provenance"])
-        found[task] = [from_columns(Row, row | _LEFT_OUT, file) for row in content["rows"]]
-    return found
+        rows_of[task] = [from_columns(Row, row | _LEFT_OUT, file) for row in content["rows"]]
+    return rows_of
 
 
 def _require_expert(
@@ -100,9 +100,9 @@ def _require_expert(
         if row["liquid"] == "off":
             other["liquid"] = "off"
         if other:
-            told = ", ".join(f"{name}={value}" for name, value in other.items())
+            differing = ", ".join(f"{name}={value}" for name, value in other.items())
             raise OtherRowsError(
-                f"{file} holds a row of {told} (seed {row['seed']}); {task} is published with "
+                f"{file} holds a row of {differing} (seed {row['seed']}); {task} is published with "
                 "policy=expert split=id liquid=on and no axes"
             )
     for name, value in PUBLISHED.items():

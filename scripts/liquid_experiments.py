@@ -93,7 +93,7 @@ def surface(liquid: Liquid) -> tuple[float, float]:
 
 
 class Collapse(NamedTuple):
-    """How a column of water collapsed.
+    """Course of a collapsing column of water.
 
     Attributes:
         times: In sqrt(a / 2 g).
@@ -132,7 +132,7 @@ def collapse(across: int) -> Collapse:
 
 
 class Swirl(NamedTuple):
-    """How a swirl died away.
+    """Course of a swirl that dies away.
 
     Attributes:
         seconds: Times [s].

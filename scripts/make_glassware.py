@@ -82,8 +82,8 @@ def _lines() -> Iterator[str]:
     for kind, series in catalogue().items():
         yield from ("", f"## {code(kind)}", "", f"![{kind}](glassware/{kind}.jpg)", "")
         of = series.material
-        told = [f"{series.what} Of {of.called}, {of.density:g} kg/m3.", *_more(series)]
-        yield " ".join(told)
+        sentences = [f"{series.what} Of {of.called}, {of.density:g} kg/m3.", *_more(series)]
+        yield " ".join(sentences)
         yield f"Source: {series.source}."
         yield ""
         head = _HEAD if isinstance(series, Series) else _SHORT_HEAD
@@ -107,7 +107,7 @@ def _more(series: Kind) -> Iterator[str]:
     elif isinstance(series, ClosureSeries):
         yield "It lies on the lip, and falls off what is tipped."
     for part in series.make(next(iter(series.sizes)), "it").mechanisms:
-        yield f"Its {part.name.removeprefix('it_')} moves by {part.spell(part.widest)}."
+        yield f"Its {part.name.removeprefix('it_')} moves by {part.format_position(part.widest)}."
 
 
 def _columns(series: Kind, size: str) -> tuple[str, ...]:
@@ -189,11 +189,11 @@ def _eye(
 ) -> NDArray[np.float64]:
     """Return where the camera sees all points, with a little around them [m]."""
     axes = np.column_stack([right, np.cross(back, right), back])
-    seen = points @ axes
-    middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
+    in_camera = points @ axes
+    middle = (in_camera.min(axis=0) + in_camera.max(axis=0)) / 2
     half = np.tan(np.radians(piece_pictures._FIELD_OF_VIEW_DEG / 2))
-    offset = abs(seen - middle) / (half * WIDTH / HEIGHT, half, 1.0)
-    away = float(np.max(np.maximum(offset[:, 0], offset[:, 1]) + seen[:, 2] - middle[2]))
+    offset = abs(in_camera - middle) / (half * WIDTH / HEIGHT, half, 1.0)
+    away = float(np.max(np.maximum(offset[:, 0], offset[:, 1]) + in_camera[:, 2] - middle[2]))
     return np.asarray(axes @ (middle + np.array([0.0, 0.0, 1.04 * away])))
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import piece_pictures
-from labutopia_lerobot.labware.catalogue import catalogue, instrument
+from labutopia_lerobot.labware.instrument_catalogue import catalogue, instrument
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
@@ -22,7 +22,7 @@ PICTURES = DOCS / "instruments"
 SIZE = 260
 """Width and height of a picture [pixels]; two stand side by side."""
 _OPENED = 0.9
-"""How far everything is opened, as a share of its range."""
+"""Opening of every moving part, as a share of its range."""
 
 
 def main() -> None:
@@ -50,7 +50,7 @@ def _lines() -> Iterator[str]:
     yield 'depth x width x height with all that stands out. "From memory" means that no'
     yield "catalogue was at hand."
     yield ""
-    yield f"{len(catalogue())} kinds. `labware.catalogue.instrument(kind)` makes one."
+    yield f"{len(catalogue())} kinds. `labware.instrument_catalogue.instrument(kind)` makes one."
     yield ""
     yield "| | kind | what it is | size [mm], mass [kg] | moves | source |"
     yield "| --- | --- | --- | --- | --- | --- |"
@@ -58,7 +58,7 @@ def _lines() -> Iterator[str]:
         piece = instrument(kind)
         assert isinstance(piece, Equipment)
         size = " x ".join(f"{1e3 * side:.0f}" for side in piece.size)
-        moves = [f"{_part(kind, m.name)} {m.spell(m.widest)}" for m in piece.mechanisms]
+        moves = [f"{_part(kind, m.name)} {m.format_position(m.widest)}" for m in piece.mechanisms]
         moves += [f"{_part(kind, button.name)} (button)" for button in piece.buttons]
         columns = (
             f"![{kind}](instruments/{kind}.jpg)",
@@ -81,7 +81,7 @@ def picture(kind: str) -> Image.Image:
     assert isinstance(piece, Equipment)
     model = _compiled(piece)
     data = mujoco.MjData(model)
-    shut = np.vstack(_seen(model, data))
+    shut = np.vstack(_visible_points(model, data))
     low = shut.min(axis=0)
     for number in range(2):
         model.geom(f"bar_{number}").pos = (low[0] - 0.03, 0.025 - 0.05 * number, low[2] + 0.004)
@@ -98,7 +98,7 @@ def picture(kind: str) -> Image.Image:
                 model.jnt_qposadr[j[gear]] for j in (model.eq_obj1id, model.eq_obj2id)
             )
             data.qpos[follower] = np.polyval(model.eq_data[gear, 4::-1], data.qpos[leader])
-        points = np.vstack([shut, *_seen(model, data), [[low[0] - 0.035, 0.0, low[2]]]])
+        points = np.vstack([shut, *_visible_points(model, data), [[low[0] - 0.035, 0.0, low[2]]]])
         _aim(model, points.min(axis=0), points.max(axis=0))
         mujoco.mj_forward(model, data)
         view = Image.fromarray(renderer.color(data, "front"))
@@ -124,7 +124,7 @@ def _compiled(piece: Equipment) -> mujoco.MjModel:
     return spec.compile()
 
 
-def _seen(model: mujoco.MjModel, data: mujoco.MjData) -> list[NDArray[np.float64]]:
+def _visible_points(model: mujoco.MjModel, data: mujoco.MjData) -> list[NDArray[np.float64]]:
     """Return points around all that is seen of an instrument now, each of shape (n, 3) [m]."""
     mujoco.mj_kinematics(model, data)
     clouds = []

@@ -11,7 +11,7 @@ from labutopia_lerobot.scenes.families import families, family
 from labutopia_lerobot.scenes.generation import RoomTooSmallError, generate
 from labutopia_lerobot.scenes.plan import Plan
 from labutopia_lerobot.scenes.plans import text_of
-from labutopia_lerobot.scenes.plans.shipped import FOLDER
+from labutopia_lerobot.scenes.plans.shipped_plans import FOLDER
 from labutopia_lerobot.scenes.proof import faults
 
 EACH = 10

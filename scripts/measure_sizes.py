@@ -65,14 +65,14 @@ def rows(task: str, episodes: int) -> Iterator[str]:
         while not over:
             if frame % EVERY == 0:
                 for name in handled(model, cell.progress.step or cell.steps[-1], cell.task):
-                    points = seen_points(model, data, name)
+                    points = visible_points(model, data, name)
                     pixels = [height(data, model, camera, points) for camera in CAMERAS]
                     heights.setdefault(name, []).append(pixels)
             _, _, terminated, truncated, _ = env.step(expert.act())
             over, frame = terminated or truncated, frame + 1
     env.close()
-    for name, found in heights.items():
-        medians = np.median(found, axis=0)
+    for name, per_frame in heights.items():
+        medians = np.median(per_frame, axis=0)
         small = (medians < LEAST).sum() > 1
         cells = (f"**{pixels:.0f}**" if small else f"{pixels:.0f}" for pixels in medians)
         yield f"| `{task}` | {name} | {' | '.join(cells)} |"
@@ -90,11 +90,11 @@ def handled(model: mujoco.MjModel, step: Step, task: Task) -> list[str]:
 
 
 def has_body(model: mujoco.MjModel, name: str) -> bool:
-    """Tell whether a thing is a body of its own, as a handle or a button is."""
+    """Return whether a thing is a body of its own, as a handle or a button is."""
     return bool(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, name) >= 0)
 
 
-def seen_points(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> NDArray[np.float64]:
+def visible_points(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> NDArray[np.float64]:
     """Return corners of what is drawn of a body and all that hangs on it [m], world frame."""
     root, points = model.body(name).id, []
     signs = np.array(np.meshgrid(*([-1, 1],) * 3)).reshape(3, -1).T

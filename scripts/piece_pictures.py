@@ -25,7 +25,7 @@ _DETAIL = 3
 """Pictures are drawn this many times larger and shrunk, which smooths their edges."""
 
 _FROM = np.array([-0.78, -0.45, 0.42])
-"""Where the camera is, as a direction from the piece: before the front of instruments, above."""
+"""Direction of the camera from the piece: before the front of instruments, above."""
 
 _FIELD_OF_VIEW_DEG = 20.0
 
@@ -54,7 +54,7 @@ def _makes_a_piece(member: Any) -> bool:
 
 
 def needs_only_a_name(maker: Maker) -> bool:
-    """Tell whether a maker has a default for everything but the name."""
+    """Return whether a maker has a default for everything but the name."""
     parameters = list(inspect.signature(maker).parameters.values())
     return all(parameter.default is not parameter.empty for parameter in parameters[1:])
 

@@ -25,7 +25,7 @@ from run_over import run_over, tilt_to_barrier
 DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = DOCS / "liquids"
 SEEDS = 3
-"""How often every fill height is measured."""
+"""Number of measurements of every fill height."""
 
 type Texts = dict[str, str]
 
@@ -68,10 +68,10 @@ def heights() -> Texts:
         right = [vessel.profile.fill_height(ml * 1e-6) - bottom for ml in fine]
         (line,) = axes.plot(fine, np.multiply(right, 1e3), label=name)
         for ml in volumes:
-            found = [at_rest(vessel, ml, seed) for seed in range(SEEDS)]
-            height, left = np.mean(found, axis=0)
-            off = height / (vessel.profile.fill_height(ml * 1e-6) - bottom) - 1
-            rows.append(f"| {name} | {ml} | {off:+.1%} | {left * 1e3:.0f} |")
+            measured = [at_rest(vessel, ml, seed) for seed in range(SEEDS)]
+            height, left = np.mean(measured, axis=0)
+            error = height / (vessel.profile.fill_height(ml * 1e-6) - bottom) - 1
+            rows.append(f"| {name} | {ml} | {error:+.1%} | {left * 1e3:.0f} |")
             axes.plot(ml, height * 1e3, "o", color=line.get_color())
     axes.set(xlabel="volume [ml]", ylabel="height over the bottom [mm]")
     axes.legend(title="lines: from the volume")
@@ -123,8 +123,8 @@ def runs_over() -> Texts:
     ):
         right = np.degrees(tilt_to_barrier(vessel.profile, ml * 1e-6))
         for count in (1000, 2000):
-            found = [run_over(vessel, ml, count, seed) for seed in range(SEEDS)]
-            late, above = np.mean(found, axis=0)
+            measured = [run_over(vessel, ml, count, seed) for seed in range(SEEDS)]
+            late, above = np.mean(measured, axis=0)
             rows.append(
                 f"| {name} | {ml} | {count:,} | {right:.1f} | {np.degrees(late):+.1f} "
                 f"| {above * 1e3:.1f} |"
@@ -137,16 +137,16 @@ def dam_break() -> Texts:
     """Let a column of water collapse, and follow its front."""
     figure, axes = plt.subplots(figsize=(4.5, 3.2))
     axes.plot(*FRONTS.T, "ko", markersize=4, label="Martin and Moyce (1952)")
-    off = []
+    errors = []
     for across in (8, 12, 16):
         times, fronts, count = collapse(across)
         error = abs(np.interp(FRONTS[:, 0], times, fronts) / FRONTS[:, 1] - 1).max()
-        off.append(f"{error:.0%} with {count:,} particles")
+        errors.append(f"{error:.0%} with {count:,} particles")
         axes.plot(times, fronts, label=f"{count:,} particles")
     axes.set(xlabel="time [sqrt(a / 2g)]", ylabel="front [a]", xlim=(0, 3.3), ylim=(0.9, 4.5))
     axes.legend()
     save(figure, "dam_break")
-    return {"dam_break": ", ".join(off)}
+    return {"dam_break": ", ".join(errors)}
 
 
 def viscosity() -> Texts:
@@ -168,8 +168,8 @@ def scaling() -> Texts:
     """Measure time and memory for 100 ml in a beaker at rest, each number in its own process."""
     counts = (500, 1000, 2000, 4000, 8000)
     with multiprocessing.get_context("spawn").Pool(1, maxtasksperchild=1) as pool:
-        found = pool.map(cost, counts, chunksize=1)
-    _, milliseconds, megabytes, _ = zip(*found, strict=True)
+        measured = pool.map(cost, counts, chunksize=1)
+    _, milliseconds, megabytes, _ = zip(*measured, strict=True)
     figure, axes = plt.subplots(1, 2, figsize=(6.4, 2.6), layout="constrained")
     for part, numbers, unit in zip(axes, (milliseconds, megabytes), ("ms", "MB"), strict=True):
         part.plot(counts, numbers, "o-")
@@ -179,7 +179,7 @@ def scaling() -> Texts:
     save(figure, "scaling")
     rows = [
         f"| {count:,} | {hertz} | {step:.2f} | {1e3 / hertz / step:.1f} | {used:.1f} | {left:.0f} |"
-        for count, (hertz, step, used, left) in zip(counts, found, strict=True)
+        for count, (hertz, step, used, left) in zip(counts, measured, strict=True)
     ]
     return {
         "scaling": table(
@@ -214,11 +214,11 @@ def leaks() -> Texts:
     file = PICTURES / "leak_rate.json"
     if not file.exists():
         return {"leaks": "Not measured."}
-    found = json.loads(file.read_text())
+    measured = json.loads(file.read_text())
     text = "{crossings} crossings and {lost_particles} lost in {particle_steps:,} particle steps "
     text += "({episodes:,} episodes of 10 s); {left_through_the_mouth:,} left through the mouth. "
     text += "The solver diverged in {diverged} episodes."
-    return {"leaks": text.format(**found)}
+    return {"leaks": text.format(**measured)}
 
 
 def speed(liquid: Liquid) -> float:

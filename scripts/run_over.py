@@ -1,4 +1,4 @@
-"""When liquid runs over the barrier of a vessel that is tilted slowly, beside geometry.
+"""Tilt at which liquid runs over the barrier of a slowly tilted vessel, compared with geometry.
 
 The barrier is the highest point that liquid has to pass on its way out: the lip or, where a flared
 rim leads down already, its shoulder. At some tilt the plane through it cuts off just what is in the
@@ -23,15 +23,15 @@ from liquid_experiments import filled, move_to
 CAPILLARY_LENGTH = float(np.sqrt(0.0728 / (WATER.density * GRAVITY)))
 """Of water against air at 20 degrees Celsius, surface tension 72.8 mN/m [m]."""
 _SLOW, _FAST = np.radians(1.0), np.radians(8.0)
-"""How fast a vessel is tilted about the barrier, and on the way there [rad/s]: waves die away."""
+"""Angular speed of a vessel about the barrier, and on the way there [rad/s]: waves die away."""
 _EARLY = np.radians(3.0)
-"""How long before the barrier is reached it is tilted slowly [rad]."""
+"""Angle before the barrier from which it is tilted slowly [rad]."""
 _RUNNING = 0.002
 """Part of the liquid that has left when it runs over: two of 1,000 particles."""
 
 
 class RunOver(NamedTuple):
-    """When a vessel has run over.
+    """The moment at which a vessel has run over.
 
     Attributes:
         late: How far it was tilted beyond the tilt at which the surface reaches the barrier [rad].

@@ -17,7 +17,7 @@ def functions(functions: Any) -> Iterator[str]:
     yield "| --- | --- |"
     for function in functions:
         if callable(function):
-            yield f"| {code(_call(function))} | {cell(_told(function))} |"
+            yield f"| {code(_call(function))} | {cell(_description(function))} |"
     yield ""
 
 
@@ -25,7 +25,7 @@ def members(kind: type) -> Iterator[str]:
     """Yield a table of what a class can be asked."""
     yield f"### {kind.__name__}"
     yield ""
-    yield _told(kind)
+    yield _description(kind)
     yield ""
     yield "| ask | answer |"
     yield "| --- | --- |"
@@ -35,7 +35,7 @@ def members(kind: type) -> Iterator[str]:
         if isinstance(member, property):
             yield f"| {code(name)} | {cell(summary(member))} |"
         elif inspect.isfunction(member) and not name.startswith("_"):
-            yield f"| {code(_call(member))} | {cell(_told(member))} |"
+            yield f"| {code(_call(member))} | {cell(_description(member))} |"
     yield ""
 
 
@@ -149,7 +149,7 @@ def summary(member: Any) -> str:
     return " ".join((inspect.getdoc(member) or "").partition("\n\n")[0].split())
 
 
-def _told(member: Any) -> str:
+def _description(member: Any) -> str:
     """Return a docstring before its sections, as one paragraph."""
     return " ".join(re.split(r"\n\n(?=\w+:\n)", inspect.getdoc(member) or "")[0].split())
 

@@ -1,4 +1,4 @@
-"""What must hold for every task: functions that take an environment and raise `CheckFailed`."""
+"""Checks that must hold for every task: each takes an environment and raises `CheckFailed`."""
 
 from collections.abc import Callable
 

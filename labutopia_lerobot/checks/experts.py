@@ -13,7 +13,7 @@ from labutopia_lerobot.world import CONTROL_HZ
 
 
 def expert_commands_are_never_clipped(env: LabEnv) -> None:
-    """What the expert commands is what acts."""
+    """Check that the expert's commands are what acts."""
     _, info = play(env, expert, 100).trace[-1]
     clipped, bad = info["clipped_actions"], info["nonfinite_actions"]
     require(clipped == 0, f"{clipped} commands of the expert were clipped")
@@ -70,11 +70,11 @@ def the_expert_wins_at_least_nine_of_ten(env: LabEnv) -> None:
             seeds.append(seed)
     usual.close()
     failed = sum(len(seeds) for seeds, _ in failures.values())
-    told = (
+    reasons = (
         f"seeds {', '.join(map(str, seeds))}: {outcome}; the first: {why}"
         for (outcome, _), (seeds, why) in failures.items()
     )
-    require(failed <= 1, f"{failed} of 10 failed. {' | '.join(told)}")
+    require(failed <= 1, f"{failed} of 10 failed. {' | '.join(reasons)}")
 
 
 def _play(env: LabEnv, seed: int) -> Expert:

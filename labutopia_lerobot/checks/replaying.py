@@ -35,7 +35,7 @@ def same_seed_gives_the_same_trajectory_bit_for_bit(env: LabEnv) -> None:
 
 
 def recorded_actions_replayed_open_loop_give_the_same_states(env: LabEnv) -> None:
-    """What acted is what is recorded."""
+    """Check that the recorded action is the one that acted."""
     played = play(env, expert, 100)
     actions = [info["applied_action"] for _, info in played.trace[1:]]
     env.reset(seed=100)

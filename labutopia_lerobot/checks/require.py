@@ -1,8 +1,8 @@
-"""How a check fails."""
+"""The failure of a check."""
 
 
 class CheckFailed(AssertionError):  # noqa: N818  (it is the outcome of a check, not a mistake)
-    """What a check claims is not so; the message says what is."""
+    """A claim of a check does not hold; the message says what is the case."""
 
 
 def require(holds: object, message: str) -> None:

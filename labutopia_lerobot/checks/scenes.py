@@ -85,8 +85,8 @@ def training_and_evaluation_splits_share_no_scene(env: LabEnv) -> None:
         for e in (LabEnv(empty), LabEnv(replace(empty, split="train")))
     ]
     require(not scenes[0] & scenes[1], "the splits train and id share a scene")
-    for split, found in zip(("id", "train"), scenes, strict=True):
-        require(len(found) == 5, f"5 seeds of the split {split} give {len(found)} scenes")
+    for split, drawn in zip(("id", "train"), scenes, strict=True):
+        require(len(drawn) == 5, f"5 seeds of the split {split} give {len(drawn)} scenes")
 
 
 def global_random_generators_are_never_used(env: LabEnv) -> None:

@@ -18,8 +18,8 @@ from labutopia_lerobot.runtime.termination import (
 def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
     """Wrap a program: user errors exit with 2, failures of disk with 1, Ctrl-C 130, SIGTERM 143.
 
-    What a `KeyboardInterrupt` says, such as how to go on, is told. Anything else is a bug of ours
-    and keeps its traceback.
+    The text of a `KeyboardInterrupt`, such as how to go on, is printed. Anything else is a bug of
+    ours and keeps its traceback.
     """
 
     @wraps(main)
@@ -29,12 +29,12 @@ def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
                 main(*args, **kwargs)
         except UserError as error:
             notes = getattr(error, "__notes__", ())
-            _tell("\n".join((f"Error: {error}", *notes)), status=2)
+            _exit("\n".join((f"Error: {error}", *notes)), status=2)
         except OSError as error:
-            _tell(f"Error: {_failure(error)}. What was finished before is intact.", status=1)
+            _exit(f"Error: {_failure(error)}. What was finished before is intact.", status=1)
         except KeyboardInterrupt as interrupt:
-            told = f"{INTERRUPTED} {interrupt}"
-            _tell(told.rstrip(), status=143 if isinstance(interrupt, Terminated) else 130)
+            message = f"{INTERRUPTED} {interrupt}"
+            _exit(message.rstrip(), status=143 if isinstance(interrupt, Terminated) else 130)
 
     return wrapped
 
@@ -47,6 +47,6 @@ def _failure(error: OSError) -> str:
     return reason if error.filename is None else f"{error.filename}: {reason}"
 
 
-def _tell(message: str, status: int) -> None:
+def _exit(message: str, status: int) -> None:
     Console(stderr=True, soft_wrap=True).print(message, style="red", markup=False, highlight=False)
     sys.exit(status)

@@ -26,10 +26,10 @@ def main() -> None:
     arguments = parser.parse_args()
     places = (arguments.first, arguments.second)
     first, second = (load_results(place) for place in places)
-    found = compare(first, second)
+    comparisons = compare(first, second)
     if arguments.json:
         places_of = {"first": str(places[0]), "second": str(places[1])}
-        content = places_of | {"comparisons": [comparison.columns for comparison in found]}
+        content = places_of | {"comparisons": [comparison.columns for comparison in comparisons]}
         json.dump(content, sys.stdout, indent=1)
         sys.stdout.write("\n")
         return
@@ -38,7 +38,7 @@ def main() -> None:
         names = (str(places[0]), str(places[1]))
         if arguments.tables != "csv":  # whose heads may be long
             names, note = ("A", "B"), f"A: {names[0]}, B: {names[1]}. "
-    table = comparison_table(found, names)
+    table = comparison_table(comparisons, names)
     print_tables([replace(table, note=note + table.note)], arguments.tables)
 
 

@@ -34,6 +34,8 @@ def require_dataset(folder: Path, parts: Sequence[str]) -> None:
         return
     places = ("*/", "*/*/", "*/*/*/")
     files = (file for place in places for file in sorted(folder.glob(place + INFO)))
-    found = [str(file.parents[1]) for file in islice(files, _LISTED)]
-    cure = f"In it are: {', '.join(found)}" if found else "Make one: labutopia-record level1/pick"
+    datasets = [str(file.parents[1]) for file in islice(files, _LISTED)]
+    cure = "Make one: labutopia-record level1/pick"
+    if datasets:
+        cure = f"In it are: {', '.join(datasets)}"
     raise NoDatasetError(f"{folder} is no LeRobotDataset ({folder / INFO} is not there). {cure}")

@@ -1,4 +1,4 @@
-"""What a program is busy with: a spinner in a terminal, a plain line in a log file."""
+"""Progress of a program: a spinner in a terminal, a plain line in a log file."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -12,7 +12,7 @@ from labutopia_lerobot.datasets.description import INFO, read_recording
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
 from labutopia_lerobot.hub.dataset import dataset_repository
-from labutopia_lerobot.hub.environment import environment_repository
+from labutopia_lerobot.hub.environment_repository import environment_repository
 from labutopia_lerobot.hub.policy import find_policy, policy_repository
 from labutopia_lerobot.hub.publish import publish, require_repo_id
 from labutopia_lerobot.hub.repository import Repository
@@ -58,7 +58,7 @@ def main() -> None:
     )
     arguments = parser.parse_args()
     require_repo_id(arguments.repo_id)
-    results = [found for folder in arguments.results for found in load_results(folder)]
+    results = [result for folder in arguments.results for result in load_results(folder)]
     busy, console = Console(stderr=True), Console(highlight=False, soft_wrap=True)
     with doing(busy, f"Verifying {arguments.what}"):
         repository = _repository(arguments.what, arguments.repo_id, results, arguments.tasks_dir)
@@ -94,9 +94,9 @@ def _repository(
 
 
 def _require_known_room(dataset: Path) -> None:
-    """Make sure that whoever gets a dataset can replay it."""
-    told = read_recording(dataset)
-    room = None if told is None else told["config"].get("room")
+    """Make sure that the users of a dataset can replay it."""
+    recording = read_recording(dataset)
+    room = None if recording is None else recording["config"].get("room")
     if isinstance(room, str) and is_of_file(room):
         raise UnpublishableError(
             f"{dataset} was recorded in a room of your own, {room}, which nobody else can replay "
@@ -106,12 +106,12 @@ def _require_known_room(dataset: Path) -> None:
 
 def _list(repository: Repository, repo_id: str, private: bool) -> str:
     lines = [f"{size:>14,}  {path}" for path, size in repository.sizes.items()]
-    seen = "private" if private else "public"
+    visibility = "private" if private else "public"
     tag = f", tag {repository.tag}" if repository.tag else ""
     return "\n".join(
         [
             *lines,
-            f"{_amount(repository)} to the {repository.kind} {repo_id} ({seen}){tag}. "
+            f"{_amount(repository)} to the {repository.kind} {repo_id} ({visibility}){tag}. "
             "Nothing was sent",
         ]
     )

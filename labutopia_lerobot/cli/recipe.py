@@ -159,7 +159,7 @@ def _episodes(dataset: Path) -> list[tuple[str, int]]:
 
 
 def _lerobot_averages() -> bool:
-    """Tell whether LeRobot can average weights over a training, as the paper did."""
+    """Return whether LeRobot can average weights over a training, as the paper did."""
     from lerobot.configs import default  # here: it takes seconds
 
     return hasattr(default, "EMAConfig")

@@ -36,13 +36,13 @@ def main() -> None:
     )
     arguments = parser.parse_args()
     results = [result for place in arguments.places for result in load_results(place)]
-    found = report_entries(results)
-    if not found:
+    entries = report_entries(results)
+    if not entries:
         raise NothingToReportError(
             f"No episode is finished yet in {', '.join(str(result.place) for result in results)}. "
             "Let the evaluation play on: its command goes on where it was"
         )
-    tables = [*level_tables(found), failure_table(found), precision_table(found)]
+    tables = [*level_tables(entries), failure_table(entries), precision_table(entries)]
     print_tables([table for table in tables if table.lines], arguments.tables)
     console = Console(stderr=True, soft_wrap=True, highlight=False)
     for result in results:

@@ -30,13 +30,13 @@ def _run(arguments: argparse.Namespace) -> None:
     console, faulty = Console(highlight=False, soft_wrap=True), 0
     for room in arguments.rooms:
         plan = find_plan(room)
-        found = faults(plan)
-        for fault in found:
+        problems = faults(plan)
+        for fault in problems:
             console.print(f"Fault: {room}: {fault}", markup=False)
-        if not found:
-            told = f"{len(plan.pieces)} pieces, {len(plan.work_places)} work places"
-            console.print(f"{room} is proven: {told}", markup=False)
-        faulty += bool(found)
+        if not problems:
+            summary = f"{len(plan.pieces)} pieces, {len(plan.work_places)} work places"
+            console.print(f"{room} is proven: {summary}", markup=False)
+        faulty += bool(problems)
     if faulty:
         console.print(f"{faulty} of {len(arguments.rooms)} rooms have faults", markup=False)
         sys.exit(1)

@@ -36,9 +36,12 @@ def _run(arguments: argparse.Namespace) -> None:
 
     require_writable(arguments.out)
     with doing(Console(stderr=True), f"Exporting {arguments.what}"):
-        told = export(find_subject(arguments.what, arguments.size, arguments.seed), arguments.out)
+        summary = export(
+            find_subject(arguments.what, arguments.size, arguments.seed), arguments.out
+        )
     Console(highlight=False, soft_wrap=True).print(
-        f"{arguments.out}: {told.drawn} shapes to see, {told.touched} to touch, {told.moving} "
-        f"moving bodies of {told.mass:.3f} kg, {len(told.limits)} joints; opened again, the same",
+        f"{arguments.out}: {summary.drawn} shapes to see, {summary.touched} to touch, "
+        f"{summary.moving} moving bodies of {summary.mass:.3f} kg, {len(summary.limits)} joints; "
+        "opened again, the same",
         markup=False,
     )

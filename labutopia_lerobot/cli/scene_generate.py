@@ -34,7 +34,7 @@ def add_generate(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 def _run(arguments: argparse.Namespace) -> None:
     """Generate, prove and write a room."""
-    from labutopia_lerobot.export.room_files import write_room
+    from labutopia_lerobot.export.room_export import write_room
     from labutopia_lerobot.scenes.families import family  # here: they bring mujoco
     from labutopia_lerobot.scenes.generation import generate
     from labutopia_lerobot.scenes.proof import proven

@@ -28,12 +28,12 @@ def add_list(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") ->
 def _run(arguments: argparse.Namespace) -> None:
     """Print what there is."""
     console = Console(highlight=False, soft_wrap=True)
-    found = everything()
+    listing = everything()
     if arguments.json:
-        console.print(json.dumps(found, indent=2), markup=False)
+        console.print(json.dumps(listing, indent=2), markup=False)
         return
     width = min(console.width, _WIDTH)
-    for what, names in found.items():
+    for what, names in listing.items():
         console.print(f"{len(names)} {what}:", markup=False)
         for line in _lines(what, names):
             wrapped = textwrap.fill(
@@ -71,14 +71,18 @@ def _by_number(name: str) -> list[tuple[bool, float, str]]:
 
 def everything() -> dict[str, list[str]]:
     """Return sorted names by what they are; glassware as `kind size`."""
-    from labutopia_lerobot.labware import catalogue  # here: they bring mujoco
-    from labutopia_lerobot.labware.glass import catalogue as glass
+    from labutopia_lerobot.labware import instrument_catalogue  # here: they bring mujoco
+    from labutopia_lerobot.labware.glass import catalogue as ware_catalogue
     from labutopia_lerobot.scenes.families import families
     from labutopia_lerobot.scenes.plans import plan_names
 
-    ware = [f"{kind} {size}" for kind, series in glass.catalogue().items() for size in series.sizes]
+    ware = [
+        f"{kind} {size}"
+        for kind, series in ware_catalogue.catalogue().items()
+        for size in series.sizes
+    ]
     return {
-        "instruments": sorted(catalogue.catalogue()),
+        "instruments": sorted(instrument_catalogue.catalogue()),
         "glassware": sorted(ware, key=_by_number),
         "families": sorted(families()),
         "rooms": sorted(plan_names(), key=_by_number),

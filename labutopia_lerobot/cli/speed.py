@@ -1,4 +1,4 @@
-"""How fast it runs here: frames per second and demonstrations per hour.
+"""Speed on this machine: frames per second and demonstrations per hour.
 
 One frame is one 30 Hz `env.step` with observation, predicates and info, replaying what the expert
 commanded; resets are not timed.
@@ -31,7 +31,7 @@ from labutopia_lerobot.setting import CAMERAS, Setting
 from labutopia_lerobot.sim.renderers import renderer_name
 
 POLICY_CAMERAS = ("front", "top")
-"""What the paper's ACT and Diffusion Policy look through ("Model Input And Output")."""
+"""Cameras of the paper's ACT and Diffusion Policy ("Model Input And Output")."""
 
 RIGID = "level1/pick"
 LIQUID = "level1/pour"
@@ -67,7 +67,7 @@ def measure(
         tasks: Tasks whose demonstrations per hour are asked for.
         seconds: How long each rate is measured [s].
         episodes: Demonstrations recorded per rate of recording.
-        watcher: Is told of every measurement.
+        watcher: Notified of every measurement.
     """
     cores = len(os.sched_getaffinity(0))
     blind = replace(base, task=RIGID, obs="state")

@@ -1,7 +1,7 @@
 """`labutopia-verify DATASET`: is a dataset whole, and is it what the environment does?
 
 Exit status 1 for faults only: what could not be checked, such as after an edit with LeRobot's
-tools, is told and is no fault.
+tools, is reported and is no fault.
 """
 
 import argparse
@@ -50,10 +50,10 @@ def main() -> None:
         console.print(f"{root} has {len(verdict.faults)} faults", markup=False)
         sys.exit(1)
     info = read_info(root)
-    found = "has no fault in what was checked" if verdict.unchecked else "is intact"
+    finding = "has no fault in what was checked" if verdict.unchecked else "is intact"
     videos = sum(feature["dtype"] == "video" for feature in info["features"].values())
     console.print(
-        f"{root} {found}: {info['total_episodes']} episodes, {info['total_frames']} frames, "
+        f"{root} {finding}: {info['total_episodes']} episodes, {info['total_frames']} frames, "
         f"{videos} cameras",
         markup=False,
     )

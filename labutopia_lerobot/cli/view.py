@@ -68,7 +68,7 @@ def _write_files(env: LabEnv, seed: int, folder: Path) -> None:
     stem = folder / env.setting.task.replace("/", "-")
     Image.fromarray(np.vstack([frames[0], frames[-1]])).save(stem.with_suffix(".png"))
     write_video(stem.with_suffix(".mp4"), frames)
-    _tell(env, expert, f". Wrote {stem}.png and {stem}.mp4")
+    _print_outcome(env, expert, f". Wrote {stem}.png and {stem}.mp4")
 
 
 def _make(folder: Path) -> None:
@@ -85,7 +85,7 @@ def _make(folder: Path) -> None:
         ) from None
 
 
-def _tell(env: LabEnv, expert: Expert, more: str = "") -> None:
+def _print_outcome(env: LabEnv, expert: Expert, more: str = "") -> None:
     """Print how an episode that is over has ended, and why if it failed."""
     cell = env.workcell
     lines = [f"{env.setting.task}, seed {env.seed}: {cell.progress.outcome}{more}"]
@@ -117,7 +117,7 @@ def _play(env: LabEnv, viewer: Viewer) -> None:
         viewer.show()
         over = terminated or truncated
     if over:
-        _tell(env, expert)
+        _print_outcome(env, expert)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What a dataset tells of each episode, beyond what every LeRobotDataset does."""
+"""Annotations of each episode, beyond those of every LeRobotDataset."""
 
 import json
 from dataclasses import asdict

@@ -40,7 +40,7 @@ _FEWEST = 2
 
 @dataclass(frozen=True)
 class Candidate:
-    """What became of one candidate.
+    """Result of one candidate.
 
     Attributes:
         task: Id of its task.
@@ -78,7 +78,7 @@ class Candidate:
         return self.outcome == SUCCESS
 
     def stored(self, keep: str) -> bool:
-        """Tell whether its frames are stored.
+        """Return whether its frames are stored.
 
         Args:
             keep: Which candidates are (`RecordingConfig.keep`).
@@ -156,8 +156,8 @@ def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> C
     if candidate.stored(config.keep):
         arrays: dict[str, Any] = dict(demonstration.columns)
         for name, video in videos.items():
-            found = video.statistics().items()
-            arrays |= {f"{COLORS}{name}.{statistic}": values for statistic, values in found}
+            statistics = video.statistics().items()
+            arrays |= {f"{COLORS}{name}.{statistic}": values for statistic, values in statistics}
         np.savez(folder / COLUMNS, **arrays)
     else:
         for name in names:

@@ -23,7 +23,7 @@ from labutopia_lerobot.setting import DEFAULT_ROBOT
 from labutopia_lerobot.world import CONTROL_HZ
 
 CONVERSION = "meta/labutopia_conversion.json"
-"""What a converted dataset was made of, and what it cannot do."""
+"""File that says what a converted dataset was made of, and what it cannot do."""
 
 _PATTERNS = ("*.h5", "*.hdf5")
 
@@ -55,12 +55,12 @@ def convert(source: Path, out: Path, repo_id: str, instruction: str | None = Non
         writer = EncodedDatasetWriter(repo_id, _features(sizes), DEFAULT_ROBOT, root)
         episodes = 0
         for file in files:
-            with open_original(file) as found:
-                for episode in found:
+            with open_original(file) as original:
+                for episode in original:
                     _add(writer, episode, Path(place), episode.instruction or instruction or "")
                     episodes += 1
         writer.finish()
-        (root / CONVERSION).write_text(json.dumps(_told(files), indent=2) + "\n")
+        (root / CONVERSION).write_text(json.dumps(_conversion_record(files), indent=2) + "\n")
         root.rename(out)
     return episodes
 
@@ -78,8 +78,8 @@ def _require_alike(files: Sequence[Path], instruction: str | None) -> dict[str, 
     """Return camera -> height and width, the same in every episode."""
     first: dict[str, tuple[int, int]] = {}
     for file in files:
-        with open_original(file) as found:
-            for episode in found:
+        with open_original(file) as original:
+            for episode in original:
                 first = first or episode.sizes
                 if episode.sizes != first:
                     raise ConversionError(
@@ -122,7 +122,7 @@ def _add(
     shutil.rmtree(folder)
 
 
-def _told(files: Sequence[Path]) -> dict[str, Any]:
+def _conversion_record(files: Sequence[Path]) -> dict[str, Any]:
     return {
         "source": "LabUtopia, original collectors",
         "files": {file.name: sha256(file) for file in files},

@@ -19,18 +19,18 @@ FORCE = "observation.forces"
 ENVIRONMENT_STATE = "observation.environment_state"
 
 PRIVILEGED_STATE = "privileged.environment_state"
-"""Where `environment_state` lives beside pictures: LeRobot would feed its usual key to policies."""
+"""Key of `environment_state` beside pictures: LeRobot would feed its usual key to policies."""
 
 PRIVILEGED_SIZE = 128
 """Elements of `PRIVILEGED_STATE` in every task, those behind the task's own zero: LeRobot merges
 datasets of equal features only. The largest task so far has 28 elements."""
 
 COMMAND = "commanded_action"
-"""What the demonstrator commanded; `action` is what acted. A key that began with `action` would
+"""Key of the demonstrator's commands; `action` is what acted. A key that began with `action` would
 become an output of LeRobot's policies."""
 
 REWARD, DONE, SUCCEEDED = "next.reward", "next.done", "next.success"
-"""What came of the action of a frame, under the names that LeRobot's own recorder uses."""
+"""Keys of the results of a frame's action, under the names that LeRobot's own recorder uses."""
 
 STEP, SUBSTEP, PHASE = "annotation.step", "annotation.substep", "annotation.phase"
 """The step of the task that is being done, the substep that has latched last, the phase of the
@@ -38,7 +38,7 @@ expert; empty where there is none."""
 
 
 _DEPTH_INFO = {"is_depth_map": True, "depth_unit": "m"}
-"""How LeRobot knows depth, and the unit of its statistics."""
+"""LeRobot's marks of depth, and the unit of its statistics."""
 
 
 class PrivilegedSizeError(UserError, ValueError):
@@ -75,7 +75,7 @@ def dataset_features(setting: Setting) -> dict[str, dict[str, Any]]:
 
 
 def same_features(settings: Sequence[Setting]) -> bool:
-    """Tell whether datasets of these settings can be one."""
+    """Return whether datasets of these settings can be one."""
     first, *others = (dataset_features(setting) for setting in settings)
     return all(features == first for features in others)
 

@@ -20,7 +20,7 @@ EXPERT_FAILED = "expert failed"
 
 @dataclass(frozen=True)
 class Demonstration:
-    """What happened in one episode of the expert.
+    """Record of one episode of the expert.
 
     Attributes:
         outcome: The environment's outcome, or "expert failed".

@@ -1,4 +1,4 @@
-"""What a dataset tells of itself in JSON: its features, its statistics, how it was recorded."""
+"""A dataset's own description in JSON: its features, its statistics, how it was recorded."""
 
 import re
 from pathlib import Path
@@ -24,7 +24,7 @@ _LARGEST_SIZE = 1_000_000
 
 
 _FORMER_NAMES = {"annotation.milestone": "annotation.substep"}
-"""What a feature was called in datasets of earlier versions -> what it is called now."""
+"""Feature name in datasets of earlier versions -> its name now."""
 
 
 class DamagedDatasetError(UserError):
@@ -32,7 +32,7 @@ class DamagedDatasetError(UserError):
 
 
 class FeatureDescription(TypedDict):
-    """What LeRobot says of a feature; of videos `info` says more."""
+    """LeRobot's description of a feature; of videos `info` says more."""
 
     dtype: str
     shape: list[int]
@@ -41,7 +41,7 @@ class FeatureDescription(TypedDict):
 
 
 class Info(TypedDict):
-    """What is read of `meta/info.json`."""
+    """The part of `meta/info.json` that is read."""
 
     codebase_version: str
     robot_type: NotRequired[str | None]
@@ -52,7 +52,7 @@ class Info(TypedDict):
 
 
 class RecordedWith(TypedDict):
-    """What is read of the options in `meta/labutopia.json`."""
+    """The part of the options in `meta/labutopia.json` that is read."""
 
     task: str | list[str]
     episodes: int
@@ -61,7 +61,7 @@ class RecordedWith(TypedDict):
 
 
 class Recording(TypedDict):
-    """What is read of `meta/labutopia.json`."""
+    """The part of `meta/labutopia.json` that is read."""
 
     config: RecordedWith
     code: dict[str, Any]
@@ -81,7 +81,7 @@ def read_info(root: Path) -> dict[str, Any]:
         DamagedDatasetError: If it is missing, or does not describe a LeRobotDataset.
     """
     info: dict[str, Any] = dict(_read(root, INFO, Info))
-    info["features"] = {present_name(key): told for key, told in info["features"].items()}
+    info["features"] = {present_name(key): feature for key, feature in info["features"].items()}
     if not 1 <= info["fps"] <= _LARGEST_RATE:
         raise DamagedDatasetError(f"{root / INFO}: fps is {info['fps']}, not 1 to {_LARGEST_RATE}")
     for key, feature in info["features"].items():
@@ -103,7 +103,7 @@ def read_recording(root: Path) -> dict[str, Any] | None:
     """Return `meta/labutopia.json`, or None where there is none.
 
     Raises:
-        DamagedDatasetError: If it does not tell what recordings tell.
+        DamagedDatasetError: If it lacks what recordings have.
     """
     return dict(_read(root, RECORDING, Recording)) if (root / RECORDING).exists() else None
 
@@ -115,15 +115,15 @@ def read_statistics(root: Path) -> dict[str, dict[str, Any]]:
         DamagedDatasetError: If it is missing or holds something else.
     """
     said = _read(root, STATISTICS, dict[str, dict[str, Any]])
-    told = {present_name(key): statistics for key, statistics in said.items()}
-    for key, statistics in told.items():
+    by_name = {present_name(key): statistics for key, statistics in said.items()}
+    for key, statistics in by_name.items():
         for name, values in statistics.items():
             try:
                 np.array(values, dtype=float)
             except (OverflowError, TypeError, ValueError):
                 where = printable(f"{name} of {key}")
                 raise DamagedDatasetError(f"{root / STATISTICS}: {where} is no numbers") from None
-    return told
+    return by_name
 
 
 def _read[Kind](root: Path, name: str, kind: type[Kind]) -> Kind:

@@ -1,4 +1,4 @@
-"""How much room a recording takes, checked before anything is played."""
+"""Disk space of a recording, checked before anything is played."""
 
 import shutil
 from collections.abc import Mapping
@@ -18,11 +18,11 @@ _BYTES_PER_FRAME = 600
 """Of the tables, per frame, as they are put aside: about 150 numbers of four bytes."""
 
 _SHARE_OF_LIMIT = 0.6
-"""How long a demonstration is, as a share of its time limit: 0.2 to 0.7 by the README's table."""
+"""Length of a demonstration as a share of its time limit: 0.2 to 0.7 by the README's table."""
 
 
 class NoSpaceError(UserError):
-    """The disk is too small for the recording; the message tells what it takes."""
+    """The disk is too small for the recording; the message says what it takes."""
 
 
 def needed_bytes(config: RecordingConfig, missing: Mapping[str, int]) -> int:
@@ -59,10 +59,11 @@ def require_space(config: RecordingConfig, missing: Mapping[str, int]) -> None:
     needed = needed_bytes(config, missing)
     if needed > free:
         raise NoSpaceError(
-            f"The recording takes about {_told(needed)}, but {folder} has {_told(free)} free. Make "
-            "room, choose another root=, or record fewer episodes=, cameras=, extras= or pixels"
+            f"The recording takes about {_size_text(needed)}, but {folder} has "
+            f"{_size_text(free)} free. Make room, choose another root=, or record fewer "
+            "episodes=, cameras=, extras= or pixels"
         )
 
 
-def _told(size: float) -> str:
+def _size_text(size: float) -> str:
     return f"{size / 1e9:.1f} GB" if size >= 1e8 else f"{size / 1e6:.0f} MB"

@@ -26,7 +26,7 @@ Columns = dict[str, NDArray[Any]]
 
 
 class Frames:
-    """What a dataset keeps of each frame but its pictures.
+    """The columns of each frame of a dataset, without its pictures.
 
     Row k holds the observation before action k, the action that acted, and what came of it.
 

@@ -1,4 +1,4 @@
-"""Where candidates are played: in processes of this machine, or all over a Ray cluster."""
+"""Launchers of candidates: in processes of this machine, or all over a Ray cluster."""
 
 import multiprocessing
 from collections.abc import Callable, Iterator

@@ -59,11 +59,11 @@ def find_episode(root: Path, episode: int, tasks_dir: str | None = None) -> tupl
         raise UnknownEpisodeError(f"--episode {episode} is none of {root}: it has 0 to {max(rows)}")
     if episode_setting(rows[episode], tasks_dir) is None:
         raise ForeignDatasetError(
-            f"Episode {episode} of {root} tells no seed and setting, so that it cannot be played "
+            f"Episode {episode} of {root} has no seed and setting, so that it cannot be played "
             "again: labutopia-record did not make it, or LeRobot's delete or split dropped them"
         )
-    (found,) = frames_of_episodes(root, [rows[episode]])
-    return found
+    (frames,) = frames_of_episodes(root, [rows[episode]])
+    return frames
 
 
 def look_at(

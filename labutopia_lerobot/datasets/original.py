@@ -26,7 +26,7 @@ RATE_HZ = 60
 """Frames per second (the original's physics and rendering step)."""
 
 CAMERAS = {"camera_1_rgb": "front", "camera_2_rgb": "top", "camera_3_rgb": "wrist"}
-"""What its cameras are called here: facing the robot, overhead, on the hand."""
+"""Names of its cameras here: facing the robot, overhead, on the hand."""
 
 _POSE, _ACTIONS, _INSTRUCTION = "agent_pose", "actions", "language_instruction"
 _NAVIGATION = {"joint_positions", "robot_position"}
@@ -142,8 +142,8 @@ def _read(file: Path, name: str, group: "h5py.Group") -> OriginalEpisode:
     if kept < 2:
         raise OriginalFileError(f"{name} in {file} is too short: {frames} frames")
     try:
-        told = group[_INSTRUCTION].asstr()[()]
-        instruction = printable(str(told if isinstance(told, str) else told[0]))
+        stored = group[_INSTRUCTION].asstr()[()]
+        instruction = printable(str(stored if isinstance(stored, str) else stored[0]))
     except (IndexError, TypeError, UnicodeDecodeError):
         raise OriginalFileError(f"{name} in {file}: {_INSTRUCTION} is no text") from None
     # An action is the pose one frame on; that of the odd frames is the next pose that is kept.
@@ -185,6 +185,6 @@ def _require_numbers(name: str, file: Path, group: "h5py.Group") -> None:
 
 def _with_opening(poses: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return poses whose last element is the distance between the pads, twice that of a finger."""
-    told: NDArray[np.float32] = poses.astype(np.float32)
-    told[:, -1] *= 2.0
-    return told
+    doubled: NDArray[np.float32] = poses.astype(np.float32)
+    doubled[:, -1] *= 2.0
+    return doubled

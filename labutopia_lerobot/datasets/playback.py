@@ -22,7 +22,7 @@ from labutopia_lerobot.setting import Setting
 
 @dataclass(frozen=True)
 class Difference:
-    """Where a replayed episode first leaves the recorded one.
+    """First difference between a replayed episode and the recorded one.
 
     Attributes:
         frame: The first frame that differs.
@@ -135,20 +135,22 @@ def _commands(row: Row, frames: pa.Table, elements: int) -> NDArray[Any]:
 
 def _difference(frames: pa.Table, replayed: Columns) -> Difference | None:
     """Compare what is recorded with what was replayed; the expert's phases are not replayed."""
-    found = []
+    differences = []
     for key in replayed.keys() & set(frames.column_names) - {PHASE}:
         there, here = column(frames, key), replayed[key]
         there, here = there.reshape(len(there), -1), here.reshape(len(here), -1)
         both = min(len(there), len(here))
         different = np.flatnonzero((there[:both] != here[:both]).any(axis=1))
         if different.size:
-            found.append(Difference(int(different[0]), key, _largest(there[:both], here[:both])))
+            differences.append(
+                Difference(int(different[0]), key, _largest(there[:both], here[:both]))
+            )
         elif len(there) != len(here):
-            found.append(Difference(both, key, np.nan))
-    if not found:
+            differences.append(Difference(both, key, np.nan))
+    if not differences:
         return None
-    first = min(found, key=lambda difference: (difference.frame, difference.key))
-    largest = [d.largest for d in found if not np.isnan(d.largest)]
+    first = min(differences, key=lambda difference: (difference.frame, difference.key))
+    largest = [d.largest for d in differences if not np.isnan(d.largest)]
     return replace(first, largest=max(largest, default=np.nan))
 
 

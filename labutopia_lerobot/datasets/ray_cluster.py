@@ -50,7 +50,7 @@ def ray_cluster(
         import ray
     except ImportError:
         raise RayError("launcher=ray needs Ray: pip install 'lerobot_env_labutopia[ray]'") from None
-    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # Ray would tell its makers
+    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # Ray would report to its makers
     try:
         context = ray.init(log_to_driver=False, ignore_reinit_error=True)
     except (ConnectionError, ValueError) as error:

@@ -5,8 +5,8 @@ from concurrent.futures import FIRST_COMPLETED, Future, wait
 from pathlib import Path
 from typing import Protocol
 
-from labutopia_lerobot.datasets.assembly import Assembly
 from labutopia_lerobot.datasets.candidate import Candidate, finished_candidates
+from labutopia_lerobot.datasets.dataset_assembly import Assembly
 from labutopia_lerobot.datasets.disk_space import require_space
 from labutopia_lerobot.datasets.launcher import Launcher, launcher
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
@@ -16,7 +16,7 @@ from labutopia_lerobot.datasets.verify import require_intact
 
 
 class Watcher(Protocol):
-    """Is told how a recording gets on."""
+    """Receives the progress of a recording."""
 
     def resumed(self, candidates: Sequence[Candidate]) -> None:
         """Take note of the candidates that a previous run finished."""
@@ -36,7 +36,7 @@ def record(config: RecordingConfig, watcher: Watcher) -> list[Candidate]:
 
     Args:
         config: One of `RecordingConfig.datasets`.
-        watcher: Is told how it gets on.
+        watcher: Notified of the progress.
 
     Returns:
         Every candidate that was played, by task and in index order.

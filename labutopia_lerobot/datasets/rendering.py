@@ -17,7 +17,6 @@ from typing import Any, Self
 import numpy as np
 
 from labutopia_lerobot.datasets.annotations import annotated_candidate
-from labutopia_lerobot.datasets.assembly import Assembly
 from labutopia_lerobot.datasets.candidate import (
     COLORS,
     COLUMNS,
@@ -28,6 +27,7 @@ from labutopia_lerobot.datasets.candidate import (
     finished_candidates,
     read_candidate,
 )
+from labutopia_lerobot.datasets.dataset_assembly import Assembly
 from labutopia_lerobot.datasets.declaration import (
     ENVIRONMENT_STATE,
     PRIVILEGED_STATE,
@@ -68,7 +68,7 @@ def render(
     Args:
         root: Folder of the dataset; it is not changed.
         out: Folder of the new one.
-        watcher: Is told how it gets on.
+        watcher: Notified of the progress.
         tasks_dir: A further folder of tasks, which the user trusts.
         **chosen: Fields of `Setting` that pictures depend on, such as `cameras`.
 
@@ -76,7 +76,7 @@ def render(
         Every candidate of the new dataset, as the old one has them.
 
     Raises:
-        ForeignDatasetError: If the dataset does not tell how it was recorded.
+        ForeignDatasetError: If the dataset does not say how it was recorded.
         UnfaithfulReplayError: If an episode does not go as it was recorded.
         UserError: If the setting is impossible, or the folder in other use.
     """
@@ -109,7 +109,7 @@ def _config(root: Path, out: Path, chosen: dict[str, Any]) -> RecordingConfig:
     recorded = {name: v for name, v in recording["config"].items() if name in known}
     forces = {FORCES} & set(recorded.get("extras", ()))  # are in the tables, or are not
     if FORCES in chosen.get("extras", ()) and not forces:
-        raise UserError(f"{root} has no {FORCES}, which no picture tells: record them")
+        raise UserError(f"{root} has no {FORCES}, which no picture shows: record them")
     extras = sorted({*chosen.get("extras", ()), *forces})
     changed = chosen | {"obs": "pixels", "extras": extras, "root": str(out)}
     return RecordingConfig(**(recorded | changed))
@@ -159,7 +159,7 @@ def _require_faithful(root: Path, row: Row, played: Playback | None) -> None:
         )
         raise UnfaithfulReplayError(
             f"Episode {row['episode_index']} of {root}, played again, is another one{where}: its "
-            f"pictures would not show what its tables tell. {RECORDING} says with which versions "
+            f"pictures would not show what its tables say. {RECORDING} says with which versions "
             "it was recorded: render with those"
         )
 
@@ -169,8 +169,8 @@ def _columns(file: Path) -> Columns:
     with np.load(file) as stored:
         columns = {key: stored[key] for key in stored if not key.startswith(COLORS)}
     if ENVIRONMENT_STATE in columns:
-        told = columns.pop(ENVIRONMENT_STATE)
-        rows = [privileged_state(state, "pixels")[1] for state in told]
+        states = columns.pop(ENVIRONMENT_STATE)
+        rows = [privileged_state(state, "pixels")[1] for state in states]
         columns[PRIVILEGED_STATE] = np.array(rows)
     return columns
 

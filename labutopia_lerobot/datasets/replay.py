@@ -16,7 +16,7 @@ class ForeignDatasetError(UserError):
 
 @dataclass(frozen=True)
 class Replay:
-    """How the replay of an episode went.
+    """Result of the replay of an episode.
 
     Attributes:
         episode: Index of the episode.
@@ -47,14 +47,14 @@ def replay(
         tasks_dir: A further folder of tasks, which the user trusts.
 
     Raises:
-        ForeignDatasetError: If no episode tells its seed.
+        ForeignDatasetError: If no episode has its seed.
         DamagedDatasetError: If a file is missing or cannot be read.
         UnknownTaskError: If a task is not there.
     """
     rows = read_episodes(root)
     if all(row.get(SEED) is None for row in rows):
         raise ForeignDatasetError(
-            f"{root} tells no seeds: labutopia-record did not make it, or LeRobot's delete or "
+            f"{root} has no seeds: labutopia-record did not make it, or LeRobot's delete or "
             "split, which drop them, made it of another"
         )
     player = Player(tasks_dir)

@@ -100,7 +100,7 @@ def _fill(
     columns: dict[str, NDArray[Any]],
     statistics: dict[str, NDArray[np.float64]],
 ) -> None:
-    """Put the frames of an episode into a folder, as whoever played it did."""
+    """Put the frames of an episode into a folder, as its player did."""
     arrays: dict[str, Any] = dict(columns)
     for key, feature in info["features"].items():
         if feature["dtype"] != "video":

@@ -72,7 +72,7 @@ _JSON = (SETTING, DRAWN, VOLUMES, PARAPHRASES, PRIVILEGED, SEGMENTS)
 
 
 class PlayedIn(TypedDict):
-    """What is always there in the column `SETTING`."""
+    """Keys that the column `SETTING` always has."""
 
     task: str
 
@@ -91,13 +91,13 @@ def video_file(root: Path, row: Mapping[str, Any], key: str) -> Path:
     """Return the file in which an episode's video is (LeRobot, `DEFAULT_VIDEO_PATH`).
 
     Raises:
-        DamagedDatasetError: If it lies outside the dataset, or the episode does not tell.
+        DamagedDatasetError: If it lies outside the dataset, or the episode does not name it.
     """
     try:
         chunk, file = (int(row[f"videos/{key}/{part}_index"]) for part in ("chunk", "file"))
     except (KeyError, TypeError, ValueError, OverflowError):
         raise DamagedDatasetError(
-            f"{root / EPISODES} does not tell where the video {key} of episode "
+            f"{root / EPISODES} does not say where the video {key} of episode "
             f"{row['episode_index']} is"
         ) from None
     name = f"videos/{key}/chunk-{chunk:03d}/file-{file:03d}.mp4"

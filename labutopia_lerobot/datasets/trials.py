@@ -50,7 +50,7 @@ class Trials:
 
     @property
     def missing(self) -> int:
-        """How many successes are missing."""
+        """Number of missing successes."""
         return self._wanted - sum(candidate.success for candidate in self._played.values())
 
     def next(self) -> int | None:

@@ -23,7 +23,7 @@ from labutopia_lerobot.datasets.verification.structure import (
     check_info,
     check_videos,
 )
-from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.task import SUCCESS
 
@@ -34,12 +34,12 @@ PICTURES = 4
 type Check = Callable[[VerifiedDataset], Iterator[Finding]]
 
 _DAMAGE = (ArithmeticError, LookupError, MemoryError, TypeError, ValueError)
-"""What computing with numbers and texts of the wrong kind raises."""
+"""Exceptions raised when computing with numbers and texts of the wrong kind."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What is known of a dataset.
+    """Verdict on a dataset.
 
     Attributes:
         faults: What is wrong with it.
@@ -101,7 +101,7 @@ def _verdict(root: Path, tasks_dir: str | None, checks: list[Check]) -> Verdict:
 
 
 def _check_recording(subject: VerifiedDataset) -> Iterator[Finding]:
-    """Yield what is wrong with what the recording tells of itself."""
+    """Yield what is wrong with the recording's own description."""
     if subject.edited is not None:
         yield Unchecked(f"whether the recording is complete: {subject.edited}")
     elif subject.recording is not None:
@@ -144,7 +144,7 @@ def _check_seeds(subject: VerifiedDataset) -> Iterator[Finding]:
 def _whatever_comes(check: Check) -> Check:
     """Return a check of files that calls every oddity a fault.
 
-    Tables of numbers and texts can be wrong in more ways than are told one by one.
+    Tables of numbers and texts can be wrong in more ways than are listed one by one.
     """
 
     def careful(subject: VerifiedDataset) -> Iterator[Finding]:

@@ -125,7 +125,7 @@ class _AnnotatedMetadata(LeRobotDatasetMetadata):  # type: ignore[misc]  # LeRob
     next_annotations: dict[str, int | str]
 
     def update_video_info(self, video_key: str, video_encoder: VideoEncoderConfig) -> None:
-        """Note how the pictures of a feature are encoded, which LeRobot takes as it is told.
+        """Note how the pictures of a feature are encoded, which LeRobot takes as it is given.
 
         It knows two encoders, one for depth and one for everything else.
         """
@@ -173,7 +173,7 @@ def _encoder(kind: str) -> VideoEncoderConfig:
     """
     encoding = ENCODINGS[kind]
     options = dict(encoding.options)
-    told: dict[str, Any] = {
+    arguments: dict[str, Any] = {
         "vcodec": encoding.codec,
         "pix_fmt": encoding.pixel_format,
         "g": KEYFRAME_INTERVAL,
@@ -182,8 +182,8 @@ def _encoder(kind: str) -> VideoEncoderConfig:
         "extra_options": options,
     }
     if kind == DEPTH:
-        return DepthEncoderConfig(**told, depth_min=0.0, depth_max=FARTHEST_M, use_log=False)
-    return RGBEncoderConfig(**told)
+        return DepthEncoderConfig(**arguments, depth_min=0.0, depth_max=FARTHEST_M, use_log=False)
+    return RGBEncoderConfig(**arguments)
 
 
 class _EncodedVideos:

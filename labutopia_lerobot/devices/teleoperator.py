@@ -15,7 +15,7 @@ from lerobot.teleoperators.gamepad import GamepadTeleop, GamepadTeleopConfig
 from lerobot.teleoperators.keyboard import KeyboardTeleop, KeyboardTeleopConfig
 
 from labutopia_lerobot.devices.config_teleoperator import GAMEPAD, LabUtopiaTeleoperatorConfig
-from labutopia_lerobot.devices.robot import NEXT_EPISODE
+from labutopia_lerobot.devices.lerobot_robot import NEXT_EPISODE
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.world import FloatArray
 
@@ -46,12 +46,12 @@ CLOSE, OPEN, NEXT = "c", "v", "n"
 """Keys that close and open the hand, and that ask for the next episode."""
 
 _FINGERS = 0.08
-"""How fast the pads move [m/s]; ours."""
+"""Speed of the pads [m/s]; ours."""
 
 
 @dataclass(frozen=True)
 class Wish:
-    """What a person wants of the hand now.
+    """Motion of the hand that a person asks for now.
 
     Attributes:
         along_w: Where it is to move, shape (3,), 1 for full speed, world frame.
@@ -84,7 +84,7 @@ def _sum_of(pressed: Collection[str], axes: Mapping[str, Axis]) -> FloatArray:
 
 
 def of_sticks(moved: Mapping[str, float]) -> Wish:
-    """Return what LeRobot's gamepad tells: full deflection is 1, `gripper` 0 closes and 2 opens.
+    """Return the motion of LeRobot's gamepad: full deflection is 1, `gripper` 0 closes and 2 opens.
 
     Its x is ahead of the robot, its y to the left.
     """
@@ -114,7 +114,7 @@ class LabUtopiaTeleoperator(Teleoperator):
 
     @property
     def action_features(self) -> dict[str, type]:
-        """What is commanded: absolute targets of the elements [rad or m]."""
+        """Commanded features: absolute targets of the elements [rad or m]."""
         return dict.fromkeys(self._names, float)
 
     @property
@@ -166,8 +166,8 @@ class LabUtopiaTeleoperator(Teleoperator):
         """Return where the person wants the elements [rad or m] in the next control period."""
         if self._device is None:
             raise ConnectionError("connect() comes first")
-        told = self._device.get_action()
-        return self.commanded(of_sticks(told) if self.config.device == GAMEPAD else of_keys(told))
+        raw = self._device.get_action()
+        return self.commanded(of_sticks(raw) if self.config.device == GAMEPAD else of_keys(raw))
 
     def commanded(self, wish: Wish) -> dict[str, Any]:
         """Return the action of a wish; a key that stays down asks for one next episode only."""

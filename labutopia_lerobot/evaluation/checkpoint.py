@@ -1,6 +1,6 @@
 """Checkpoints of LeRobot: what they observe, whether they fit a task.
 
-Reads only the JSON beside the weights, so that a mistake is told before torch is imported.
+Reads only the JSON beside the weights, so that a mistake is reported before torch is imported.
 """
 
 import os
@@ -44,7 +44,7 @@ class Checkpoint:
 
     Attributes:
         folder: LeRobot's `pretrained_model` folder, with links such as `last` followed: what is
-            told of it stays true, and every worker loads the same, whatever training does.
+            recorded of it stays true, and every worker loads the same, whatever training does.
         base: Folder of the policy that `folder` adapts, if that is a LoRA adapter.
         type: LeRobot's name of the policy.
         device: Device of torch, or None for CUDA where there is one.
@@ -134,15 +134,15 @@ def open_checkpoint(
 
 
 def _type(folder: Path, config: dict[str, Any], policy: str | None) -> str:
-    found = config.get("type")
-    if not isinstance(found, str):
-        raise CheckpointError(f"{folder / CONFIG} does not tell the type of the policy")
-    if policy not in (None, found):
+    stored = config.get("type")
+    if not isinstance(stored, str):
+        raise CheckpointError(f"{folder / CONFIG} does not name the type of the policy")
+    if policy not in (None, stored):
         raise CheckpointError(
-            f"policy={policy} cannot play {folder}, which holds a policy of type '{found}'. "
+            f"policy={policy} cannot play {folder}, which holds a policy of type '{stored}'. "
             "Leave policy= out, or choose another policy.path="
         )
-    return found
+    return stored
 
 
 def _require_obs(folder: Path, trained_on: str, obs: str | None) -> None:
@@ -162,10 +162,10 @@ def _shapes(folder: Path, config: dict[str, Any], kind: str) -> dict[str, tuple[
 
 def _require_size(folder: Path, key: str, shape: tuple[int, ...] | None, size: int) -> None:
     if shape != (size,):
-        found = "none" if shape is None else f"one of shape {shape}"
+        trained = "none" if shape is None else f"one of shape {shape}"
         raise CheckpointError(
             f"{folder} does not fit: `{key}` has {size} elements in this task, and it was trained "
-            f"with {found}. Train it on a dataset that labutopia-record made of this task"
+            f"with {trained}. Train it on a dataset that labutopia-record made of this task"
         )
 
 
@@ -262,7 +262,7 @@ def element_names(folder: Path, key: str) -> tuple[Path, tuple[str, ...]] | None
 
 
 def keys_with_statistics(states: Iterable[Path]) -> set[str]:
-    """Return the keys of everything that a training had statistics of; empty if nothing tells.
+    """Return the keys of everything that a training had statistics of; empty if nothing says so.
 
     LeRobot keeps those of the whole dataset with its normaliser, `KEY.mean` and so on, whatever the
     policy uses.

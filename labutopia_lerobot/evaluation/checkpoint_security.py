@@ -31,7 +31,7 @@ _IMPORTING = ("megatron_config", "loftq_config", "corda_config", "eva_config", "
 """Keys of an adapter by which PEFT imports modules or reads other files."""
 
 _LARGEST = {"layers": 1_000, "heads": 10_000, "dim": 1_000_000, "size": 1_000_000}
-"""What the name of a number of a network contains -> the most that it can be."""
+"""Part of the name of a network's number -> the largest value that it may have."""
 
 _REPEATED_GROUP = re.compile(r"\)[*+{]")
 _REPETITION = re.compile(r"[*+{]")
@@ -45,7 +45,7 @@ _CURE = "Save the policy with LeRobot's save_pretrained, or do not use it if it 
 
 
 class ProcessorStep(TypedDict):
-    """What is read of a step of a processor."""
+    """The part of a processor's step that is read."""
 
     config: NotRequired[dict[str, Any]]
 
@@ -103,7 +103,7 @@ def read_steps(file: Path) -> list[dict[str, Any]]:
 
 def _model_problems(config: dict[str, Any]) -> Iterator[str]:
     if not isinstance(config.get("type"), str):
-        yield "it does not tell the type of the policy"
+        yield "it does not name the type of the policy"
     elif config["type"] in FOREIGN_CODE:
         yield f"LeRobot runs code from elsewhere for policies of type '{config['type']}'"
     for key, value in _leaves(config):
@@ -160,7 +160,7 @@ def _require_tokenizers(folder: Path, name: str, steps: list[dict[str, Any]]) ->
 
 
 def _cached(repo: str) -> bool:
-    """Tell whether a tokenizer of the Hub is in the cache of this machine."""
+    """Return whether a tokenizer of the Hub is in the cache of this machine."""
     try:
         return any(isinstance(try_to_load_from_cache(repo, f), str) for f in _TOKENIZER_FILES)
     except ValueError:  # no name of the Hub
@@ -193,7 +193,7 @@ def _leaves(value: object, key: str = "") -> Iterator[tuple[str, object]]:
 
 
 def leaves_folder(text: str) -> bool:
-    """Tell whether a text is a path that leads out of the folder that it is read in."""
+    """Return whether a text is a path that leads out of the folder that it is read in."""
     # Both kinds, so that what is refused does not depend on the machine.
     paths = PurePosixPath(text), PureWindowsPath(text)
     absolute = text.startswith(("~", "/", "\\", "file:")) or any(p.is_absolute() for p in paths)

@@ -24,7 +24,7 @@ class NoCommonEpisodesError(UserError):
 
 @dataclass(frozen=True)
 class PlayedEpisodes:
-    """What one policy played.
+    """Episodes that one policy played.
 
     Attributes:
         rows: Condition without what only the observer sees -> seed -> row.
@@ -119,8 +119,8 @@ class Comparison:
         condition: What both played, without what only they saw; None over all tasks.
         pairs: Common episodes, by who succeeded.
         sequential: Whether one of the runs could stop by what it had seen: then the number of
-            episodes says something of the outcome, and only what is valid anytime is told.
-        p_value_holm: Its p-value, adjusted for the number of conditions that are told; over all
+            episodes says something of the outcome, and only what is valid anytime is given.
+        p_value_holm: Its p-value, adjusted for the number of conditions that are listed; over all
             tasks as it is.
     """
 
@@ -186,7 +186,7 @@ class Comparison:
 def compare(first: Sequence[LoadedResult], second: Sequence[LoadedResult]) -> list[Comparison]:
     """Return the comparison under each common condition, and of all tasks together.
 
-    All tasks are told together where the conditions differ in nothing else, and every number of
+    All tasks are pooled where the conditions differ in nothing else, and every number of
     episodes was fixed beforehand.
 
     Raises:
@@ -195,28 +195,29 @@ def compare(first: Sequence[LoadedResult], second: Sequence[LoadedResult]) -> li
     """
     ours, theirs = played_episodes(first), played_episodes(second)
     sequential = ours.sequential | theirs.sequential
-    found = []
+    comparisons = []
     for condition in sorted(ours.rows.keys() & theirs.rows.keys(), key=lambda c: c.description):
         pairs = PairedOutcomes.of(common_outcomes(ours.rows[condition], theirs.rows[condition]))
         if pairs.n:
-            found.append(Comparison(condition, pairs, condition in sequential))
-    if not found:
+            comparisons.append(Comparison(condition, pairs, condition in sequential))
+    if not comparisons:
         raise NoCommonEpisodesError(
             f"The results have no episode in common. First: {ours}. Second: {theirs}. Play the "
             "same tasks, splits, axes, steps and seeds with the same robot, room and liquid"
         )
-    return adjusted(found)
+    return adjusted(comparisons)
 
 
-def adjusted(found: Sequence[Comparison]) -> list[Comparison]:
+def adjusted(comparisons: Sequence[Comparison]) -> list[Comparison]:
     """Return comparisons with p-values adjusted for how many there are, and all tasks pooled."""
-    p_values = holm([comparison.p_value for comparison in found])
-    lines = [replace(each, p_value_holm=p) for each, p in zip(found, p_values, strict=True)]
-    conditions = [comparison.condition for comparison in found if comparison.condition is not None]
-    fixed = not any(comparison.sequential for comparison in found)
-    if len(found) == 1 or not fixed or not differ_in_task_only(conditions):
+    p_values = holm([comparison.p_value for comparison in comparisons])
+    lines = [replace(each, p_value_holm=p) for each, p in zip(comparisons, p_values, strict=True)]
+    conditions = [each.condition for each in comparisons if each.condition is not None]
+    fixed = not any(comparison.sequential for comparison in comparisons)
+    if len(comparisons) == 1 or not fixed or not differ_in_task_only(conditions):
         return lines
-    pooled = Comparison(None, reduce(PairedOutcomes.__add__, (each.pairs for each in found)), False)
+    pairs = reduce(PairedOutcomes.__add__, (each.pairs for each in comparisons))
+    pooled = Comparison(None, pairs, False)
     return [*lines, replace(pooled, p_value_holm=pooled.p_value)]
 
 

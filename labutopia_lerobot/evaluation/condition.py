@@ -26,10 +26,10 @@ REFERENCES = (EXPERT, RANDOM, STILL)
 """Policies that need no training, and look at no observation."""
 
 ID, OOD, ALL_AXES = "ID", "OOD", "all axes"
-"""How tables call the usual shifts, the first two as the paper does."""
+"""Names of the usual shifts in tables; the first two are the paper's."""
 
 _MARKED = ("liquid", "particles", "robot", "room", "after")
-"""What tables mark where it is not as published; shifts and steps have names of their own."""
+"""Options that tables mark where they differ from those published, beside shifts and steps."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class Condition:
 
     @property
     def shift(self) -> str:
-        """What is drawn otherwise than in training: `ID`, `OOD` (what the task shifts), ..."""
+        """Things drawn otherwise than in training: `ID`, `OOD` (what the task shifts), ..."""
         if self.axes == (ALL,) and self.split == "ood":
             return ALL_AXES
         name = {"id": ID, "ood": OOD}.get(self.split, self.split)
@@ -99,7 +99,7 @@ class Condition:
         return ", ".join([self.shift, *staged, *alone])
 
     def without_task(self, policy: str | None = None) -> str:
-        """Return everything that tells it from others of its task, in words; see `marks`."""
+        """Return what distinguishes it from others of its task, in words; see `marks`."""
         return ", ".join([self.played, *self.marks(policy)])
 
     @property
@@ -126,7 +126,7 @@ class Condition:
 
 
 def differ_in_task_only(conditions: Sequence[Condition]) -> bool:
-    """Tell whether a mean over conditions is one over tasks: a task may have no liquid."""
+    """Return whether a mean over conditions is one over tasks: a task may have no liquid."""
     values = {
         field.name: {getattr(condition, field.name) for condition in conditions}
         for field in fields(Condition)
@@ -134,4 +134,4 @@ def differ_in_task_only(conditions: Sequence[Condition]) -> bool:
     }
     for name in ("liquid", "particles"):
         values[name].discard(None)
-    return all(len(found) <= 1 for found in values.values())
+    return all(len(distinct) <= 1 for distinct in values.values())

@@ -1,4 +1,4 @@
-"""Why an episode failed, in one phrase, told from the history of its facts."""
+"""Why an episode failed, in one phrase, derived from the history of its facts."""
 
 from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.task import DIVERGED, INTERRUPTED
@@ -24,7 +24,7 @@ _BREACHES = {
 """Part of the name of an outcome that a task forbids -> cause."""
 
 _GRIPS = (" gripped", " grasped")
-"""How the facts end that tell of a thing in the hand."""
+"""Suffix of the facts about a thing in the hand."""
 
 _LETTING_GO = ("placed", "released", "withdrawn")
 """Substeps that are about letting go."""
@@ -52,7 +52,7 @@ def cause_of(row: Row) -> str | None:
 
 
 def _held(row: Row) -> bool | None:
-    """Tell whether anything was ever in the hand; None where no fact tells."""
+    """Return whether anything was ever in the hand; None where no fact says so."""
     grips = [row.history[name]["times"] for name in row.history if name.endswith(_GRIPS)]
     return any(grips) if grips else None
 
@@ -99,7 +99,7 @@ def _thing(grip: str) -> str:
 
 
 def _changed(row: Row, name: str) -> bool:
-    """Tell whether a fact ever began or ceased to hold."""
+    """Return whether a fact ever began or ceased to hold."""
     fact = row.history[name]
     if fact["times"] != 1:
         return bool(fact["times"])
@@ -108,6 +108,6 @@ def _changed(row: Row, name: str) -> bool:
 
 
 def failed_in(row: Row) -> str:
-    """Return the first step that was not done; of rows that tell no steps, the first substep."""
+    """Return the first step that was not done; of rows without steps, the first substep."""
     times = row.step_times or row.substeps
     return next((name for name, time in times.items() if time is None), "the goal")

@@ -1,4 +1,4 @@
-"""Where a checkpoint lies, here or on the Hugging Face Hub, and which files it must have."""
+"""Finding a checkpoint, here or on the Hugging Face Hub, and the files that it must have."""
 
 import re
 import shlex
@@ -33,7 +33,7 @@ _INNER = tuple(
     for outer in ("", "checkpoints/last/")
     for name in ("pretrained_model_ema", "pretrained_model")
 )
-"""What `lerobot-train` saves below its `output_dir`; where it averaged the weights over the
+"""Folders that `lerobot-train` saves in its `output_dir`; where it averaged the weights over the
 training (`--ema.enable=true`), it evaluates the average itself, and so do we."""
 
 
@@ -136,7 +136,7 @@ def adapted(folder: Path) -> Path | None:
     named, revision = adapter.get("base_model_name_or_path"), adapter.get("revision")
     if not isinstance(named, str) or not named:
         raise CheckpointError(
-            f"{folder / ADAPTER} does not tell which policy it adapts (base_model_name_or_path)"
+            f"{folder / ADAPTER} does not name the policy that it adapts (base_model_name_or_path)"
         )
     base: Path | None = Path(named)
     if not Path(named).is_dir():

@@ -1,4 +1,4 @@
-"""What an evaluation plays: one job per task, split and way of playing."""
+"""Jobs of an evaluation: one per task, split and way of playing."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -77,7 +77,7 @@ def make_jobs(config: EvaluationConfig) -> list[EvaluationJob]:
 def _single(config: EvaluationConfig, task: str, split: str) -> EvaluationJob:
     policy = config.policy
     setting = setting_of(config, task=task, split=split, obs=config.obs or "state")
-    canonical_task(setting)  # so that impossible axes and steps are told at once
+    canonical_task(setting)  # so that impossible axes and steps are reported at once
     if policy.name == REMOTE:
         remote = open_server(policy, replace(setting, obs=config.obs or "pixels"), config.workers)
         return EvaluationJob(remote.setting, REMOTE, remote)
@@ -151,5 +151,5 @@ def _require_no_options(policy: PolicyConfig) -> None:
 
 @lru_cache(maxsize=1)
 def _holds_liquid(setting: Setting) -> bool:
-    """Tell whether the vessels of the task hold something, also where it is left out."""
+    """Return whether the vessels of the task hold something, also where it is left out."""
     return bool(canonical_task(replace(setting, liquid="on")).contents)

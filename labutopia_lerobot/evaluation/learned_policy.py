@@ -21,7 +21,7 @@ from labutopia_lerobot.evaluation.checkpoint_security import (
 from labutopia_lerobot.evaluation.policies import Action
 
 NOT_LOADED = "Could not load state dict"
-"""What LeRobot 0.6.1 prints, instead of raising, before it goes on with random weights (pi0, pi0.5:
+"""Message of LeRobot 0.6.1 before it goes on, without raising, with random weights (pi0, pi0.5:
 `PI0Policy.from_pretrained`)."""
 
 
@@ -57,7 +57,7 @@ class LearnedPolicy:
         base: Path | None = None,
         rename: Mapping[str, str] | None = None,
     ) -> None:
-        require_safe_checkpoint(folder)  # here too: whoever loads a policy comes through here
+        require_safe_checkpoint(folder)  # here too: every load of a policy comes through here
         if base is not None:
             require_safe_model(base)
         torch.set_num_threads(1)
@@ -149,7 +149,7 @@ def _load(folder: Path, base: Path | None, config: PreTrainedConfig) -> PreTrain
 
 
 def _leave_in_evaluation_mode(policy: PreTrainedPolicy) -> None:
-    """Spare every step a walk through all modules, only to tell them again that nobody trains.
+    """Spare every step a walk through all modules, only to repeat to them that nobody trains.
 
     The policies of LeRobot begin `select_action` with `self.eval()`: of a small ACT a tenth of what
     an episode costs, and more the more modules there are.

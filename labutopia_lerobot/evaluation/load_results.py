@@ -25,7 +25,7 @@ class LoadedResult:
         place: Folder of the result, or file of kept rows.
         finished: Whether every episode was played.
         rows: Its rows, in order; of an unfinished one, of the episodes so far.
-        provenance: What they come from (see `origin`), as far as it is told.
+        provenance: What they come from (see `origin`), as far as it is recorded.
     """
 
     place: Path
@@ -35,7 +35,7 @@ class LoadedResult:
 
     @property
     def config(self) -> Mapping[str, Any]:
-        """The options of the run, as far as they are told."""
+        """The options of the run, as far as they are recorded."""
         config: Mapping[str, Any] = self.provenance.get("config", {})
         return config
 
@@ -46,7 +46,7 @@ class LoadedResult:
 
     @cached_property
     def summaries(self) -> list[EvaluationSummary]:
-        """What it tells."""
+        """Summaries of its rows, one per policy and condition."""
         return summarise(self.rows, sequential=self.sequential)
 
 
@@ -63,13 +63,13 @@ def load_results(place: Path) -> list[LoadedResult]:
         return [_read_file(place, place)]
     folders = {file.parent for name in (RESULT, ROWS) for file in place.rglob(name)}
     kept = () if folders else place.glob("*.json")
-    found = [*map(_read_folder, sorted(folders)), *(_read_file(f, f) for f in sorted(kept))]
-    if not found:
+    results = [*map(_read_folder, sorted(folders)), *(_read_file(f, f) for f in sorted(kept))]
+    if not results:
         raise UnreadableResultError(
             f"{place} holds neither {RESULT} nor {ROWS}. Make one: "
             f"python eval/run.py task=level1/pick policy=expert out={place}"
         )
-    return found
+    return results
 
 
 def _read_folder(folder: Path) -> LoadedResult:

@@ -1,4 +1,4 @@
-"""What the rows of an evaluation come from: options, code, versions, weights."""
+"""Origin of the rows of an evaluation: options, code, versions, weights."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -54,7 +54,7 @@ def full_provenance(
     Args:
         began: Its `origin`.
         config: Options of the run that finished it.
-        rows: Its rows, which tell what they were played and drawn with.
+        rows: Its rows, which say what they were played and drawn with.
     """
     return {
         **began["code"],
@@ -119,7 +119,7 @@ def _hashes(folder: Path, names: Iterable[str]) -> dict[str, str]:
 
 
 def _training_step(folder: Path) -> int | None:
-    """Return after how many steps of training it was saved, or None if nothing tells."""
+    """Return after how many steps of training it was saved, or None if nothing says so."""
     file = folder.parent / "training_state" / "training_step.json"
     if file.is_file():
         step = read_json_object(file, CheckpointError).get("step")

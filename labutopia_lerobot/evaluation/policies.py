@@ -1,4 +1,4 @@
-"""What plays an episode: reference policies, one policy per step, and recorded actions."""
+"""Players of an episode: reference policies, one policy per step, and recorded actions."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ class Policy(Protocol):
     """Plays one episode after another.
 
     What it does depends on the observations and the seed of the episode alone. It may have a
-    `failure` (what it could not do, or None) and a `device` (of torch), which rows then tell.
+    `failure` (what it could not do, or None) and a `device` (of torch), which rows then record.
     """
 
     def start(self, env: LabEnv, seed: int) -> None:
@@ -190,7 +190,7 @@ class StagedPolicy:
 
     @property
     def failure(self) -> str | None:
-        """What the policy that plays could not do, or None."""
+        """Reason why the policy could not act, or None."""
         failure: str | None = getattr(self._playing, "failure", None)
         return failure
 

@@ -1,4 +1,4 @@
-"""How precisely an episode was done, beside whether it succeeded; measured, it decides nothing."""
+"""Precision of an episode, beside its success; it is measured and decides nothing."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
@@ -49,22 +49,22 @@ class Precision:
         """
         for step in self._task.steps:
             if step.name not in self._volumes and np.isfinite(substeps[step.substeps[-1].name]):
-                self._volumes[step.name] = self._off(_facts(step), "ml")
+                self._volumes[step.name] = self._misses(_facts(step), "ml")
         self._contacts.update(f"{first} and {second}" for first, second in self._unwanted())
 
     @property
     def columns(self) -> dict[str, Any]:
         """The columns of the row, as of now."""
         undone = (step for step in self._task.steps if step.name not in self._volumes)
-        volumes = [*self._volumes.values(), *(self._off(_facts(step), "ml") for step in undone)]
+        volumes = [*self._volumes.values(), *(self._misses(_facts(step), "ml") for step in undone)]
         return {
             "ml_off_target": _worst([*chain(*volumes)]),
-            "mm_off_place": _worst(self._off(self._task.goal, "mm")),
-            "deg_off_place": _worst(self._off(self._task.goal, "deg")),
+            "mm_off_place": _worst(self._misses(self._task.goal, "mm")),
+            "deg_off_place": _worst(self._misses(self._task.goal, "deg")),
             "unwanted_contacts": dict(sorted(self._contacts.items())),
         }
 
-    def _off(self, facts: Iterable[Predicate], unit: str) -> list[float]:
+    def _misses(self, facts: Iterable[Predicate], unit: str) -> list[float]:
         """Return by how much the world misses what facts ask for, in one unit."""
         misses = (fact.errors(self._world) for fact in facts)
         return [miss[unit] for miss in misses if unit in miss]
@@ -83,7 +83,7 @@ class Precision:
                     yield piece.name, other
 
     def _belongs_to_the_task(self, name: str) -> bool:
-        """Tell whether a body is one of a thing's: the name of each starts with the thing's."""
+        """Return whether a body is one of a thing's: the name of each starts with the thing's."""
         return any(f"{name}_".startswith(f"{piece.name}_") for piece in self._task.start)
 
 

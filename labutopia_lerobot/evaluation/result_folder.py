@@ -1,6 +1,6 @@
 """The folder of a result: rows and actions as they come, then everything with its provenance.
 
-`evaluation.json` tells what the rows come from (see `origin`), `rows.jsonl` holds them,
+`evaluation.json` says what the rows come from (see `origin`), `rows.jsonl` holds them,
 `actions.jsonl` what was commanded, `result.json` says that it is finished. Killed at any moment,
 the same command goes on with the rows that are there.
 """
@@ -40,7 +40,7 @@ RESULT = "result.json"
 VIDEOS = "videos"
 
 SCHEMA = 1
-"""What the columns of a result mean. A column more changes nothing; another meaning raises it."""
+"""Version of the meaning of a result's columns. A new column leaves it; a new meaning raises it."""
 
 EpisodeKey = tuple[str, str, str, int]
 """Task, split, way of playing and seed: all in which episodes of one run differ."""
@@ -191,7 +191,7 @@ def read_rows(file: Path) -> list[Row]:
 
 
 def key_in_run(row: Row) -> EpisodeKey:
-    """Return what tells an episode from the others of its run."""
+    """Return what distinguishes an episode from the others of its run."""
     return row.task, row.split, row.play, row.seed
 
 

@@ -127,14 +127,14 @@ def _play(job: EvaluationJob, seed: int) -> Episode:
         expert_failure=getattr(policy, "failure", None),
         cause=cause_of(row),
         device=getattr(policy, "device", None),
-        renderer=_seen_through(job.setting),
+        renderer=_policy_renderer(job.setting),
     )
     elements = env.workcell.simulation.command.size
     commanded = np.array(actions, dtype=np.float32).reshape(len(actions), elements)
     return Episode(job, row, commanded)
 
 
-def _seen_through(setting: Setting) -> str | None:
+def _policy_renderer(setting: Setting) -> str | None:
     return renderer_name(setting.renderer) if setting.obs == "pixels" else None
 
 

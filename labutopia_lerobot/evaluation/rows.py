@@ -17,7 +17,7 @@ from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.setting import CLASSIC, DEFAULT_ROBOT, DEFAULT_ROOM, FILAMENT, PARTICLES
 
 _FORMER_NAMES = {"prelude_failures": "setup_failures"}
-"""What a column was called in results of earlier versions -> what it is called now."""
+"""Column name in results of earlier versions -> its name now."""
 
 
 class UnreadableResultError(UserError):
@@ -26,7 +26,7 @@ class UnreadableResultError(UserError):
 
 @dataclass(frozen=True, kw_only=True)
 class Row:
-    """What became of one episode: one row of a result file.
+    """Result of one episode: one row of a result file.
 
     Attributes:
         task: Task id.
@@ -141,7 +141,7 @@ class Row:
 
     @property
     def scene(self) -> tuple[Condition, int]:
-        """What tells whether another policy met the same scene: its condition and the seed."""
+        """Identity of the scene that the policy met: its condition and the seed."""
         return self.condition.scene, self.seed
 
 

@@ -1,4 +1,4 @@
-"""When a run has seen enough: its interval is narrow, or it is told apart from another result."""
+"""Stopping a run: its interval is narrow enough, or it differs clearly from another result."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -29,7 +29,7 @@ class StoppingRule:
 
     Attributes:
         half_width: Half of the width of the confidence sequence of the rate that is enough.
-        confidence: Of the sequence, and of telling two policies apart.
+        confidence: Of the sequence, and of distinguishing two policies.
 
     Raises:
         PrecisionError: If no interval can be that narrow.
@@ -44,7 +44,7 @@ class StoppingRule:
     def enough(
         self, successes: ArrayLike, n: ArrayLike, better: ArrayLike = 0, worse: ArrayLike = 0
     ) -> NDArray[np.bool_]:
-        """Tell whether no more episodes are needed.
+        """Return whether no more episodes are needed.
 
         Args:
             successes: Successes so far, any shape.
@@ -53,8 +53,8 @@ class StoppingRule:
             worse: Episodes in which only the rival did.
         """
         low, high = confidence_sequence(successes, n, self.confidence)
-        told_apart = log_evidence(better, worse) >= -np.log1p(-self.confidence)
-        done: NDArray[np.bool_] = ((high - low) / 2 <= self.half_width) | told_apart
+        distinguished = log_evidence(better, worse) >= -np.log1p(-self.confidence)
+        done: NDArray[np.bool_] = ((high - low) / 2 <= self.half_width) | distinguished
         return done
 
 
@@ -84,7 +84,7 @@ class SequentialMonitor:
     Args:
         rule: When it is enough; None if every episode is to be played.
         seed: Of the first episode.
-        rival: What the policy is to be told apart from, if anything.
+        rival: Result that the policy is to be distinguished from, if any.
     """
 
     def __init__(
@@ -112,12 +112,12 @@ class SequentialMonitor:
             sequence.seed += 1
 
     def enough(self, condition: Condition) -> bool:
-        """Tell whether no more episodes are needed of a condition."""
+        """Return whether no more episodes are needed of a condition."""
         sequence = self._sequences.get(condition.scene)
         return sequence is not None and sequence.enough
 
     def counts(self, row: Row) -> bool:
-        """Tell whether an episode belongs to the result, or was begun before it was enough."""
+        """Return whether an episode belongs to the result, or was begun before it was enough."""
         sequence = self._sequences.get(row.condition.scene)
         return sequence is None or not sequence.enough or row.seed < sequence.seed
 

@@ -1,6 +1,6 @@
 """One JSON file for the leaderboard: rows, where they come from, and every action of theirs.
 
-Whoever has the same build plays drawn episodes again from their actions, without the policy, and
+Anyone with the same build plays drawn episodes again from their actions, without the policy, and
 must get the same rows to the bit. That shows what the actions do, not whose they are: an expert's
 or a copy's look the same.
 """
@@ -53,7 +53,7 @@ PUBLISHED: Mapping[str, object] = {
 _SPLITS = ("id", "ood")
 
 _OF_THE_POLICY = ("policy", "obs", "device", "renderer", "expert_failure")
-"""Columns that tell who played and what was seen: actions that are played again tell nothing."""
+"""Columns about who played and what it saw: actions that are played again say nothing of it."""
 
 
 class SubmissionError(UserError):
@@ -62,7 +62,7 @@ class SubmissionError(UserError):
 
 @dataclass(frozen=True)
 class Submission:
-    """What a file of the leaderboard holds.
+    """Content of a file of the leaderboard.
 
     Attributes:
         result: Its rows, and where they come from.

@@ -1,4 +1,4 @@
-"""What moves as one: the rigid bodies that other programs know."""
+"""Rigid bodies as other programs know them: things that move as one."""
 
 import mujoco
 
@@ -22,17 +22,17 @@ def carriers(model: mujoco.MjModel) -> list[int]:
 
 
 def is_joint(model: mujoco.MjModel, joint: int) -> bool:
-    """Tell whether a joint is a hinge or a slide that is the only one of its body."""
+    """Return whether a joint is a hinge or a slide that is the only one of its body."""
     kinds = (int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE))
     alone = model.body_jntnum[model.jnt_bodyid[joint]] == 1
     return bool(model.jnt_type[joint] in kinds and alone)
 
 
 def is_drawn(model: mujoco.MjModel, geom: int) -> bool:
-    """Tell whether a geom is there to be seen: MuJoCo shows groups 0 to 2."""
+    """Return whether a geom is there to be seen: MuJoCo shows groups 0 to 2."""
     return bool(model.geom_group[geom] <= 2)
 
 
 def touches(model: mujoco.MjModel, geom: int) -> bool:
-    """Tell whether a geom can touch anything."""
+    """Return whether a geom can touch anything."""
     return bool(model.geom_contype[geom] or model.geom_conaffinity[geom])

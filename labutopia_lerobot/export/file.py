@@ -12,7 +12,7 @@ from labutopia_lerobot.export.summary import Summary, summary_of_model
 
 _MJCF, _USD = (".xml",), (".usda", ".usdc")
 SUFFIXES = _MJCF + _USD
-"""What a file may end on: MJCF, OpenUSD as text, OpenUSD as binary."""
+"""Suffixes of exported files: MJCF, OpenUSD as text, OpenUSD as binary."""
 
 
 class ExportError(UserError, ValueError):
@@ -45,17 +45,17 @@ def export(subject: ExportSubject, out: Path) -> Summary:
     if out.suffix in _MJCF:
         write_mjcf(subject.spec, out)
         again = mujoco.MjModel.from_xml_path(str(out))
-        told = summary_of_model(again, _start(again))
+        exported = summary_of_model(again, _start(again))
     else:
         from labutopia_lerobot.export.usd import write_usd  # here: pxr is an extra
         from labutopia_lerobot.export.usd_summary import summary_of_stage
 
         write_usd(model, data, subject.name, out)
-        told = summary_of_stage(out)
-    differences = summary_of_model(model, data).differences(told)
+        exported = summary_of_stage(out)
+    differences = summary_of_model(model, data).differences(exported)
     if differences:
         raise DamagedExportError("\n".join((f"{out}, opened again, differs:", *differences)))
-    return told
+    return exported
 
 
 def require_writable(out: Path) -> None:

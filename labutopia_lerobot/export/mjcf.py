@@ -5,7 +5,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.export.textures import texture_folder, write_texture
+from labutopia_lerobot.export.texture_files import texture_folder, write_texture
 
 
 def write_mjcf(spec: mujoco.MjSpec, out: Path) -> None:

@@ -1,4 +1,4 @@
-"""What can be exported, by name: an instrument, a piece of ware, a room, the start of a task."""
+"""Exportable things by name: an instrument, a piece of ware, a room, the start of a task."""
 
 import difflib
 from dataclasses import dataclass
@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.labware.catalogue import catalogue as instruments
 from labutopia_lerobot.labware.glass.catalogue import catalogue as ware
+from labutopia_lerobot.labware.instrument_catalogue import catalogue as instruments
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenes import ROOMS, load_room
@@ -27,12 +27,12 @@ _SHOWN = 12
 
 
 class UnknownSubjectError(UserError, ValueError):
-    """What is to be exported does not exist; the message lists what is called like it."""
+    """A thing to be exported does not exist; the message lists those of a similar name."""
 
 
 @dataclass(frozen=True)
 class ExportSubject:
-    """What is exported.
+    """The thing that is exported.
 
     Attributes:
         name: As files and models are called after it, such as `level1_pick`.

@@ -1,4 +1,4 @@
-"""What a file must say again when it is opened: how many of everything, how heavy, how large."""
+"""Summary that an exported file must reproduce when it is opened: counts, masses, sizes."""
 
 import math
 from dataclasses import dataclass, fields
@@ -18,7 +18,7 @@ _TOLERANCE = 1e-3
 
 @dataclass(frozen=True)
 class Summary:
-    """What is the same in a model and in what is written of it.
+    """Numbers that are the same in a model and in its export.
 
     Attributes:
         moving: How many bodies move.
@@ -45,7 +45,7 @@ class Summary:
         return sum(self.masses)
 
     def differences(self, other: "Summary") -> list[str]:
-        """Tell in what another differs, one line each."""
+        """Return in what another differs, one line each."""
         same = {
             "limits": _near(self.limits, other.limits, atol=_TOLERANCE),
             "masses": _near(self.masses, other.masses, rtol=_MASS_TOLERANCE),
@@ -67,7 +67,7 @@ def summary_of_model(model: mujoco.MjModel, data: mujoco.MjData) -> Summary:
     moving = sorted({body for body in moves_with if body})
     joints = [joint for joint in range(model.njnt) if is_joint(model, joint)]
     geoms = range(model.ngeom)
-    corners = [_geom_corners(model, data, g) for g in geoms if _is_told(model, g)]
+    corners = [_geom_corners(model, data, g) for g in geoms if _is_summarized(model, g)]
     points = np.vstack([*corners, *([data.flexvert_xpos] if model.nflex else [])])
     return Summary(
         moving=len(moving),
@@ -85,7 +85,7 @@ def box_corners(low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[
     return np.array(list(product(*zip(low, high, strict=True))))
 
 
-def _is_told(model: mujoco.MjModel, geom: int) -> bool:
+def _is_summarized(model: mujoco.MjModel, geom: int) -> bool:
     return is_drawn(model, geom) or touches(model, geom)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdShade
 
-from labutopia_lerobot.export.textures import texture_folder, write_texture
+from labutopia_lerobot.export.texture_files import texture_folder, write_texture
 
 _UNTOLD = (0.5, 0.5, 0.5, 1.0)
 """Colour of a geom that has none of its own (MuJoCo, `geom/rgba`)."""

@@ -37,7 +37,7 @@ def add_mesh(stage: Usd.Stage, path: Sdf.Path, model: mujoco.MjModel, mesh: int)
 
 
 def is_textured(model: mujoco.MjModel, geom: int) -> bool:
-    """Tell whether the material of a geom has a texture."""
+    """Return whether the material of a geom has a texture."""
     material = int(model.geom_matid[geom])
     role = mujoco.mjtTextureRole.mjTEXROLE_RGB
     return bool(material >= 0 and model.mat_texid[material, role] >= 0)

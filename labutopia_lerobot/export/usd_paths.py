@@ -1,4 +1,4 @@
-"""Where things are in a stage: what never moves hangs together, moving bodies lie side by side.
+"""Paths of things in a stage: what never moves hangs together, moving bodies lie side by side.
 
 USD's rigid bodies may not be nested. So a body that moves lies below the nearest thing that does
 not, or, as the parts of a movable instrument, in a group with the name of the whole.
@@ -21,7 +21,7 @@ def free_path(stage: Usd.Stage, parent: Sdf.Path, name: str) -> Sdf.Path:
 
 
 def needs_group(model: mujoco.MjModel, moves_with: Sequence[int], tree: int) -> bool:
-    """Tell whether a tree of bodies needs a group: its root moves, and parts of it on their own."""
+    """Return whether a tree of bodies needs a group: its root moves, and parts on their own."""
     own = {moves_with[body] for body in range(model.nbody) if model.body_rootid[body] == tree}
     return moves_with[tree] == tree and len(own) > 1
 

@@ -33,7 +33,7 @@ class UnfinishedResultError(UserError):
 TAGS = ("LeRobot", "labutopia", "laboratory", "mujoco", "robotics", "simulation")
 
 _MARKUP = {"<": "&lt;", "![": "!\\[", "|": "\\|"}
-"""What would begin HTML, a picture or another column -> how Markdown shows it as it is."""
+"""Character that begins HTML, a picture or another column -> its escape in Markdown."""
 
 
 class _Finished(str):
@@ -41,7 +41,7 @@ class _Finished(str):
 
 
 def _escaped(value: object) -> object:
-    """Return what a card tells of somebody's files, in one line and without markup."""
+    """Return a text from somebody's files for a card, in one line and without markup."""
     if not isinstance(value, str) or isinstance(value, _Finished):
         return value
     text = printable(value)
@@ -91,7 +91,7 @@ def rate(successes: int, n: int, interval: tuple[float, float]) -> str:
 
 
 def summary_row(summary: EvaluationSummary) -> dict[str, str]:
-    """Return what a table of results tells of one policy under one condition."""
+    """Return what a table of results says of one policy under one condition."""
     seconds, condition = summary.mean_seconds_to_success, summary.condition
     return {
         "task": condition.task,
@@ -102,7 +102,7 @@ def summary_row(summary: EvaluationSummary) -> dict[str, str]:
 
 
 def finished_summaries(results: Sequence[LoadedResult]) -> list[list[EvaluationSummary]]:
-    """Return what each result tells.
+    """Return the summaries of each result.
 
     Raises:
         UnfinishedResultError: If one is not finished: its rates are those of the episodes so far.

@@ -41,7 +41,7 @@ def card_of_dataset(
     Args:
         facts: What the dataset is.
         repo_id: Its name on the Hub, or one that begins with `local/`.
-        results: What was measured; the expert's rates in the task of the dataset are told.
+        results: What was measured; the expert's rates in the task of the dataset are shown.
         strip: Address of its strip of pictures, or None.
     """
     config, info = facts.config, facts.info
@@ -73,7 +73,7 @@ def card_of_dataset(
         strip=strip,
         tasks=facts.tasks,
         columns=facts.columns,
-        instructions=sorted({told for row in facts.episodes for told in row["tasks"]}),
+        instructions=sorted({task for row in facts.episodes for task in row["tasks"]}),
         config=config,
         info=info,
         minutes=info["total_frames"] / info["fps"] / 60,
@@ -128,13 +128,13 @@ def _typed(value: Any) -> str:
 
 def _feature_rows(features: dict[str, dict[str, Any]]) -> Iterator[dict[str, str]]:
     for key, feature in features.items():
-        told = meaning(key)
+        feature_meaning = meaning(key)
         yield {
             "key": key,
             "dtype": feature["dtype"],
             "shape": " x ".join(str(size) for size in feature["shape"]),
-            "unit": told.unit if told else "",
-            "text": told.text if told else "",
+            "unit": feature_meaning.unit if feature_meaning else "",
+            "text": feature_meaning.text if feature_meaning else "",
         }
 
 
@@ -143,8 +143,8 @@ def _statistics_rows(facts: DatasetFacts) -> Iterator[dict[str, str]]:
         if key in _GENERATED or key not in facts.statistics:
             continue
         values = {
-            name: np.array(told, dtype=float).ravel()
-            for name, told in facts.statistics[key].items()
+            name: np.array(numbers, dtype=float).ravel()
+            for name, numbers in facts.statistics[key].items()
         }
         picture = feature["dtype"] == "video"
         names = ("red", "green", "blue") if picture else feature["names"]
@@ -152,5 +152,5 @@ def _statistics_rows(facts: DatasetFacts) -> Iterator[dict[str, str]]:
             yield {
                 "key": key,
                 "element": name,
-                **{kind: f"{told[index]:.4g}" for kind, told in values.items()},
+                **{kind: f"{elements[index]:.4g}" for kind, elements in values.items()},
             }

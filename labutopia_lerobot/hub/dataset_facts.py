@@ -1,4 +1,4 @@
-"""What a card tells of a dataset, read from its files: a value that JSON can hold."""
+"""Facts about a dataset for its card, read from its files: a value that JSON can hold."""
 
 import json
 from dataclasses import asdict, dataclass
@@ -27,10 +27,10 @@ _FILES = (
     "data/chunk-*/file-*.parquet",
     "videos/*/chunk-*/file-*.mp4",
 )
-"""What is sent of a dataset, and nothing else that lies beside it."""
+"""Files of a dataset that are sent, and nothing else that lies beside them."""
 
 _TOLD = ("min", "max", "mean", "std")
-"""The statistics that a card tells; LeRobot stores more."""
+"""The statistics that a card shows; LeRobot stores more."""
 
 
 class UntoldDatasetError(UserError):
@@ -39,7 +39,7 @@ class UntoldDatasetError(UserError):
 
 @dataclass(frozen=True)
 class DatasetFacts:
-    """What a dataset is.
+    """Facts about a dataset.
 
     Attributes:
         info: LeRobot's description of it: features, frame rate, totals.
@@ -80,7 +80,7 @@ class DatasetFacts:
             },
             recording=recording,
             columns=[name for name in episodes[0] if name.startswith("labutopia/")],
-            episodes=[_told(row) for row in episodes],
+            episodes=[_episode_facts(row) for row in episodes],
             size_bytes=sum(file.stat().st_size for file in dataset_files(root).values()),
         )
 
@@ -126,7 +126,7 @@ def dataset_files(root: Path) -> dict[str, Path]:
     return files
 
 
-def _told(row: dict[str, Any]) -> dict[str, Any]:
+def _episode_facts(row: dict[str, Any]) -> dict[str, Any]:
     return {
         "seed": row.get(SEED),
         "frames": row["length"],

@@ -1,4 +1,4 @@
-"""What the features of our datasets mean, for cards: the key alone does not tell the unit."""
+"""Meanings of the features of our datasets, for cards: the key alone does not say the unit."""
 
 from dataclasses import dataclass
 from fnmatch import fnmatch
@@ -6,7 +6,7 @@ from fnmatch import fnmatch
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a feature means.
+    """Meaning of a feature.
 
     Attributes:
         unit: Of its elements.
@@ -62,4 +62,4 @@ _MEANINGS = {
 
 def meaning(key: str) -> Meaning | None:
     """Return what a feature means, or None for one that is not known here."""
-    return next((told for pattern, told in _MEANINGS.items() if fnmatch(key, pattern)), None)
+    return next((value for pattern, value in _MEANINGS.items() if fnmatch(key, pattern)), None)

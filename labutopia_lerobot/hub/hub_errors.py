@@ -17,8 +17,8 @@ class HubError(UserError):
 
 
 @contextmanager
-def told_clearly(repo_id: str) -> Iterator[None]:
-    """Tell what goes wrong between here and the Hub in one message.
+def explain_errors(repo_id: str) -> Iterator[None]:
+    """Report what goes wrong between here and the Hub in one message.
 
     Args:
         repo_id: The repository that is sent to.
@@ -30,7 +30,7 @@ def told_clearly(repo_id: str) -> Iterator[None]:
         yield
     # An upload that fails is a RuntimeError of huggingface_hub; what it is of stands behind it.
     except (LocalTokenNotFoundError, OfflineModeIsEnabled, httpx.HTTPError, RuntimeError) as error:
-        raise HubError(_told(_origin(error), repo_id)) from error
+        raise HubError(_message_of(_origin(error), repo_id)) from error
 
 
 def _origin(error: BaseException) -> BaseException:
@@ -39,7 +39,7 @@ def _origin(error: BaseException) -> BaseException:
     return error
 
 
-def _told(error: BaseException, repo_id: str) -> str:
+def _message_of(error: BaseException, repo_id: str) -> str:
     if isinstance(error, LocalTokenNotFoundError):
         return "No token of the Hub on this machine. Log in: hf auth login; or set HF_TOKEN"
     if isinstance(error, OfflineModeIsEnabled):

@@ -131,7 +131,7 @@ def _played_by(result: LoadedResult, condition: Condition) -> object:
 
 
 def _dataset(folder: Path) -> str | None:
-    """Return the name of the dataset that it was trained on, if its folder tells."""
+    """Return the name of the dataset that it was trained on, if its folder names it."""
     if not (folder / _TRAINING).is_file():
         return None
     dataset = read_json_object(folder / _TRAINING, UnpublishablePolicyError).get("dataset")
@@ -171,7 +171,7 @@ def _eval_result(summary: EvaluationSummary) -> EvalResult:
         task_type="robotics",
         dataset_type="labutopia",
         dataset_name=f"LabUtopia {name}",
-        dataset_config=name,  # by this the Hub tells results apart, not by the name
+        dataset_config=name,  # by this the Hub distinguishes results, not by the name
         dataset_split=played.split,
         metric_type="success_rate",
         metric_name="Success rate",

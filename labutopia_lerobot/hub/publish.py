@@ -15,12 +15,12 @@ from huggingface_hub.utils._validators import validate_repo_id
 from huggingface_hub.utils.sha import git_hash
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.hub.hub_errors import told_clearly
+from labutopia_lerobot.hub.hub_errors import explain_errors
 from labutopia_lerobot.hub.repository import Repository
 from labutopia_lerobot.runtime.provenance import sha256
 
 _OF_THE_HUB = ".gitattributes"
-"""What the Hub itself puts into a new repository."""
+"""File that the Hub itself puts into a new repository."""
 
 
 class RepoIdError(UserError):
@@ -60,7 +60,7 @@ def publish(repository: Repository, repo_id: str, *, private: bool, replace: boo
         HubError: If the Hub refuses or cannot be reached.
     """
     require_repo_id(repo_id)
-    with told_clearly(repo_id):
+    with explain_errors(repo_id):
         api = HfApi(token=True, library_name="labutopia_lerobot")
         api.create_repo(repo_id, repo_type=repository.kind, private=private, exist_ok=True)
         look = api.dataset_info if repository.kind == "dataset" else api.model_info
@@ -114,7 +114,7 @@ def _refuse_other(
 
 
 def _is(file: RepoSibling, content: Path | bytes) -> bool:
-    """Return whether a file of the Hub has this content; the hashes tell."""
+    """Return whether a file of the Hub has this content, by their hashes."""
     if file.lfs is None:
         data = content if isinstance(content, bytes) else content.read_bytes()
         return file.blob_id == git_hash(data)

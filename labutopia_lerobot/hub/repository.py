@@ -1,11 +1,11 @@
-"""What is to lie in a repository of the Hub: a value, made before anything is sent."""
+"""Intended content of a repository of the Hub: a value, made before anything is sent."""
 
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
 CARD = "README.md"
-"""What the Hub shows of a repository."""
+"""Name of the file that the Hub shows as the page of a repository."""
 
 
 @dataclass(frozen=True)

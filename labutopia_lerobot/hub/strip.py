@@ -15,7 +15,7 @@ from labutopia_lerobot.pictures import COLOR, camera_and_kind
 from labutopia_lerobot.runtime.video import read_frames
 
 STRIP = "assets/strip.jpg"
-"""Where it lies in a repository."""
+"""Path of the strip in a repository."""
 
 _PICTURES = 6
 _HEIGHT = 128

@@ -1,1 +1,1 @@
-"""What stands on the bench: glassware, instruments, soft bodies, and the parts they are made of."""
+"""Things on the bench: glassware, instruments, soft bodies, and the parts they are made of."""

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.kernel import tell_of_compiling
+from labutopia_lerobot.kernel import announce_compiling
 from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
@@ -61,7 +61,7 @@ class Liquid:
         particles: int = PARTICLES,
         robot: int | None = None,
     ) -> None:
-        tell_of_compiling()
+        announce_compiling()
         bottles = [vessel for vessel in vessels if isinstance(vessel, Dispenser)]
         self.vessels = tuple(vessel for vessel in vessels if not isinstance(vessel, Dispenser))
         self.names = tuple(vessel.name for vessel in (*self.vessels, *bottles))
@@ -234,7 +234,7 @@ class Liquid:
         self._around.push(-self._mixing.density * self.volume * self.hertz * self._impulse)
 
     def _sane(self) -> bool:
-        """Tell whether all is in motion as liquid on a bench can be; a speed may be no number."""
+        """Return whether all is in motion as liquid on a bench can be; a speed may be no number."""
         return not self.diverged and bool(np.abs(self.velocities).max() < _FASTEST)
 
     def _advance(self) -> None:

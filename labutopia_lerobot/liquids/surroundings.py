@@ -1,4 +1,4 @@
-"""What liquid is among, as MuJoCo has it: vessels by their glass, everything else by its shapes."""
+"""Surroundings of a liquid, as MuJoCo has them: vessels by their glass, all else by its shapes."""
 
 from collections.abc import Sequence
 

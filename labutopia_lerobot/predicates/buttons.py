@@ -15,7 +15,7 @@ class Switchable(Protocol):
 
     @property
     def name(self) -> str:
-        """What the world calls it."""
+        """Its name in the world."""
         ...
 
 
@@ -52,7 +52,7 @@ def aligned(world: World, button: Button, *, within: float, within_deg: float) -
 
 
 @aligned.measure
-def _off_axis(
+def _axis_errors(
     world: World, button: Button, *, within: float, within_deg: float
 ) -> Mapping[str, float]:
     aside, lean = _misses(world, button)

@@ -1,4 +1,4 @@
-"""What adds up in an episode: turns of a rod, swings of a vessel, how far a drawer is pulled.
+"""Counts that add up in an episode: turns of a rod, swings of a vessel, travel of a drawer.
 
 Predicates have no memory. What must be gone through on the way to a substep has: `Progress`
 begins it anew for every episode and shows it the world once per control step.
@@ -17,10 +17,10 @@ from labutopia_lerobot.world import FloatArray, OpenVessel, Thing, World
 _TURN = 2 * math.pi
 
 _TURNED_BACK = math.radians(90)
-"""How far back a rod goes round before it is another run the other way; ours: a tremble is less."""
+"""Angle that a rod goes back before it is another run the other way; ours: a tremble is less."""
 
 _STIRS = math.radians(10)
-"""How far it goes round at least before a pause is over; ours: a tremble is less."""
+"""Least angle that it goes round before a pause is over; ours: a tremble is less."""
 
 
 class Counter(Protocol):
@@ -89,7 +89,7 @@ def pulled(part: Openable, by: Bar, *, to: float, slack: float) -> Count:
         to: Position of its joint that is far enough [rad or m].
         slack: How far it may move by itself [rad or m].
     """
-    name = f"{part.name} pulled by {by.name}, slack {part.spell(slack)}"
+    name = f"{part.name} pulled by {by.name}, slack {part.format_position(slack)}"
     return Count(name, lambda: _Pulled(part, by, slack), to)
 
 

@@ -1,4 +1,4 @@
-"""What no task forgives: glass that is knocked, a robot that runs into things, an untidy bench."""
+"""Faults that no task forgives: knocked glass, a robot that runs into things, an untidy bench."""
 
 import math
 from collections.abc import Iterator
@@ -20,15 +20,15 @@ arm that is guided by hand (data sheet of the default robot: guiding force about
 feels it."""
 
 _MOVED = 0.02
-"""How far what a task leaves alone may be moved [m]; ours: a nudge that a person would not see."""
+"""Greatest shift of a thing that a task leaves alone [m]; ours: a nudge no person would see."""
 
 _FELLED = 30.0
-"""How far it may lean [deg]; ours: further than glass leans and falls back."""
+"""Greatest lean of it [deg]; ours: further than glass leans and falls back."""
 
 
 @predicate(f"anything knocked at {_KNOCK:g} m/s or pressed with {_LOAD:g} N")
 def broken(world: World) -> bool:
-    """What stands free is knocked or pressed too hard, against anything but the rubber pads."""
+    """A free-standing thing is knocked or pressed too hard against anything but the rubber pads."""
     return any(_blows(world))
 
 
@@ -70,7 +70,7 @@ def _pushes(world: World, spared: tuple[Thing, ...]) -> Iterator[str]:
 
 @predicate(f"anything but {{moved}} displaced by {_MOVED:g} m or leaning by {_FELLED:g} deg")
 def displaced(world: World, *moved: Thing) -> bool:
-    """What the task leaves alone, a target or a distractor, has left its place, or fallen."""
+    """A thing that the task leaves alone, target or distractor, has left its place or fallen."""
     return any(_displacements(world, moved))
 
 

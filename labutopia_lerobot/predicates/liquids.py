@@ -14,7 +14,7 @@ from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.world import FloatArray, OpenVessel, Thing, World
 
 POURS_BELOW = 0.30
-"""How high above the target a lip may pour [m]; ours: paper "above", original 0.1 to 0.2."""
+"""Most that a pouring lip may be above the target [m]; ours: paper "above", original 0.1 to 0.2."""
 
 _EMPTIED_DEG = 95.0
 """Lean from which on nothing stays in a beaker: beyond the level [deg]."""
@@ -102,7 +102,7 @@ def _runs_over_deg(vessel: Thing) -> float:
     A half-full cylinder runs over where the tangent of its lean is its height over the diameter of
     its mouth, one that tapers later. 9 degrees before that: 45 for a beaker; where it is tall and
     narrow 60, from where on a lip that pours must be over its target (`actions.pour`). A bottle
-    with a spout is not told apart from a beaker.
+    with a spout is not distinguished from a beaker.
     """
     if not isinstance(vessel, OpenVessel):
         return 45.0
@@ -119,7 +119,7 @@ def given(world: World, origin: Thing, target: Thing, *, more_than_ml: float) ->
 
 @dataclass(frozen=True)
 class Transfer:
-    """What is to be poured where.
+    """A transfer that is to be poured.
 
     Attributes:
         origin: What the liquid was filled into at the start.

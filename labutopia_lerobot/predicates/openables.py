@@ -24,11 +24,11 @@ class Bar(Thing, Protocol):
 
 
 class Engaging(Protocol):
-    """What keeps a shut door shut."""
+    """Mechanism that keeps a shut door shut."""
 
     @property
     def joint(self) -> str:
-        """Name of the joint that tells whether it does [m]."""
+        """Name of the joint that shows whether it does [m]."""
         ...
 
     @property
@@ -50,7 +50,7 @@ class Openable(Thing, Protocol):
         """Joint position below which there is no gap [rad or m]."""
         ...
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write a joint position [rad or m] with a unit."""
         ...
 
@@ -60,7 +60,7 @@ class Latching(Openable, Protocol):
 
     @property
     def catch(self) -> Engaging | None:
-        """What keeps it shut, or None."""
+        """Mechanism that keeps it shut, or None."""
         ...
 
 

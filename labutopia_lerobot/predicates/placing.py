@@ -21,7 +21,7 @@ def near(world: World, thing: Thing, place: Destination, *, within: float) -> bo
 
 
 @near.measure
-def _off_place(
+def _place_errors(
     world: World, thing: Thing, place: Destination, *, within: float
 ) -> Mapping[str, float]:
     return {"mm": 1e3 * _distance(world, thing, place)}
@@ -43,7 +43,7 @@ def standing_on(world: World, thing: Thing, place: Destination) -> bool:
 
 
 @standing_on.measure
-def _off_level(world: World, thing: Thing, place: Destination) -> Mapping[str, float]:
+def _level_errors(world: World, thing: Thing, place: Destination) -> Mapping[str, float]:
     return {"deg": math.degrees(world.pose(thing).tilt)}
 
 

@@ -164,5 +164,5 @@ def _shown(value: Any, spec: str, arguments: Mapping[str, Any]) -> str:
     if spec == "percent":
         return f"{100 * value:g} %"
     if spec.startswith("of "):
-        return str(arguments[spec.removeprefix("of ")].spell(value))
+        return str(arguments[spec.removeprefix("of ")].format_position(value))
     return str(getattr(value, "name", None) or format(value, spec))

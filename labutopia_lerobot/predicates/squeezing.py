@@ -35,7 +35,7 @@ def dispensed(world: World, bottle: Squeezable, vessel: OpenVessel, *, at_least_
 
 
 @dispensed.measure
-def _off_amount(
+def _amount_errors(
     world: World, bottle: Squeezable, vessel: OpenVessel, *, at_least_ml: float
 ) -> Mapping[str, float]:
     if world.liquid is None:

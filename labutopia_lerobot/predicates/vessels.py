@@ -9,7 +9,7 @@ from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Thing, World
 
 _MARGIN = 0.001
-"""How much narrower than it is the hand must be commanded to hold something [m]: the drive
+"""Amount by which the hand must be commanded narrower than a thing to hold it [m]: the drive
 of the default robot's hand then closes with 3.5 N a finger, which by friction hold 0.7
 kg; measured, experts hold rods with 1.7 mm and vessels with 12."""
 

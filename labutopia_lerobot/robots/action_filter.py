@@ -1,4 +1,4 @@
-"""What a robot's controller does to a command before it acts: make it finite and reachable."""
+"""Filtering of a command by a robot's controller before it acts: make it finite and reachable."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""How fast something may move that has to stop in a given distance, step by step."""
+"""Greatest speed of something that has to stop in a given distance, step by step."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What a robot may be commanded next, so that it can always stop before its limits."""
+"""Limits of the next command of a robot, so that it can always stop before its limits."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,4 +1,4 @@
-"""Where a robot's elements are in a compiled model: measuring and commanding, in one place."""
+"""Indices of a robot's elements in a compiled model: measuring and commanding, in one place."""
 
 import mujoco
 import numpy as np

@@ -33,7 +33,7 @@ _FINGER_ARMATURE = 0.5
 the fingers sixfold in a physics step, and pads that met a heavy flask bounced off and struck it."""
 
 FRANKA_MESHES = "xacro/qut_frankie_description/meshes/visual"
-"""Where `rtb-data` has the meshes of `franka_description`, in colour."""
+"""Folder of the meshes of `franka_description` in `rtb-data`, in colour."""
 FRANKA_FINISH = "franka"
 """Material of all that is Franka's."""
 

@@ -1,4 +1,4 @@
-"""How the hand moves when the joints do."""
+"""Motion of the hand by the motion of the joints."""
 
 import mujoco
 import numpy as np

@@ -107,8 +107,8 @@ _JOINT_TORQUE = (87.0, 87.0, 87.0, 87.0, 12.0, 12.0, 12.0)
 
 _STIFFNESS = (4500.0, 4500.0, 3500.0, 3500.0, 2000.0, 2000.0, 2000.0)
 """Servo gains [N m/rad]. The real arm's inner position loop is stiffer than any 30 Hz policy can
-tell; these sag about a millimetre under a 1 kg vessel, and the servos' natural periods (over 45 ms)
-stay well above the physics step."""
+notice; these sag about a millimetre under a 1 kg vessel, and the servos' natural periods (over
+45 ms) stay well above the physics step."""
 _DAMPING = (160.0, 185.0, 130.0, 120.0, 35.0, 35.0, 30.0)
 """Servo damping [N m s/rad]: critical, 2 sqrt(k J), for the joint inertias J at home."""
 _JOINT_DAMPING = 1.0

@@ -1,4 +1,4 @@
-"""What a robot's links and drives are made of: inertia, mesh, collision geometry, servo."""
+"""Parts of a robot's links and drives: inertia, mesh, collision geometry, servo."""
 
 from collections.abc import Iterable
 

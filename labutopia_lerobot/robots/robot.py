@@ -1,4 +1,4 @@
-"""What the rest of the house needs to know about an arm with a parallel gripper."""
+"""Interface of an arm with a parallel gripper for the rest of the package."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -141,7 +141,7 @@ class Robot:
 
     @property
     def finger_reach(self) -> float:
-        """How far the fingers reach beyond the point between the pads [m]."""
+        """Reach of the fingers beyond the point between the pads [m]."""
         return self.gripper.finger_reach
 
     @property

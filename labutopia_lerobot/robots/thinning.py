@@ -23,10 +23,10 @@ _SEAM = 5e-5
 """Vertices closer than this are one [m]."""
 
 _HEM = 0.002
-"""How far the borders are hemmed inwards [m]."""
+"""Distance by which the borders are hemmed inwards [m]."""
 
 _PROUD = 0.0008
-"""How far all parts but the largest stand out: thinned, one would show through the other [m]."""
+"""Height by which all parts but the largest stand out [m]: thinned, they would show through."""
 
 _CREASE = np.cos(np.radians(40.0))
 """Faces that meet at less are shaded as one; cosine."""
@@ -43,10 +43,10 @@ _SHARE_POWER = 0.7
 
 _VIEWS = 40
 _PIXEL = 0.0015
-"""Of the pictures that tell what can be seen [m]."""
+"""Of the pictures that show what can be seen [m]."""
 _SAMPLES_PER_PIXEL = 4.0
 _BEHIND = 0.0008
-"""How far behind the front of a pixel something still counts as seen [m]."""
+"""Depth behind the front of a pixel up to which something still counts as seen [m]."""
 
 
 class Part(NamedTuple):
@@ -64,7 +64,7 @@ class Part(NamedTuple):
 
 
 class ThinMesh(NamedTuple):
-    """What is drawn of a mesh.
+    """The drawn part of a mesh.
 
     Attributes:
         vertices: Metres, shape (n, 3).
@@ -88,12 +88,12 @@ def thin_mesh(parts: Sequence[Part], triangles: int) -> ThinMesh:
         [part + offset for (_, part), offset in zip(welded, offsets, strict=True)]
     )
     of = np.repeat(np.arange(len(parts)), [len(part) for _, part in welded])
-    seen = seen_from_outside(vertices, faces)
-    areas = np.bincount(of, weights=_areas(vertices, faces) * seen, minlength=len(parts))
+    visible = visible_from_outside(vertices, faces)
+    areas = np.bincount(of, weights=_areas(vertices, faces) * visible, minlength=len(parts))
     weights = np.where(areas > _LEAST_SHARE * areas.sum(), areas, 0.0) ** _SHARE_POWER
     made = []
     for number in np.flatnonzero(weights):
-        shown, left = weld(vertices, faces[seen & (of == number)])
+        shown, left = weld(vertices, faces[visible & (of == number)])
         if number != areas.argmax():
             shown = shown + _PROUD * vertex_normals(shown, left)
         few = round(triangles * weights[number] / weights.sum())
@@ -121,8 +121,8 @@ def weld(vertices: Vertices, faces: Faces) -> tuple[Vertices, Faces]:
     return vertices[first][used], place.reshape(-1, 3).astype(np.int32)
 
 
-def seen_from_outside(vertices: Vertices, faces: Faces) -> NDArray[np.bool_]:
-    """Tell which faces can be seen from anywhere outside, shape (m,).
+def visible_from_outside(vertices: Vertices, faces: Faces) -> NDArray[np.bool_]:
+    """Return which faces can be seen from anywhere outside, shape (m,).
 
     Points are strewn over the faces and painted, in parallel projection, along directions that are
     spread evenly over the sphere (Fibonacci's lattice).
@@ -141,7 +141,7 @@ def seen_from_outside(vertices: Vertices, faces: Faces) -> NDArray[np.bool_]:
     up = 1 - 2 * index / _VIEWS
     around = np.pi * (1 + np.sqrt(5)) * index
     flat = np.sqrt(1 - up**2)
-    seen = np.zeros(len(faces), bool)
+    visible = np.zeros(len(faces), bool)
     for direction in np.column_stack([flat * np.cos(around), flat * np.sin(around), up]):
         axes = Rotation.align_vectors([[0, 0, 1]], [direction])[0].as_matrix()
         x, y, depth = axes @ points.T
@@ -150,8 +150,8 @@ def seen_from_outside(vertices: Vertices, faces: Faces) -> NDArray[np.bool_]:
         front = np.full(pixel.max() + 1, -np.inf)
         np.maximum.at(front, pixel, depth)
         near = depth > front[pixel] - _BEHIND
-        seen[of[near & (normals[of] @ direction > 0)]] = True
-    return seen
+        visible[of[near & (normals[of] @ direction > 0)]] = True
+    return visible
 
 
 def hemmed(vertices: Vertices, faces: Faces) -> tuple[Vertices, Faces]:

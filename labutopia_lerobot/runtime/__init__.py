@@ -1,1 +1,1 @@
-"""What programs run on: worker processes, videos."""
+"""The machinery below the programs: worker processes, videos."""

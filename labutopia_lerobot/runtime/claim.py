@@ -11,7 +11,7 @@ from typing import Any
 from labutopia_lerobot.errors import UserError
 
 _UNCOMPARED = {"uncommitted_changes"}
-"""Only tells; what was changed stands in the hash of the sources."""
+"""Not compared; a change shows in the hash of the sources."""
 
 
 @contextmanager
@@ -48,7 +48,7 @@ def differences(there: Mapping[str, Any], here: Mapping[str, Any], prefix: str =
     """Return in what one description differs from another, a line for each.
 
     Args:
-        there: What a folder tells of itself, as it came from JSON.
+        there: A folder's own description, as it came from JSON.
         here: The same of the present process; what it does not have is not compared at top level.
         prefix: What stands before each name.
     """

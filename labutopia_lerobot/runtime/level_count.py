@@ -1,4 +1,4 @@
-"""How often every level occurs in pictures, counted exactly while they are encoded."""
+"""Histograms of the levels in pictures, counted exactly while they are encoded."""
 
 from typing import Any
 
@@ -30,7 +30,7 @@ class LevelCount:
 
     @property
     def histogram(self) -> NDArray[np.int64]:
-        """How often each channel had each level, shape (channels, levels)."""
+        """Number of times each channel had each level, shape (channels, levels)."""
         lanes = self._lanes.reshape(-1, self._channels, self._lanes.shape[1])
         summed: NDArray[np.int64] = lanes.sum(axis=0)
         return summed

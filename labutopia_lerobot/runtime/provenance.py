@@ -1,6 +1,6 @@
-"""Where numbers and datasets come from: the code, the task files, the versions, the machine.
+"""Provenance of numbers and datasets: the code, the task files, the versions, the machine.
 
-Recordings and results tell it with these functions, and neither goes on with what other code began.
+Recordings and results keep it by these functions, and neither goes on with what other code began.
 """
 
 import hashlib

@@ -1,4 +1,4 @@
-"""How a program is told to end: SIGTERM, as a cluster sends it, does what Ctrl-C does."""
+"""Ending a program by a signal: SIGTERM, as a cluster sends it, does what Ctrl-C does."""
 
 import multiprocessing
 import os
@@ -69,7 +69,7 @@ def interrupts_held() -> Iterator[None]:
     """Hold Ctrl-C back for as long as this lasts.
 
     A process that is started here holds it back too, until `let_interrupts_through`: in its imports
-    it would be told with a traceback.
+    it would be printed with a traceback.
     """
     before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
     try:

@@ -34,14 +34,14 @@ _ALONE = ":frame-threads=1:pools=none:log-level=error"
 
 @dataclass(frozen=True)
 class Encoding:
-    """How pictures of a kind are stored.
+    """Storage format of pictures of one kind.
 
     Attributes:
         codec: FFmpeg's name of the codec.
         pixel_format: FFmpeg's name of what is stored.
         array: FFmpeg's name of what goes in and out.
         options: Of the codec.
-        threading: Options that keep it in one thread, silently: LeRobot is not told of them.
+        threading: Options that keep it in one thread, silently: LeRobot does not know of them.
         levels: How many values a channel can have.
         step: What one of these levels is worth: 1, or that many metres.
     """

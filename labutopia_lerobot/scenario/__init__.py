@@ -1,4 +1,4 @@
-"""What an episode is before it is played: what its seed has drawn."""
+"""An episode before it is played: what its seed has drawn."""
 
 from labutopia_lerobot.scenario.draw import AxisError, Draw, Value
 from labutopia_lerobot.scenario.scenario import (

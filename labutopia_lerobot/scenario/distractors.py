@@ -16,12 +16,12 @@ INSTRUMENT_GAP = 0.45
 """The same before an instrument [m]: the drying oven's door sweeps so far."""
 
 HAND_REACH = 0.35
-"""How far behind a vessel the hand and the wrist that come to it reach [m]."""
+"""Reach of the hand and the wrist behind a vessel that they come to [m]."""
 
 _TRIES = 1000
 """Places that are tried for a thing."""
 _ARRANGEMENTS = 10
-"""How often all begin anew where the last of them finds no place."""
+"""Number of fresh starts where the last of them finds no place."""
 
 
 def distractor_sets() -> dict[str, tuple[Piece, ...]]:
@@ -112,7 +112,7 @@ def _out_of_the_way(
     workspace: Workspace,
     approach: float,
 ) -> bool:
-    """Tell whether a thing is in the way of neither the arm nor the hand."""
+    """Return whether a thing is in the way of neither the arm nor the hand."""
     point, robot = np.array([at.x, at.y]), np.array(workspace.robot)
     for other, placement in layout.items():
         thing = np.array([placement.x, placement.y])
@@ -130,7 +130,7 @@ def _out_of_the_way(
 
 
 def _is_behind(instrument: Placement, point: FloatArray) -> bool:
-    """Tell whether a point is behind the middle of an instrument, which faces its own -x."""
+    """Return whether a point is behind the middle of an instrument, which faces its own -x."""
     dx, dy = point - (instrument.x, instrument.y)
     return bool(math.cos(instrument.yaw) * dx + math.sin(instrument.yaw) * dy > 0.0)
 

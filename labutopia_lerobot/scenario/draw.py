@@ -1,4 +1,4 @@
-"""What an episode draws: one value per axis, with train and test values that never meet."""
+"""Drawing an episode: one value per axis, with train and test values that never meet."""
 
 import zlib
 from collections.abc import Callable, Mapping, Sequence
@@ -10,7 +10,7 @@ from labutopia_lerobot.setting import ALL, UnknownOptionError
 from labutopia_lerobot.world import FloatArray
 
 type Value = str | int | float | list[float]
-"""What was drawn on an axis, as `info`, result rows and datasets have it."""
+"""Value drawn on an axis, as `info`, result rows and datasets have it."""
 
 type Span = tuple[float, float]
 
@@ -125,7 +125,7 @@ class Draw:
         self._asked |= dict.fromkeys(axes, shifted)
 
     def varies(self, axis: str) -> bool:
-        """Tell whether an axis that every task has varies, for the user or for the task."""
+        """Return whether an axis that every task has varies, for the user or for the task."""
         return axis in self._asked or axis in self._axes or ALL in self._axes
 
     @property

@@ -1,4 +1,4 @@
-"""What an episode is before it is played: a task and a look of the room, drawn from a seed."""
+"""An episode before it is played: a task and a look of the room, drawn from a seed."""
 
 import zlib
 from collections.abc import Mapping
@@ -15,7 +15,7 @@ from labutopia_lerobot.task import Task
 
 @dataclass(frozen=True)
 class Scenario:
-    """What an episode has drawn.
+    """The draws of an episode.
 
     Attributes:
         task: The task.

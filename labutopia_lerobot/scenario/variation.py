@@ -28,7 +28,7 @@ WALLS = tuple(WALL_FINISHES)
 
 @dataclass(frozen=True)
 class Variation:
-    """What an episode has drawn on the axes that every task has; as built where it drew nothing.
+    """Values that an episode has drawn on the axes of every task; as built where it drew nothing.
 
     Attributes:
         bench: Finish of the bench top, one of `BENCH_FINISHES`.

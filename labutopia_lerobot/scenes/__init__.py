@@ -15,7 +15,7 @@ ROOMS = {room.name: room for room in (LABORATORY,)}
 """Rooms that are no plans, by name."""
 
 _LISTED = 30
-"""How many names a message has at most."""
+"""Greatest number of names in a message."""
 
 
 class NoWorkPlaceError(UserError, ValueError):
@@ -29,7 +29,7 @@ def load_room(name: str) -> Room:
         name: Its name, a file that `labutopia-scene generate` made, or what a dataset calls that.
 
     Raises:
-        UnknownRoomError: If there is none; the message names what is spelt alike.
+        UnknownRoomError: If there is none; the message names similar names.
         NoWorkPlaceError: If no robot can work in it.
         PlanError: If the file cannot be read or is no plan.
     """

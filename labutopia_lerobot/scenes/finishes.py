@@ -1,4 +1,4 @@
-"""How surfaces of a room can look."""
+"""Finishes of the surfaces of a room."""
 
 from dataclasses import dataclass
 

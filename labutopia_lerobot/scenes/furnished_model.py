@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 import mujoco
 
-from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.scenes.building.doors import add_door, add_window
 from labutopia_lerobot.scenes.building.masonry import Masonry, masonry
 from labutopia_lerobot.scenes.building.surfaces_model import (

@@ -21,15 +21,15 @@ from labutopia_lerobot.scenes.laboratory_model import laboratory
 from labutopia_lerobot.scenes.plan import Plan, WorkPlace
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.scenery import scenery
-from labutopia_lerobot.scenes.seen import seen
 from labutopia_lerobot.scenes.space.claims import claims_of_piece
 from labutopia_lerobot.scenes.views import View
+from labutopia_lerobot.scenes.visible_triangles import visible_triangles
 from labutopia_lerobot.world import ROOM, FloatArray
 from labutopia_lerobot.world.model import BEYOND_GROUP, COLLISION_GROUP, VISUAL_GROUP
 
 _SOLID_WITHIN = 1.25
-"""What is nearer to the robot's base is solid [m]: the longest arm's 0.90, its hand and what that
-holds."""
+"""Distance from the robot's base up to which things are solid [m]: the longest arm's 0.90, its hand
+and what that holds."""
 _FARTHEST_PIECE = 3.5
 """Whose middle is farther from the robot is not within its reach with any part [m]."""
 _PALETTE = 16
@@ -56,7 +56,7 @@ def decorate(plan: Plan, spec: mujoco.MjSpec, view: View) -> None:
     for number, surface in enumerate(scenery(plan)):
         vertices, normals, faces = surface.mesh
         there = vertices @ turn.as_matrix().T + pos, normals, faces
-        visible = seen(there, view.front) | seen(there, view.top)
+        visible = visible_triangles(there, view.front) | visible_triangles(there, view.top)
         colors = _palette(plan)[1][number]
         for suffix, chosen, group in (
             ("", visible, VISUAL_GROUP),
@@ -102,7 +102,7 @@ def _frame(place: WorkPlace) -> tuple[Rotation, FloatArray]:
 
 
 def _near(point: FloatArray, low: FloatArray, high: FloatArray) -> bool:
-    """Tell whether a box is within reach of a point."""
+    """Return whether a box is within reach of a point."""
     return bool(np.linalg.norm(np.clip(point, low, high) - point) < _SOLID_WITHIN)
 
 

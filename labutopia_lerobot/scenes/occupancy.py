@@ -1,4 +1,4 @@
-"""Where in a room one can drive: a map of cells, as data and as a picture.
+"""Map of where a robot can drive in a room: cells, as data and as a picture.
 
 As in the paper (appendix "Navigation Details"): what is between 0.1 and 1.6 m above the floor is
 projected onto it. What is beside the floor is undefined. Neither can be driven over.
@@ -19,7 +19,7 @@ from labutopia_lerobot.scenes.space.boxes import Boxes
 from labutopia_lerobot.scenes.space.claims import claims
 
 FREE, OCCUPIED, UNDEFINED = 0, 1, -1
-"""What a cell is."""
+"""Kinds of cells."""
 
 LOWEST, HIGHEST = 0.1, 1.6
 """Between them things stand in the way of a robot [m] (paper, "Navigation Details")."""
@@ -84,7 +84,7 @@ class Occupancy:
                 block[block == FREE] = OCCUPIED
 
     def passable(self, radius: float) -> NDArray[np.bool_]:
-        """Tell where the middle of a disc of a radius [m] can be, shape (rows, columns)."""
+        """Return where the middle of a disc of a radius [m] can be, shape (rows, columns)."""
         blocked = np.pad(self.cells != FREE, 1, constant_values=True)
         distance = ndimage.distance_transform_edt(~blocked)[1:-1, 1:-1]
         least = radius / self.resolution + math.sqrt(0.5)  # from middle to middle of a cell

@@ -1,4 +1,4 @@
-"""What a furnished room is made of: walls, openings, pieces, work places. Nothing is built here.
+"""The plan of a furnished room: walls, openings, pieces, work places. Nothing is built here.
 
 Room frame: origin in the south-west corner on the floor, x east, y north, z up. A heading is the
 way that a front faces, in degrees counterclockwise from east.
@@ -75,7 +75,7 @@ class Placed:
 
 @dataclass(frozen=True)
 class WorkPlace:
-    """Where a robot stands before a bench, as in the tasks of levels 1 to 4.
+    """Place of a robot before a bench, as in the tasks of levels 1 to 4.
 
     Attributes:
         name: Its own in this room.

@@ -14,7 +14,7 @@ from labutopia_lerobot.scenes.space.extent import extent
 from labutopia_lerobot.scenes.space.reach import BENCH_SIDE, REACH, ROBOT_RADIUS, Reach
 
 HUNG_WITHIN = 0.05
-"""How far behind what hangs a wall is at most [m]."""
+"""Greatest distance from a hanging piece to the wall behind it [m]."""
 
 
 def proven(plan: Plan, source: str) -> Plan:
@@ -27,8 +27,8 @@ def proven(plan: Plan, source: str) -> Plan:
     Raises:
         PlanError: If it has any; the message lists them.
     """
-    if found := faults(plan):
-        raise PlanError("\n".join((f"{source} cannot be furnished so:", *found)))
+    if problems := faults(plan):
+        raise PlanError("\n".join((f"{source} cannot be furnished so:", *problems)))
     return plan
 
 
@@ -90,7 +90,7 @@ def _hanging(plan: Plan, claimed: list[Claim]) -> Iterator[str]:
 
 
 def stands_on(piece: Placed, carrier: Placed) -> bool:
-    """Tell whether what of a piece touches the ground is all on one top of another."""
+    """Return whether what of a piece touches the ground is all on one top of another."""
     base = extent(piece.kind).sole.placed(piece.heading)
     base = base.moved(np.array([piece.x, piece.y, 0.0]))
     for top in extent(carrier.kind).tops:
@@ -104,7 +104,7 @@ def stands_on(piece: Placed, carrier: Placed) -> bool:
 
 
 def _hangs(plan: Plan, piece: Placed, masonry: list[Boxes]) -> bool:
-    """Tell whether the back of a piece is at a wall."""
+    """Return whether the back of a piece is at a wall."""
     width, depth, height = plan.size
     far = 9.0
     around = boxes(

@@ -1,4 +1,4 @@
-"""What the rest of the house needs to know about a room."""
+"""Interface of a room for the rest of the package."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -16,12 +16,12 @@ _read: dict[str, Plan] = {}
 
 
 def is_file(room: str) -> bool:
-    """Tell whether the name of a room is that of a file."""
+    """Return whether the name of a room is that of a file."""
     return room.endswith(_SUFFIX)
 
 
 def is_of_file(room: str) -> bool:
-    """Tell whether the name of a room is one that rows and datasets give to that of a file."""
+    """Return whether the name of a room is one that rows and datasets give to that of a file."""
     return "@" in room and not is_file(room)
 
 

@@ -29,11 +29,11 @@ _CLEAR = 0.7
 _SHINES = 0.45
 """Specular from which a thing is of the shiny kind."""
 _CELL = 0.1
-"""Of the grid on which is told what is in the same room [m]."""
+"""Of the grid by which things are assigned to rooms [m]."""
 
 
 class SceneryMesh(NamedTuple):
-    """What is drawn alike.
+    """The parts of a room that are drawn alike.
 
     Attributes:
         look: `matt`, `shiny` or `clear`.
@@ -57,19 +57,19 @@ def scenery(plan: Plan) -> tuple[SceneryMesh, ...]:
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
-    found: dict[str, list[tuple[Shell, Color]]] = {}
+    parts_of: dict[str, list[tuple[Shell, Color]]] = {}
     for geom in range(model.ngeom):
         if model.geom_group[geom] < COLLISION_GROUP:
             color, specular = _finish(model, geom)
             look = "clear" if color[3] < _CLEAR else "shiny" if specular > _SHINES else "matt"
-            found.setdefault(look, []).append((_placed(model, data, geom), color))
+            parts_of.setdefault(look, []).append((_placed(model, data, geom), color))
     return tuple(
         SceneryMesh(
             look,
             shell.joined([mesh for mesh, _ in parts]),
             np.repeat([color for _, color in parts], [len(mesh[2]) for mesh, _ in parts], axis=0),
         )
-        for look, parts in sorted(found.items())
+        for look, parts in sorted(parts_of.items())
     )
 
 

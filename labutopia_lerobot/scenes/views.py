@@ -1,4 +1,4 @@
-"""Where the two fixed cameras of a scene are."""
+"""Poses of the two fixed cameras of a scene."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ WIDEST_PICTURE = 2.0
 """Width over height up to which rooms leave out what the fixed cameras cannot see."""
 
 MOST_DISPLACED = 0.08
-"""How far the axis `camera` displaces the fixed cameras at most [m]."""
+"""Greatest displacement of the fixed cameras by the axis `camera` [m]."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""How a compiled room looks in an episode: finishes, light, where the fixed cameras are."""
+"""Appearance of a compiled room in an episode: finishes, light, the poses of the fixed cameras."""
 
 import mujoco
 

@@ -29,7 +29,7 @@ _CURE = (
 
 
 _FAR = (0.0, 0.0, -1e3)
-"""Where nothing is seen [m]."""
+"""Position where no camera sees a thing [m]."""
 
 
 class NoOpenGLError(UserError, RuntimeError):
@@ -115,8 +115,8 @@ class ClassicRenderer:
         }
         segments: NDArray[np.int32] = np.full(objects.shape, -1, np.int32)
         for kind, bodies in body_of.items():
-            found = kinds == int(kind)  # an enumerator itself NumPy compares in Python
-            segments[found] = bodies[objects[found]]
+            of_kind = kinds == int(kind)  # an enumerator itself NumPy compares in Python
+            segments[of_kind] = bodies[objects[of_kind]]
         return segments
 
     def _update(self, data: mujoco.MjData, camera: str) -> None:
@@ -152,8 +152,8 @@ class ClassicRenderer:
         for wall, axes in self._gleaming.turned(data, eye_w):
             place = self._places.get(wall, 0)
             if not _is_geom(geoms[place], wall):
-                seen = range(self._renderer.scene.ngeom)
-                place = next((index for index in seen if _is_geom(geoms[index], wall)), -1)
+                indices = range(self._renderer.scene.ngeom)
+                place = next((index for index in indices if _is_geom(geoms[index], wall)), -1)
                 if place < 0:
                     continue  # out of sight
                 self._places[wall] = place
@@ -176,7 +176,7 @@ class ClassicRenderer:
 
 
 def _is_geom(drawn: mujoco.MjvGeom, geom: int) -> bool:
-    """Tell whether what is drawn is a geom of the model, by its number."""
+    """Return whether what is drawn is a geom of the model, by its number."""
     return bool(drawn.objid == geom and drawn.objtype == int(mujoco.mjtObj.mjOBJ_GEOM))
 
 

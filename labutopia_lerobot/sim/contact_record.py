@@ -1,4 +1,4 @@
-"""What touched what, how hard and how fast things moved, at every step of a control period."""
+"""Contacts, their forces and the speeds of things, at every step of a control period."""
 
 import mujoco
 import numpy as np

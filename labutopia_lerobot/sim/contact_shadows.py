@@ -1,8 +1,8 @@
 """Soft dark spots on the bench under what stands on it or hovers over it, in pictures only.
 
-Shadow maps cost two to five times the picture on a CPU; a spot is one transparent square. It tells
-what stands from what hovers: with the height it grows and fades. Neither depth nor segmentation
-has it.
+Shadow maps cost two to five times the picture on a CPU; a spot is one transparent square. It
+distinguishes what stands from what hovers: with the height it grows and fades. Neither depth
+nor segmentation has it.
 """
 
 from collections.abc import Sequence
@@ -27,7 +27,7 @@ _MARGIN = 1.25
 _FADING = 0.10
 """Height at which a spot has faded by a factor e [m]."""
 _GROWTH = 0.35
-"""How much wider a spot gets per height [m/m]: the half angle of light from a lit ceiling."""
+"""Growth of a spot's radius per height [m/m]: the half angle of light from a lit ceiling."""
 _FAINTEST = 0.015
 """Opacity below which a spot is left out."""
 _NARROWEST = 1e-3

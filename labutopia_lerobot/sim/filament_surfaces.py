@@ -1,4 +1,4 @@
-"""What changes its shape or its texture from picture to picture, in a scene of Filament's."""
+"""Surfaces of a Filament scene that change shape or texture from picture to picture."""
 
 import math
 from collections.abc import Callable, Mapping

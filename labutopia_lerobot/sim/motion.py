@@ -42,7 +42,7 @@ _STRETCHED = 0.6
 """Angle of the elbow below which the posture costs more [rad]; ours: experts that are not lost fold
 it by 0.9 rad and more in every task."""
 _FOLDING = 10.0
-"""How many times more it costs where the arm is straight; ours. Without that an arm that was
+"""Factor by which it costs more where the arm is straight; ours. Without that an arm that was
 stretched once found no way back: moving the hand inwards begins by bringing it further off."""
 _RETREAT = 0.0005
 """Distance by which a pair that is too near must part in a control period [m]."""

@@ -5,7 +5,7 @@ import os
 import sys
 
 BACKENDS = ("egl", "osmesa", "glfw")
-"""What `MUJOCO_GL` may name on Linux."""
+"""Values that `MUJOCO_GL` may have on Linux."""
 
 _SWITCHES = ("", "enable", "enabled", "on", "true", "1", "glx")
 _OFF = ("disable", "disabled", "off", "false", "0")
@@ -13,7 +13,7 @@ _LIBRARIES = {"egl": "libEGL.so.1", "osmesa": "libOSMesa.so.8"}
 
 
 _REFUSED = "LABUTOPIA_REFUSED_MUJOCO_GL"
-"""Environment variable that tells worker processes which value of `MUJOCO_GL` was unknown."""
+"""Environment variable that informs worker processes which value of `MUJOCO_GL` was unknown."""
 
 
 def choose_backend() -> None:

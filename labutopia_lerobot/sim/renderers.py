@@ -1,4 +1,4 @@
-"""What draws pictures: one protocol, two renderers."""
+"""Renderers of pictures: one protocol, two implementations."""
 
 from collections.abc import Sequence
 from typing import Protocol
@@ -70,7 +70,7 @@ def require_renderer(kind: str) -> None:
 
 
 def renderer_name(kind: str) -> str:
-    """Return what draws, as rows and datasets tell it: no two kinds have the same name.
+    """Return what draws, as rows and datasets record it: no two kinds have the same name.
 
     Raises:
         NoFilamentError: If it is Filament, and there is no Vulkan.

@@ -56,7 +56,7 @@ class Scene:
 
     @property
     def welds(self) -> int:
-        """How many bodies are glued together; grasps are friction."""
+        """Number of bodies that are glued together; grasps are friction."""
         return int((self.model.eq_type == mujoco.mjtEq.mjEQ_WELD).sum())
 
 

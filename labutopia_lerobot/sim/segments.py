@@ -1,4 +1,4 @@
-"""What a segmentation calls each thing: numbers that mean the same in every episode of a task."""
+"""Numbers of things in a segmentation, which mean the same in every episode of a task."""
 
 import numpy as np
 from numpy.typing import NDArray

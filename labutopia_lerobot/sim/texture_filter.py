@@ -1,4 +1,4 @@
-"""How textures are sampled: within the nearest level of detail, instead of between two of them.
+"""Sampling of textures: within the nearest level of detail, instead of between two of them.
 
 MuJoCo asks for the mean of two levels, which takes a sixth of the picture on a CPU (256 x 256
 pixels, llvmpipe: 3.6 ms instead of 4.3) and changes it by 0.01 of 255 levels in the mean.

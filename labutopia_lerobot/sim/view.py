@@ -49,7 +49,7 @@ class SimulatedWorld:
 
     @property
     def robot(self) -> Manipulator:
-        """What is known of the robot beforehand."""
+        """The facts about the robot that are known beforehand."""
         return self._simulation.scene.robot
 
     @property
@@ -152,11 +152,11 @@ class SimulatedWorld:
 
     @property
     def liquid(self) -> LiquidAccount | None:
-        """Where the liquid is; None where none is simulated."""
+        """Account of where the liquid is; None where none is simulated."""
         return self._simulation.account
 
     def touching(self, first: str, second: str) -> bool:
-        """Tell whether the two touched since the last control step."""
+        """Return whether the two touched since the last control step."""
         return bool(self._simulation.contacts.touched[self._pair(first, second)])
 
     def touched_by(self, name: str) -> frozenset[str]:
@@ -185,7 +185,7 @@ class SimulatedWorld:
         return twist
 
     def _pair(self, first: str, second: str) -> tuple[int, int]:
-        """Return where a record of contacts tells of two groups."""
+        """Return where a record of contacts is about two groups."""
         return self._touching(first), self._touching(second)
 
     def _body(self, thing: Thing) -> int:

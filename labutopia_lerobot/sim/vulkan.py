@@ -6,7 +6,7 @@ from functools import cache
 _LIBRARY = "libvulkan.so.1"
 _INSTANCE_CREATE_INFO = 1  # VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO
 _NAME = slice(20, 276)
-"""Where `VkPhysicalDeviceProperties` has `deviceName`: behind five numbers of 32 bits."""
+"""Bytes of `deviceName` in `VkPhysicalDeviceProperties`: behind five numbers of 32 bits."""
 _ROOM = 4096
 """More bytes than `VkPhysicalDeviceProperties` has (Vulkan 1.3: 824)."""
 

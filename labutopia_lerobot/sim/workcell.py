@@ -229,7 +229,7 @@ class Workcell:
         return self.renderer.color(data, camera)
 
     def _play(self, skills: Sequence[Skill]) -> bool:
-        """Let the expert play skills that nobody judges; tell whether all went well."""
+        """Let the expert play skills that nobody judges; return whether all went well."""
         expert = self.expert(skills)
         expert.start()
         forbidden = self.task.forbidden(None).values()
@@ -241,7 +241,7 @@ class Workcell:
         return True
 
     def _play_steps(self, steps: Sequence[Step]) -> bool:
-        """Let the expert play the first steps, each until it is done; tell whether all went well.
+        """Let the expert play the first steps, each until it is done; return whether all went well.
 
         Who plays the next step takes over at the very moment in which one is done: so do policies
         that are trained on single steps.

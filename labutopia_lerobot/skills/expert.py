@@ -109,7 +109,7 @@ class Expert:
 
     @property
     def shortfall(self) -> str:
-        """How far the hand is from the target of the phase in play, and what may be in its way."""
+        """Distance of the hand from the target of the present phase, and what may be in its way."""
         target, gripper, phase = self._target(), self._world.gripper, self._phase
         degrees = np.degrees(gripper.angle_to(target))
         near = self._motion.kept_from(touches=phase.touches, holds=phase.holds)

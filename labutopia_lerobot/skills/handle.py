@@ -22,14 +22,14 @@ _OPENING = 0.05
 _NARROW = 0.040
 """The same for a hand that keeps its heading, and is aslant to the open door [m]."""
 _SQUEEZE = 0.012
-"""How much narrower than the bar the closed gripper is commanded [m]: the full force."""
+"""Amount by which the closed gripper is commanded narrower than the bar [m]: the full force."""
 _STANDOFF = 0.10
 """Distance at which the last approach starts and the hand's retreat ends [m] (original: 0.08)."""
 _TURNED_BACK = 0.4
 """Share of what the hand has turned with a door that it turns back as it leaves: beside a door that
 is open it points at the robot, and the wrist behind it soon has no arm left to back away."""
 _LEAD = 0.03
-"""How far ahead of the handle the hand is sent [m]: chords of an arc pull the hand inwards, by
+"""Lead of the commanded hand over the handle [m]: chords of an arc pull the hand inwards, by
 0.3 mm here; by 1.5 mm at 0.05 m, which took up to 66 % of a wrist's torque, and no less time."""
 _LITTLE_LEAD = 0.02
 """The same for a hand that keeps its heading: what strays from the arc pulls at one finger."""
@@ -56,7 +56,7 @@ class Operable(Openable, Jointed, Protocol):
 
     @property
     def handle(self) -> Bar:
-        """What to hold it by."""
+        """The part to hold it by."""
         ...
 
 
@@ -66,7 +66,7 @@ class Turning(Bar, Jointed, Protocol):
 
     @property
     def turn(self) -> float:
-        """How far to turn it [rad]."""
+        """Angle to turn it by [rad]."""
         ...
 
 

@@ -1,4 +1,4 @@
-"""How the hand and what it holds are best turned: as the robot reaches vessels comfortably."""
+"""Orientations of the hand and of what it holds in which the robot reaches vessels comfortably."""
 
 import math
 
@@ -60,7 +60,7 @@ def upright_in_hand(world: World, thing: Thing, point_w: FloatArray) -> Pose:
     """
     now = world.pose(thing)
     righted, _ = Rotation.align_vectors(UP, now.z_axis)
-    # Which way a hand is turned is told by its forward axis, or by its back if it points down.
+    # The heading of a hand is that of its forward axis, or of its back if it points down.
     down = righted.apply(world.gripper.z_axis)[2] < -math.cos(math.pi / 4)
     axis, approach = (0, FROM_ABOVE) if down else (2, None)
     heading = righted.apply(world.gripper.rotation_w[:, axis])

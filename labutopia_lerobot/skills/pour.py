@@ -28,7 +28,7 @@ class Pourable(OpenVessel, Standing, Protocol):
 
     @property
     def taper(self) -> float:
-        """How far beyond the level its wall must lean to drain [rad]; 0 for a beaker."""
+        """Angle beyond the level at which its wall drains [rad]; 0 for a beaker."""
         ...
 
 

@@ -9,7 +9,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.world import Pose, Thing, World
 
 Target = Callable[[World], Pose]
-"""Where the gripper frame should go, from the live world."""
+"""Target pose of the gripper frame, computed from the live world."""
 
 Condition = Callable[[World, Pose, float], bool]
 """Whether a phase is done: the world, the phase's present target, seconds in the phase."""

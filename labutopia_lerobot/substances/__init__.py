@@ -1,1 +1,1 @@
-"""What vessels hold: substances and fillings."""
+"""Contents of vessels: substances and fillings."""

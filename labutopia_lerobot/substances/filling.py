@@ -1,4 +1,4 @@
-"""What is put into a vessel."""
+"""Fillings of vessels."""
 
 import math
 from collections.abc import Mapping

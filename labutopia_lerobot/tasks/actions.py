@@ -1,4 +1,4 @@
-"""The paper's actions as steps: what the expert plays, and what tells that it is done.
+"""The paper's actions as steps: what the expert plays, and the facts by which it is done.
 
 Tasks of all levels share them (paper, appendix "Task Details"); what a number comes from is said on
 its line. A task that does an action twice gives the step another name (`Step.named`).
@@ -47,7 +47,7 @@ from labutopia_lerobot.task import Step, Substep
 from labutopia_lerobot.world import BENCH, Button, Graspable, OpenVessel, Standing, Thing
 
 OFF_THE_BENCH = 0.10
-"""How far level 4 lifts at least [m]; ours: the paper's 20 cm are those of levels 1 to 3."""
+"""Least lift at level 4 [m]; ours: the paper's 20 cm are those of levels 1 to 3."""
 
 
 def pick(

@@ -1,4 +1,4 @@
-"""What must not happen: the other half of an action, shared by the tasks of all levels.
+"""Facts that must not happen: the other half of an action, shared by the tasks of all levels.
 
 What a number comes from is said on its line. What no task forgives, such as broken glass, stands in
 `Task.forbidden`.
@@ -48,7 +48,7 @@ def of_any(*each: Mapping[str, Predicate]) -> dict[str, Predicate]:
 
 
 def slamming(part: Operable, *, faster_than: float) -> dict[str, Predicate]:
-    """Return what must not happen to a door or drawer, whoever moves it (paper: "smoothly").
+    """Return what must not happen to a door or drawer, by any mover (paper: "smoothly").
 
     Args:
         part: The door or drawer.

@@ -1,4 +1,4 @@
-"""What tasks of level 3 draw from: vessels by what they are called, and liquids."""
+"""Choices that tasks of level 3 draw from: vessels by name, and liquids."""
 
 from collections.abc import Callable
 from functools import partial
@@ -17,7 +17,7 @@ VESSELS: dict[str, Callable[[str], Vessel]] = {
     "150 ml beaker": partial(glassware, "beaker", "150 ml"),
     "250 ml beaker": partial(glassware, "beaker", "250 ml"),
 }
-"""What an instruction calls a vessel -> what makes it, given the name of its role in the task."""
+"""Name of a vessel in instructions -> function that makes it, given its role in the task."""
 
 
 def draw_filling(draw: Draw, ml: float) -> Filling:

@@ -1,4 +1,4 @@
-"""What predicates and skills may see of the simulation: a read-only view."""
+"""The read-only view of the simulation that predicates and skills have."""
 
 from labutopia_lerobot.world.liquid_account import LiquidAccount
 from labutopia_lerobot.world.manipulator import Approach, Manipulator

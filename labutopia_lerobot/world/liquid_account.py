@@ -1,4 +1,4 @@
-"""Where the liquid of a scene is, and where it came from."""
+"""Account of the liquid of a scene: its place and its origin."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ class UnknownVesselError(UserError, LookupError):
 
 @dataclass(frozen=True, eq=False)
 class LiquidAccount:
-    """Where the liquid of a scene is, by where it was filled, as of one control step.
+    """Account of the liquid of a scene by the vessel it was filled into, at one control step.
 
     Every particle is counted once, and every volume is a number of particles times the volume of
     one: inside vessels, spilled, clinging and in flight are all of it, exactly.
@@ -76,7 +76,7 @@ class LiquidAccount:
 
     @property
     def transfers(self) -> Mapping[tuple[str, str], float]:
-        """What has moved since the previous control step, by (from, to) [m^3]; no zeros."""
+        """Volumes moved since the previous control step, by (from, to) [m^3]; no zeros."""
         return {
             (self.vessels[a], self.vessels[b]): int(self.moves[a, b]) * self.particle_volume
             for a, b in np.argwhere(self.moves).tolist()

@@ -1,4 +1,4 @@
-"""What skills may know of the robot."""
+"""The view of the robot that skills have."""
 
 from dataclasses import dataclass
 from typing import Protocol
@@ -18,7 +18,7 @@ class Approach:
 
 
 class Manipulator(Protocol):
-    """What skills may know of the robot: its hand, and how its arm likes to turn it."""
+    """The view of the robot that skills have: its hand, and the orientations that suit its arm."""
 
     @property
     def max_opening(self) -> float:
@@ -27,7 +27,7 @@ class Manipulator(Protocol):
 
     @property
     def finger_reach(self) -> float:
-        """How far the fingers reach beyond the point between the pads [m]."""
+        """Reach of the fingers beyond the point between the pads [m]."""
         ...
 
     @property
@@ -37,10 +37,10 @@ class Manipulator(Protocol):
 
     @property
     def vessel_approach(self) -> Approach:
-        """How the hand comes to vessels, relative to the bearing from the robot's base."""
+        """Approach of the hand to vessels, relative to the bearing from the robot's base."""
         ...
 
     @property
     def handle_approach(self) -> Approach:
-        """How the hand comes to handles, relative to straight into the door or drawer."""
+        """Approach of the hand to handles, relative to straight into the door or drawer."""
         ...

@@ -1,4 +1,4 @@
-"""What predicates and skills may ask of a thing, beside where it is."""
+"""Properties that predicates and skills may ask of a thing, beside its pose."""
 
 from typing import Protocol, runtime_checkable
 
@@ -74,12 +74,12 @@ class Button(Thing, Protocol):
 
     @property
     def travel(self) -> float:
-        """How far in it clicks [m]."""
+        """Depth at which it clicks [m]."""
         ...
 
     @property
     def differential(self) -> float:
-        """How far it comes back before it clicks out [m]."""
+        """Return travel at which it clicks out [m]."""
         ...
 
     @property

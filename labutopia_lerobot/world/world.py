@@ -41,7 +41,7 @@ class World(Protocol):
 
     @property
     def robot(self) -> Manipulator:
-        """What is known of the robot beforehand."""
+        """The facts about the robot that are known beforehand."""
         ...
 
     @property
@@ -124,11 +124,11 @@ class World(Protocol):
 
     @property
     def liquid(self) -> LiquidAccount | None:
-        """Where the liquid is; None where none is simulated."""
+        """Account of where the liquid is; None where none is simulated."""
         ...
 
     def touching(self, first: str, second: str) -> bool:
-        """Tell whether the two touched at any physics step since the last control step."""
+        """Return whether the two touched at any physics step since the last control step."""
         ...
 
     def touched_by(self, name: str) -> frozenset[str]:

@@ -21,8 +21,8 @@ from labutopia_lerobot.export import (
     require_writable,
 )
 from labutopia_lerobot.export.summary import Summary
-from labutopia_lerobot.labware.catalogue import catalogue, instrument
 from labutopia_lerobot.labware.glass.catalogue import catalogue as ware
+from labutopia_lerobot.labware.instrument_catalogue import catalogue, instrument
 from labutopia_lerobot.labware.parts.instrument import Equipment
 
 PIECES = [(kind, None) for kind in catalogue()]

@@ -1,7 +1,7 @@
 """`docs/instruments.md` is what the script would write, with a picture of every instrument."""
 
 import make_instruments
-from labutopia_lerobot.labware.catalogue import catalogue
+from labutopia_lerobot.labware.instrument_catalogue import catalogue
 
 
 def test_the_page_is_what_the_script_writes():

@@ -13,7 +13,7 @@ from huggingface_hub import constants
 from labutopia_lerobot.cli import publish as program
 from labutopia_lerobot.hub.dataset import dataset_repository
 from labutopia_lerobot.hub.envhub.env import make_env
-from labutopia_lerobot.hub.environment import environment_repository
+from labutopia_lerobot.hub.environment_repository import environment_repository
 from labutopia_lerobot.hub.hub_errors import HubError
 from labutopia_lerobot.hub.publish import OccupiedRepositoryError, RepoIdError, publish
 from labutopia_lerobot.hub.repository import CARD, Repository

@@ -17,8 +17,8 @@ from lerobot.teleoperators import Teleoperator, TeleoperatorConfig
 import lerobot_env_labutopia  # noqa: F401  (what LeRobot imports)
 from labutopia_lerobot.datasets.declaration import dataset_features
 from labutopia_lerobot.devices import LabUtopiaRobot, LabUtopiaRobotConfig
-from labutopia_lerobot.devices.config_robot import InvalidRobotError
-from labutopia_lerobot.devices.robot import NEXT_EPISODE
+from labutopia_lerobot.devices.config_lerobot_robot import InvalidRobotError
+from labutopia_lerobot.devices.lerobot_robot import NEXT_EPISODE
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.setting import Setting
 

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from labutopia_lerobot.cli.scene import main
-from labutopia_lerobot.labware.catalogue import catalogue
+from labutopia_lerobot.labware.instrument_catalogue import catalogue
 from labutopia_lerobot.scenes.families import families
 from labutopia_lerobot.scenes.plans import plan_names, text_of
 from small_room import ROOM

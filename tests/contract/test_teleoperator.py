@@ -9,7 +9,7 @@ from lerobot.teleoperators import TeleoperatorConfig, make_teleoperator_from_con
 import lerobot_env_labutopia  # noqa: F401  (what LeRobot imports)
 from labutopia_lerobot.devices import LabUtopiaTeleoperator, LabUtopiaTeleoperatorConfig
 from labutopia_lerobot.devices.config_teleoperator import InvalidTeleoperatorError
-from labutopia_lerobot.devices.robot import NEXT_EPISODE
+from labutopia_lerobot.devices.lerobot_robot import NEXT_EPISODE
 from labutopia_lerobot.devices.teleoperator import of_keys, of_sticks
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.robots import PANDA

@@ -119,7 +119,7 @@ def test_a_lora_adapter_changes_what_its_base_does(adapter: Path, save_checkpoin
     [
         ({"peft_type": "IA3"}, "peft_type='IA3' is not one of LORA"),
         ({"megatron_config": {"x": 1}, "megatron_core": "antigravity"}, "it has megatron_config"),
-        ({"base_model_name_or_path": None}, "does not tell which policy it adapts"),
+        ({"base_model_name_or_path": None}, "does not name the policy that it adapts"),
         ({"base_model_name_or_path": "/nowhere"}, "/nowhere, which is not there"),
     ],
 )

@@ -247,7 +247,7 @@ def test_a_policy_that_raises_in_lerobots_server_stops_the_run(
 ) -> None:
     folder = save_checkpoint(cameras=("wrist",))  # it has no picture of the front
     policy, observation = started(over_lerobot(lerobot_server()[0], folder), LabEnv(PIXELS))
-    with pytest.raises(PolicyServerError, match="tells why in its log"):
+    with pytest.raises(PolicyServerError, match="says why in its log"):
         policy.act(observation)
 
 

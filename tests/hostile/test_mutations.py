@@ -13,7 +13,7 @@ import tiny_act
 from hostile.programs import run
 from hostile.test_checkpoints import arguments
 from hostile.test_results import READING, result
-from labutopia_lerobot.scenes.plans.shipped import FOLDER
+from labutopia_lerobot.scenes.plans.shipped_plans import FOLDER
 
 pytestmark = pytest.mark.slow
 

@@ -11,7 +11,7 @@ import pytest
 
 from hostile.programs import run
 from hostile.test_results import NO_JSON
-from labutopia_lerobot.scenes.plans.shipped import FOLDER
+from labutopia_lerobot.scenes.plans.shipped_plans import FOLDER
 
 type Damage = Callable[[dict[str, Any]], object]
 

@@ -5,8 +5,8 @@ from types import ModuleType
 import pytest
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.labware import catalogue as room
-from labutopia_lerobot.labware.catalogue import CatalogueError, catalogue, instrument
+from labutopia_lerobot.labware import instrument_catalogue as room
+from labutopia_lerobot.labware.instrument_catalogue import CatalogueError, catalogue, instrument
 from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.labware.instruments.muffle_furnace import MuffleFurnace
 

@@ -4,9 +4,9 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.instrument_catalogue import instrument
+from labutopia_lerobot.labware.parts.dials import Clock
 from labutopia_lerobot.labware.parts.display import Display
-from labutopia_lerobot.labware.parts.reading import Clock
 from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 

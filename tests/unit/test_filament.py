@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.setting import Setting, UnknownOptionError

@@ -9,7 +9,7 @@ import pytest
 
 from furnished_plans import BRIGHT, PARTED
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import (
     ROOMS,

@@ -6,9 +6,9 @@ import pytest
 from scipy.ndimage import binary_dilation
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
-from labutopia_lerobot.liquids.drawing.colors import colors_at
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
+from labutopia_lerobot.liquids.drawing.surface_colors import colors_at
 from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer

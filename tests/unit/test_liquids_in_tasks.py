@@ -211,12 +211,12 @@ def test_a_shaken_vessel_makes_its_contents_slosh():
 
 def test_the_half_minute_of_compiling_is_announced(monkeypatch, tmp_path, caplog):
     monkeypatch.setattr(kernel, "_compiled_kernels", lambda: tmp_path)
-    kernel.tell_of_compiling.cache_clear()
-    kernel.tell_of_compiling()
+    kernel.announce_compiling.cache_clear()
+    kernel.announce_compiling()
     assert "half a minute" in caplog.text
     caplog.clear()
     (tmp_path / "liquids").mkdir()
     (tmp_path / "liquids" / "advance.nbi").touch()
-    kernel.tell_of_compiling.cache_clear()
-    kernel.tell_of_compiling()
+    kernel.announce_compiling.cache_clear()
+    kernel.announce_compiling()
     assert not caplog.text

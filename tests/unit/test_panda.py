@@ -11,7 +11,7 @@ from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.robots.collada import read_collada
 from labutopia_lerobot.robots.franka_hand_model import FRANKA_MESHES
 from labutopia_lerobot.robots.meshes import load_mesh
-from labutopia_lerobot.robots.thinning import creased, seen_from_outside
+from labutopia_lerobot.robots.thinning import creased, visible_from_outside
 
 FINGER = f"{FRANKA_MESHES}/finger.dae"
 
@@ -185,10 +185,10 @@ def test_the_wrist_camera_sees_both_pads(model, data):
     with mujoco.Renderer(model, height, width) as renderer:
         renderer.enable_segmentation_rendering()
         renderer.update_scene(data, "wrist")
-        seen = renderer.render()[..., 0]
+        visible = renderer.render()[..., 0]
     for finger in ("left_finger_visual", "right_finger_visual"):
-        assert np.count_nonzero(seen == model.geom(finger).id) > 50
-    blocked = np.isin(seen, [model.geom(f"{name}_visual").id for name in ("hand", "link7")])
+        assert np.count_nonzero(visible == model.geom(finger).id) > 50
+    blocked = np.isin(visible, [model.geom(f"{name}_visual").id for name in ("hand", "link7")])
     assert blocked.mean() < 0.25
 
 
@@ -217,8 +217,8 @@ def test_an_unknown_mesh_is_named_in_the_error():
 def test_a_thinned_mesh_has_no_holes_and_no_spikes(link):
     with as_file(files("rtbdata") / f"{FRANKA_MESHES}/{link}.dae") as path:
         largest = max(read_collada(path), key=lambda part: len(part.faces))
-    seen = seen_from_outside(largest.vertices, largest.faces)
-    whole = sampled(largest.vertices, largest.faces[seen])
+    visible = visible_from_outside(largest.vertices, largest.faces)
+    whole = sampled(largest.vertices, largest.faces[visible])
     thin = load_mesh(f"{FRANKA_MESHES}/{link}.dae", 700)
     shown = thin.tones == np.float32(largest.tone)
     kept = sampled(thin.vertices, thin.faces[shown[thin.faces].all(axis=1)])

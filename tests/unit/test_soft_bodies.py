@@ -10,7 +10,7 @@ import pytest
 
 from adversary import begun
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.labware.soft.shell import enclosed_volume
+from labutopia_lerobot.labware.soft.elastic_shell import enclosed_volume
 from labutopia_lerobot.labware.soft.silicone_tube import SILICONE, SiliconeTube
 from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Placement

@@ -4,8 +4,8 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.catalogue import instrument
 from labutopia_lerobot.labware.glass.catalogue import glassware, vessels
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.labware.instruments.support.cork_ring import CorkRing
 from labutopia_lerobot.labware.instruments.support.tube_rack import TubeRack
 from vessels_on_a_bench import bench

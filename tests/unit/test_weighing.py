@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from labutopia_lerobot.labware.catalogue import instrument
 from labutopia_lerobot.labware.glass.catalogue import ware
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY

@@ -1,1 +1,1 @@
-"""What `labutopia-verify` checks, one module for each kind of question."""
+"""Checks of `labutopia-verify`, one module for each kind of question."""

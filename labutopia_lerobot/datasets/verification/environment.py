@@ -2,7 +2,7 @@
 
 Every episode is reset from its seed and given its commands. On the build and machine that recorded
 it, everything is the same bit for bit, or the dataset is wrong. On another, rounding may differ:
-unless some episode is the same there too, only by how much is told.
+unless some episode is the same there too, only the amount is reported.
 """
 
 import json
@@ -26,8 +26,8 @@ from labutopia_lerobot.datasets.tables import (
     frames_of_episodes,
 )
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
-from labutopia_lerobot.datasets.verification.pictures import PictureCheck
-from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
+from labutopia_lerobot.datasets.verification.picture_check import PictureCheck
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences
@@ -61,12 +61,12 @@ def check_features(subject: VerifiedDataset) -> Iterator[Finding]:
                 yield Unchecked(lacking) if subject.edited else Fault(lacking)
                 continue
             there = subject.features[key]
-            told = there | (there.get("info") or {})
+            recorded = there | (there.get("info") or {})
             declared = declared | declared.pop("info", {})
             for part, here in declared.items():
-                if _plain(told.get(part)) != _plain(here):
+                if _plain(recorded.get(part)) != _plain(here):
                     yield Fault(
-                        f"{INFO}: {part} of {key} is {told.get(part)}, but the environment of "
+                        f"{INFO}: {part} of {key} is {recorded.get(part)}, but the environment of "
                         f"episode {episode} has {here}"
                     )
     yield from _check_segments(subject, settings)
@@ -130,7 +130,8 @@ def check_replay(subject: VerifiedDataset, pictures: int) -> Iterator[Finding]:
 
 def _compare(row: Row, playback: Playback) -> Iterator[str]:
     if row["tasks"] != [playback.instruction]:
-        yield f"it is told {row['tasks']}, but the environment says {playback.instruction!r}"
+        instruction = playback.instruction
+        yield f"its instruction is {row['tasks']}, but the environment says {instruction!r}"
     for name, column, here in (
         ("drew", DRAWN, playback.drawn),
         ("ends with the volumes", VOLUMES, playback.volumes),
@@ -150,9 +151,9 @@ def _compare(row: Row, playback: Playback) -> Iterator[str]:
 
 
 def _compare_pictures(check: PictureCheck) -> Iterator[str]:
-    for key, off in check.worst.items():
-        if off.by > off.allowed:
-            yield f"frame {off.frame} of {key} is not what the camera sees: {off.text}"
+    for key, deviation in check.worst.items():
+        if deviation.by > deviation.allowed:
+            yield f"frame {deviation.frame} of {key} is not what the camera sees: {deviation.text}"
 
 
 def _other_build(subject: VerifiedDataset) -> str | None:

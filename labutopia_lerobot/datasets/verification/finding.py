@@ -1,4 +1,4 @@
-"""What a check may say: something is wrong, or something could not be checked."""
+"""Findings of a check: something is wrong, or something could not be checked."""
 
 from dataclasses import dataclass
 

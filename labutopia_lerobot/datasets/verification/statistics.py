@@ -19,7 +19,7 @@ from labutopia_lerobot.datasets.tables import (
 )
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
 from labutopia_lerobot.datasets.verification.structure import WITHOUT_STATISTICS
-from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.runtime.video import QUANTILES
 
 _COUNTERS = ("index", "frame_index", "episode_index", "task_index", "timestamp")
@@ -75,9 +75,9 @@ def _check_dataset(
     stored: Mapping[str, NDArray[np.float64]],
 ) -> Iterator[Finding]:
     lengths = [row["length"] for row in subject.episodes]
-    told = read_statistics(subject.root)
+    recorded = read_statistics(subject.root)
     for key, together in computed.items():
-        for wrong in wrong_statistics(_flat(told.get(key, {})), together.all, max(lengths)):
+        for wrong in wrong_statistics(_flat(recorded.get(key, {})), together.all, max(lengths)):
             yield Fault(f"{STATISTICS}: {wrong} of {key} is not that of the frames")
     for key in subject.cameras:
         if f"{key}/mean" not in stored:
@@ -86,7 +86,7 @@ def _check_dataset(
         together = _Together()
         for number, length in enumerate(lengths):
             together.add(_stored_of(stored, key, number), length)
-        for wrong in wrong_statistics(_flat(told.get(key, {})), together.all, max(lengths)):
+        for wrong in wrong_statistics(_flat(recorded.get(key, {})), together.all, max(lengths)):
             yield Fault(f"{STATISTICS}: {wrong} of {key} is not that of its episodes")
 
 

@@ -15,7 +15,7 @@ from labutopia_lerobot.datasets.description import (
 )
 from labutopia_lerobot.datasets.tables import EPISODES, Row, column, frames_of_episodes
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding
-from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.runtime.video import video_size_and_frames
 
 FORMAT = "v3.0"

@@ -1,6 +1,6 @@
 """LeRobot's policy server (`python -m lerobot.async_inference.policy_server`), over gRPC.
 
-It loads the checkpoint that it is told, keeps one observation at a time, whoever sent it, and
+It loads the checkpoint that a client names, keeps one observation for all clients, and
 answers an observation with a chunk of actions; nothing where its policy raised. Its answers are
 pickles, and LeRobot unpickles whatever comes. Here only the names of which a list of `TimedAction`
 consists are looked up, and the numbers of tensors are read by the restricted loader of torch.
@@ -55,7 +55,7 @@ _UNREADABLE = (
     TypeError,
     ValueError,
 )
-"""What damaged or hostile pickles raise."""
+"""Exceptions that damaged or hostile pickles raise."""
 
 _KNOWN = {
     (TimedAction.__module__, TimedAction.__name__): TimedAction,
@@ -97,7 +97,7 @@ _MOST_ACTIONS = 10_000
 
 @dataclass(frozen=True)
 class ServedCheckpoint:
-    """What LeRobot's server is to load.
+    """The policy that LeRobot's server is to load.
 
     Attributes:
         path: Where the server finds it: a folder of its machine, or a Hub id.
@@ -145,12 +145,12 @@ class LeRobotServer:
             raise _meaning(error, self._address) from None
         if not answer.data:
             raise PolicyServerError(
-                f"The policy raised in the server at {self._address}, which tells why in its log"
+                f"The policy raised in the server at {self._address}, which says why in its log"
             )
         return read_actions(answer.data)
 
     def _connected(self, observation: Mapping[str, NDArray[Any]], deadline: float) -> Any:
-        """Return the server's methods; a server that was restarted is told the checkpoint again."""
+        """Return the server's methods; a server that was restarted is sent the checkpoint again."""
         if self._channel is not None:
             return services_pb2_grpc.AsyncInferenceStub(self._channel)
         options = grpc_channel_options(enable_retries=False)

@@ -74,7 +74,7 @@ _MOST_LINES = 100
 """Of what a server says is wrong."""
 
 _CLOSE_S = 1.0
-"""How long a server may take to say goodbye [s]."""
+"""Longest time for a server to say goodbye [s]."""
 
 
 class OpenPiServer:
@@ -106,7 +106,7 @@ class OpenPiServer:
         if isinstance(answer, str):
             self._close()
             raise PolicyServerError(
-                f"The policy raised in the server at {self._address}:\n{_told(answer)}"
+                f"The policy raised in the server at {self._address}:\n{_message_of(answer)}"
             )
         return self._actions(answer)
 
@@ -149,7 +149,7 @@ def _socket(address: str, deadline: float) -> socket.socket:
     return socket.create_connection((parts.hostname or "", parts.port or 80), _left(deadline))
 
 
-def _told(answer: str) -> str:
+def _message_of(answer: str) -> str:
     """Return the words of a server, without codes that a terminal would obey."""
     return "\n".join(printable(line) for line in answer.splitlines()[:_MOST_LINES])
 

@@ -67,10 +67,10 @@ def named(
 
 
 def _at(observation: Observation, path: str) -> NDArray[Any]:
-    found: Any = observation
+    value: Any = observation
     for part in path.split("/"):
-        found = found[part]
-    array: NDArray[Any] = found
+        value = value[part]
+    array: NDArray[Any] = value
     return array
 
 
@@ -178,10 +178,10 @@ _OPENPI_NAMES = {
     "observation.images.front": "observation/image",
     "observation.images.wrist": "observation/wrist_image",
 }
-"""What openpi's configurations for LIBERO, its template for own robots, call what is observed."""
+"""Names of observations in openpi's configurations for LIBERO, its template for own robots."""
 
 _CONNECT_S = 5.0
-"""How long a server may take to accept a first connection [s]."""
+"""Longest time for a server to accept a first connection [s]."""
 
 
 @dataclass(frozen=True)
@@ -290,8 +290,8 @@ def _require_numbers(policy: PolicyConfig) -> None:
 def _require_playable(policy: PolicyConfig, setting: Setting, workers: int) -> None:
     if policy.path is None:
         raise EvaluationOptionError(
-            "LeRobot's server is told what to load: policy.path=, a folder of its machine or a "
-            "Hub id"
+            "LeRobot's server needs to know what to load: policy.path=, a folder of its machine "
+            "or a Hub id"
         )
     if setting.obs == "state":
         raise EvaluationOptionError(
@@ -300,8 +300,8 @@ def _require_playable(policy: PolicyConfig, setting: Setting, workers: int) -> N
         )
     if workers > 1:
         raise EvaluationOptionError(
-            f"workers={workers} is too many: LeRobot's server keeps one observation, whoever sent "
-            "it. workers=1"
+            f"workers={workers} is too many: LeRobot's server keeps one observation for all "
+            "clients together. workers=1"
         )
 
 
@@ -325,7 +325,7 @@ def _type(policy: PolicyConfig, setting: Setting) -> str:
         kind = None
     if not isinstance(kind, str):
         raise EvaluationOptionError(
-            f"policy.path={policy.path} is not on this machine: tell its type too, as in "
+            f"policy.path={policy.path} is not on this machine: give its type too, as in "
             "policy.type=act"
         )
     return kind

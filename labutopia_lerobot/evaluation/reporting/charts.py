@@ -1,4 +1,4 @@
-"""What the charts of the page show, in per cent and in pixels."""
+"""Data of the charts of the page, in per cent and in pixels."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -12,7 +12,7 @@ from labutopia_lerobot.evaluation.reporting.result_tables import cause_in_words,
 
 _COLOURS = 8
 _LEFT, _RIGHT, _TOP, _BOTTOM = 40, 190, 10, 190
-"""Where the lines of a slope chart begin and end [pixels]."""
+"""Ends of the lines of a slope chart [pixels]."""
 
 _LABEL_GAP = 13
 _SEEDS = 4
@@ -36,10 +36,10 @@ def failure_shares(entry: ReportEntry, causes: Sequence[str]) -> dict[str, Any]:
         entry: What was played.
         causes: Every cause of the page; its place in there is its colour.
     """
-    found = failures(entry)
-    total = found.total()
+    counts = failures(entry)
+    total = counts.total()
     steps: dict[str, list[dict[str, Any]]] = {}
-    for (step, cause), count in found.most_common():
+    for (step, cause), count in counts.most_common():
         segments = steps.setdefault(step, [])
         start = sum(segment["percent"] for segment in segments)
         percent = 100 * count / total

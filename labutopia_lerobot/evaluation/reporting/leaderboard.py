@@ -28,7 +28,7 @@ SUBMISSIONS = "submissions"
 """Folder of submissions, below that of the expert's rows."""
 
 REFERENCE = "scripted expert"
-"""What the kept rows are called. It is no entry: it looks at the simulation itself."""
+"""Policy name of the kept rows. It is no entry: the expert looks at the simulation itself."""
 
 
 def _widest_ranked() -> float:
@@ -43,24 +43,24 @@ class _Line:
 
     Attributes:
         name: What the entry is called.
-        found: Column -> what it played there.
+        entries: Column -> what it played there.
     """
 
     name: str
-    found: dict[str, ReportEntry] = field(default_factory=dict)
+    entries: dict[str, ReportEntry] = field(default_factory=dict)
 
     @property
     def mean(self) -> float:
         """Of the rates, each column the same."""
-        return fmean(entry.summary.rate for entry in self.found.values())
+        return fmean(entry.summary.rate for entry in self.entries.values())
 
     def has_all(self, columns: Sequence[str]) -> bool:
-        """Tell whether no column is missing: a mean over other tasks would not compare."""
-        return self.found.keys() == set(columns)
+        """Return whether no column is missing: a mean over other tasks would not compare."""
+        return self.entries.keys() == set(columns)
 
     def is_ranked(self, columns: Sequence[str]) -> bool:
-        """Tell whether it may stand before others, or behind them."""
-        intervals = (entry.summary.interval for entry in self.found.values())
+        """Return whether it may stand before others, or behind them."""
+        intervals = (entry.summary.interval for entry in self.entries.values())
         known = all(high - low <= _widest_ranked() for low, high in intervals)
         return self.name != REFERENCE and self.has_all(columns) and known
 
@@ -120,8 +120,8 @@ def _section(entry: ReportEntry) -> tuple[object, ...]:
 def _table(named: Iterable[tuple[str, ReportEntry]]) -> Table:
     lines: dict[str, _Line] = {}
     for name, entry in named:
-        lines.setdefault(name, _Line(name)).found[_column(entry)] = entry
-    first = next(entry for line in lines.values() for entry in line.found.values())
+        lines.setdefault(name, _Line(name)).entries[_column(entry)] = entry
+    first = next(entry for line in lines.values() for entry in line.entries.values())
     columns = _columns(first, lines.values())
     ranked = [line for line in lines.values() if line.is_ranked(columns)]
     in_order = sorted(
@@ -136,8 +136,8 @@ def _table(named: Iterable[tuple[str, ReportEntry]]) -> Table:
                 str(better + 1) if line in ranked else "",
                 line.name,
                 f"{100 * line.mean:.1f} %" if line.has_all(columns) else None,
-                *(_cell(line.found.get(column)) for column in columns),
-                ", ".join(sorted({_commit(entry) for entry in line.found.values()})),
+                *(_cell(line.entries.get(column)) for column in columns),
+                ", ".join(sorted({_commit(entry) for entry in line.entries.values()})),
             )
         )
     return Table(_title(first), ("rank", "entry", "mean", *columns, "code"), tuple(shown), "")
@@ -146,7 +146,7 @@ def _table(named: Iterable[tuple[str, ReportEntry]]) -> Table:
 def _columns(first: ReportEntry, lines: Iterable[_Line]) -> list[str]:
     """Return the tasks of a level, played or not; of steps played alone those that were."""
     if first.condition.step is not None:
-        return sorted({column for line in lines for column in line.found})
+        return sorted({column for line in lines for column in line.entries})
     level, beyond = first.task.partition("/")[0], is_beyond_paper(first.task)
     tasks = [task for task in task_files() if is_beyond_paper(task) == beyond]
     return [name for of, _, name in (task.partition("/") for task in tasks) if of == level]

@@ -33,7 +33,7 @@ from labutopia_lerobot.task import HOLD_S
 
 _PROGRAM = ("python", "eval/run.py")
 _OF_THE_ROW = ("task", "level", "split", "play", "policy", "seed", "episodes", "axes", "obs")
-"""Options that the rows tell, and those that they make needless."""
+"""Options that the rows record, and those that they make needless."""
 
 _OF_THE_RUN = ("out", "workers", "videos", "until", "versus", "episodes_for")
 """Options on which no row depends, or whose work the number of episodes does."""
@@ -108,7 +108,7 @@ class FilmedEpisode:
 
     @property
     def outcome(self) -> str:
-        """How it ended, in words."""
+        """Outcome of the episode in words."""
         how = (
             "success"
             if self.row.success
@@ -118,7 +118,7 @@ class FilmedEpisode:
 
     @property
     def command(self) -> str:
-        """What plays it again."""
+        """Command that plays it again."""
         return episode_command(self.entry, self.row)
 
 
@@ -130,7 +130,7 @@ def filmed_episodes(entries: Sequence[ReportEntry]) -> list[FilmedEpisode]:
         for row in entry.rows
         if row.policy == EXPERT
     }
-    found = []
+    filmed = []
     for entry in entries:
         for row in sorted(entry.rows, key=lambda row: row.success):
             film = _film(entry, row)
@@ -140,8 +140,8 @@ def filmed_episodes(entries: Sequence[ReportEntry]) -> list[FilmedEpisode]:
             if not row.success and row.policy != EXPERT:
                 beside = film_of_expert(film)
                 films.append((EXPERT, beside if beside.is_file() else expert.get(row.scene)))
-            found.append(FilmedEpisode(entry, row, tuple(films)))
-    return found
+            filmed.append(FilmedEpisode(entry, row, tuple(films)))
+    return filmed
 
 
 def addresses(episodes: Sequence[FilmedEpisode], folder: Path) -> dict[Path, str]:
@@ -201,13 +201,13 @@ def page(results: Sequence[LoadedResult], folder: Path) -> str:
 
 
 def _content(results: Sequence[LoadedResult], folder: Path) -> dict[str, Any]:
-    found = report_entries(results)
-    tables = [(f"table{index}", table) for index, table in enumerate(level_tables(found))]
-    films = filmed_episodes(found)
+    entries = report_entries(results)
+    tables = [(f"table{index}", table) for index, table in enumerate(level_tables(entries))]
+    films = filmed_episodes(entries)
     address_of = addresses(films, folder)
-    precision = precision_table(found)
-    shifted = slopes(found)
-    with_failures = [entry for entry in found if failures(entry)]
+    precision = precision_table(entries)
+    shifted = slopes(entries)
+    with_failures = [entry for entry in entries if failures(entry)]
     causes = Counter(cause for entry in with_failures for _, cause in failures(entry).elements())
     common = [cause for cause, _ in causes.most_common()]
     failed = [failure_shares(entry, common) for entry in with_failures]
@@ -221,16 +221,16 @@ def _content(results: Sequence[LoadedResult], folder: Path) -> dict[str, Any]:
         ("again", "Commands"),
         ("origin", "Origin"),
     ]
-    names = list(dict.fromkeys(entry.name for entry in found))
-    tasks = list(dict.fromkeys(entry.task for entry in found))
+    names = list(dict.fromkeys(entry.name for entry in entries))
+    tasks = list(dict.fromkeys(entry.task for entry in entries))
     return {
         "title": f"{_joined(names, 'policies')} on {_joined(tasks, 'tasks')}",
         "hold": f"{HOLD_S:g}",
         "figures": [
-            (sum(len(entry.rows) for entry in found), "episodes"),
+            (sum(len(entry.rows) for entry in entries), "episodes"),
             (len(tasks), "tasks" if len(tasks) > 1 else "task"),
             (len(names), "policies" if len(names) > 1 else "policy"),
-            (sum(entry.summary.successes for entry in found), "successes"),
+            (sum(entry.summary.successes for entry in entries), "successes"),
         ],
         "warnings": [
             f"Unfinished: {result.place}, {len(result.rows)} episodes so far"
@@ -240,7 +240,7 @@ def _content(results: Sequence[LoadedResult], folder: Path) -> dict[str, Any]:
         "sections": sections,
         "tables": tables,
         "slopes": shifted,
-        "funnels": [funnel(entry) for entry in found],
+        "funnels": [funnel(entry) for entry in entries],
         "failures": failed,
         "films": [_filmed(episode, address_of) for episode in films],
         "embedded": all(address.startswith("data:") for address in address_of.values()),
@@ -251,7 +251,7 @@ def _content(results: Sequence[LoadedResult], folder: Path) -> dict[str, Any]:
                 "heading": f"{entry.label}, {entry.condition.played}",
                 "command": command(entry),
             }
-            for entry in found
+            for entry in entries
         ],
         "origins": [_origin(result) for result in results],
     }
@@ -281,7 +281,7 @@ def _origin(result: LoadedResult) -> dict[str, Any]:
 
 
 def _described(provenance: Any) -> Iterator[tuple[str, str]]:
-    """Yield what is told of where rows come from, in words."""
+    """Yield the origin of rows, in words."""
     for name, value in provenance:
         if name == "versions" and isinstance(value, dict):
             value = ", ".join(f"{package} {v}" for package, v in value.items() if v is not None)

@@ -20,7 +20,7 @@ class PaperNumber:
 
     Attributes:
         percent: As printed [%].
-        n: Episodes that the fractions of its table imply; inferred, the paper does not tell.
+        n: Episodes that the fractions of its table imply; inferred, the paper does not say.
     """
 
     percent: float
@@ -36,7 +36,7 @@ LEFT_OUT = (
 
 @cache
 def paper_results() -> dict[tuple[str, str, str, str, int], PaperNumber]:
-    """Return every number of the result tables that tells something of one of our tasks.
+    """Return every number of the result tables that is about one of our tasks.
 
     Returns:
         (task, policy, condition, play, step) -> number; step 0 is the whole task.

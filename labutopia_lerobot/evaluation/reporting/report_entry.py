@@ -21,7 +21,8 @@ class ReportEntry:
         condition: Under which condition it played.
         rows: Its rows, in the order of the seeds.
         result: Where they come from.
-        place: What tells its result from another with the same policy and condition, or nothing.
+        place: Folder or file that distinguishes its result from another with the same policy and
+            condition, or nothing.
     """
 
     policy: str
@@ -43,12 +44,12 @@ class ReportEntry:
 
     @property
     def name(self) -> str:
-        """What the policy is called, whatever it played."""
+        """Name of the policy, whatever it played."""
         return f"{self.policy} ({self.place})" if self.place else self.policy
 
     @property
     def label(self) -> str:
-        """What the policy is called in tables: its name, and whatever sets it apart."""
+        """Name of the policy in tables, with what distinguishes it from others."""
         return self.condition.label(self.policy) + (f" ({self.place})" if self.place else "")
 
     @cached_property
@@ -72,20 +73,20 @@ class ReportEntry:
 def report_entries(results: Sequence[LoadedResult]) -> list[ReportEntry]:
     """Return what results hold, by task, policy and condition; `single` before `staged`.
 
-    Two results of one policy under one condition, as of two checkpoints of one kind, are told apart
-    by where they lie.
+    Two results of one policy under one condition, as of two checkpoints of one kind, are
+    distinguished by where they lie.
     """
-    found: dict[tuple[Condition, str], list[ReportEntry]] = {}
+    entries: dict[tuple[Condition, str], list[ReportEntry]] = {}
     for result in results:
         for key, rows in by_condition(sorted(result.rows, key=lambda row: row.seed)).items():
             entry = ReportEntry(key[1], key[0], tuple(rows), result)
-            found.setdefault(key, []).append(entry)
-    ambiguous = {policy for (_, policy), same in found.items() if len(same) > 1}
+            entries.setdefault(key, []).append(entry)
+    ambiguous = {policy for (_, policy), same in entries.items() if len(same) > 1}
     named = [
         replace(entry, place=_distinct_end(entry.result, results))
         if entry.policy in ambiguous
         else entry
-        for same in found.values()
+        for same in entries.values()
         for entry in same
     ]
     return sorted(named, key=_order)

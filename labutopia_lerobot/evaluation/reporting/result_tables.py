@@ -14,13 +14,11 @@ from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.evaluation.uncertainty.intervals import Median
 
 _SIZES = "_sizes"
-"""How the names of the tasks of the size test end."""
+"""Suffix of the names of the tasks of the size test."""
 
 _RATES = "Successes of episodes, per cent, 95 % interval (Wilson{})."
 _ANYTIME = "; of a run with `until` the confidence sequence, which is valid whenever one stops"
-_INFERRED = (
-    "Paper: as printed there; of how many episodes it does not tell, its fractions imply {}."
-)
+_INFERRED = "Paper: as printed there; of how many episodes it does not say, its fractions imply {}."
 _STRICTER = "Its judge forgives what ends an episode here: any push of the arm over 2 N."
 
 
@@ -46,7 +44,7 @@ def level_tables(entries: Sequence[ReportEntry]) -> list[Table]:
 
 
 def step_by_step(entries: Sequence[ReportEntry]) -> list[ReportEntry]:
-    """Return those that are told step by step: above level 3, and of tasks played staged."""
+    """Return those that are shown step by step: above level 3, and of tasks played staged."""
     staged = {entry.task for entry in entries if entry.condition.play == STAGED}
     return [
         entry
@@ -91,10 +89,10 @@ def _by_task(entries: Sequence[ReportEntry]) -> Table:
     """A line per task, a column per policy, then the paper's."""
     columns = list(dict.fromkeys((e.label, e.condition.shift) for e in entries))
     several = len(shifts(entries)) > 1
-    found = {(e.task, e.label, e.condition.shift): e for e in entries}
+    entry_of = {(e.task, e.label, e.condition.shift): e for e in entries}
     lines = []
     for task in dict.fromkeys(entry.task for entry in entries):
-        ours = [found.get((task, *column)) for column in columns]
+        ours = [entry_of.get((task, *column)) for column in columns]
         theirs = [paper_number(task, policy) for policy in NAMES]
         lines.append(
             (task, *(None if entry is None else success(entry) for entry in ours), *theirs)
@@ -113,9 +111,9 @@ def _by_condition(entries: Sequence[ReportEntry], title: str) -> Table:
     shown = shifts(entries)
     lines: list[tuple[Cell, ...]] = []
     for (task, label), group in _by(entries):
-        found = {entry.condition.shift: entry for entry in group}
+        by_shift = {entry.condition.shift: entry for entry in group}
         name = group[0].policy
-        ours = [success(found[c]) if c in found else None for c in shown]
+        ours = [success(by_shift[c]) if c in by_shift else None for c in shown]
         lines.append((task, label, *ours, *(paper_number(task, name, c) for c in (ID, OOD))))
     head = ("Task", "Policy", *shown, f"paper {ID}", f"paper {OOD}")
     return _table(title, head, lines, entries)
@@ -265,9 +263,9 @@ def failure_table(entries: Sequence[ReportEntry]) -> Table:
     """Return one line per cause of failure, with its share of the failures."""
     lines: list[tuple[Cell, ...]] = []
     for entry in entries:
-        found = failures(entry)
-        for (step, cause), count in found.most_common():
-            share = entry.rate(count, found.total())
+        counts = failures(entry)
+        for (step, cause), count in counts.most_common():
+            share = entry.rate(count, counts.total())
             lines.append((entry.task, entry.label, entry.condition.played, step, cause, share))
     head = ("Task", "Policy", "Condition", "Failed in", "Cause", "Of the failures")
     note = "Every failed episode has one cause. Failed in: the first step that was not done."
@@ -329,7 +327,7 @@ _MEASURES: dict[str, Callable[[Row], float | None]] = {
 def _over(
     pace: Mapping[tuple[Condition, int], float], entry: ReportEntry
 ) -> Callable[[Row], float | None]:
-    """Return how to tell how many seconds an episode took over the expert's."""
+    """Return the wording for the seconds that an episode took over the expert's."""
     if entry.policy == EXPERT:
         return lambda row: None
     return lambda row: row.seconds - pace[row.scene] if row.scene in pace else None

@@ -1,4 +1,4 @@
-"""What a run prints: a line per task, or its steps; what a wanted precision costs."""
+"""Tables that a run prints: a line per task, or its steps; the cost of a wanted precision."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -22,17 +22,17 @@ _NOTE = (
     "breach; per cent [95 %: {interval}]. Ever: the goal held at any instant. Time: mean simulated "
     "time of the successes. Substeps: reached in their order, of all episodes."
 )
-_STATE = "State: the policy is told the poses of all things and sees no pictures."
-_EMPTY = "Liquid=off: vessels are empty, pouring and spilling are told from tilts."
+_STATE = "State: the policy is given the poses of all things and sees no pictures."
+_EMPTY = "Liquid=off: vessels are empty, pouring and spilling are judged by tilts."
 _MEAN = "Mean: each task counts the same."
 
 
 def run_tables(entries: Sequence[ReportEntry], *, level_means: bool) -> list[Table]:
-    """Return what a run has to tell: tables of tasks by their substeps, and a table per long task.
+    """Return what a run reports: tables of tasks by their substeps, and a table per long task.
 
     Args:
         entries: What it played, ordered by task.
-        level_means: Whether the mean over each level is told too.
+        level_means: Whether the mean over each level is shown too.
     """
     tables: list[Table] = []
     groups: dict[str, list[ReportEntry]] = {}

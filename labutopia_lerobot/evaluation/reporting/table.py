@@ -36,7 +36,7 @@ class Rate:
 
 
 Cell = str | int | Rate | PaperNumber | Median | None
-"""What stands in a table; None where there is nothing."""
+"""Content of a table's cell; None where there is nothing."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class Table:
 
     @property
     def repeated(self) -> list[int]:
-        """How many words at the beginning of each line are those of the line above."""
+        """Number of words at the beginning of each line that equal those of the line above."""
         pairs = zip(self.lines, ((), *self.lines[:-1]), strict=True)
         return [
             len(list(takewhile(lambda both: both[0] == both[1] and isinstance(both[0], str), both)))
@@ -252,7 +252,7 @@ def _wrapped(words: str, width: int) -> list[str]:
 
 
 def _is_number(cell: Cell) -> bool:
-    """Tell whether words begin with a number, as `12.5 s` or `< 0.0001`, or are none."""
+    """Return whether words begin with a number, as `12.5 s` or `< 0.0001`, or are none."""
     return not cell or re.match(r"[-+<>]? ?\d", str(cell)) is not None
 
 
@@ -262,7 +262,7 @@ def _shown(cell: Cell, brief: bool) -> str:
         return ""
     if brief and isinstance(cell, Rate):
         return f"{cell.percent:.1f}"
-    return re.sub(r"\[.*?\]", lambda found: found[0].replace(" ", _UNBREAKABLE), text(cell))
+    return re.sub(r"\[.*?\]", lambda match: match[0].replace(" ", _UNBREAKABLE), text(cell))
 
 
 def as_markdown(table: Table) -> str:
@@ -328,7 +328,7 @@ FORMATS: dict[str, Callable[[Table], RenderableType]] = {
     "csv": as_csv,
     "latex": as_latex,
 }
-"""How tables can be written."""
+"""Formats in which tables can be written."""
 
 _PARTS: dict[type, tuple[str, ...]] = {
     str: ("",),

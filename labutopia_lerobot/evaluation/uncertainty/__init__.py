@@ -1,4 +1,4 @@
-"""How far numbers of finitely many episodes can be trusted; knows nothing of rows.
+"""Uncertainty of numbers from finitely many episodes; knows nothing of rows.
 
 intervals   of rates and medians for a fixed number of episodes, and what a precision costs
 paired      two policies on common seeds: exact test, difference, Holm's adjustment

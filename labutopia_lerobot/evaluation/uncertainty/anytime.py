@@ -1,4 +1,4 @@
-"""What stays valid however often one looks, and whenever one stops.
+"""Statistics that stay valid however often one looks, and whenever one stops.
 
 An interval for a fixed number of episodes that is looked at after every episode misses the true
 rate sooner or later. These do not, with the stated confidence over the whole run: the likelihood of

@@ -63,9 +63,9 @@ class PairedOutcomes:
 
     def interval(self, confidence: float = 0.95) -> Interval:
         """Return the confidence interval of the difference (score interval of Tango 1998)."""
-        z, found = norm.ppf((1 + confidence) / 2), self.difference
-        low = -1.0 if found == -1.0 else brentq(lambda d: self._score(d) - z, -1.0, found)
-        high = 1.0 if found == 1.0 else brentq(lambda d: self._score(d) + z, found, 1.0)
+        z, difference = norm.ppf((1 + confidence) / 2), self.difference
+        low = -1.0 if difference == -1.0 else brentq(lambda d: self._score(d) - z, -1.0, difference)
+        high = 1.0 if difference == 1.0 else brentq(lambda d: self._score(d) + z, difference, 1.0)
         return float(low), float(high)
 
     def _score(self, difference: float) -> float:

@@ -8,7 +8,7 @@ from dataclasses import fields
 from typing import Any
 
 TASK = "level1"
-"""What is made when nothing is chosen: every task of the first level."""
+"""Tasks that are made when none is chosen: every task of the first level."""
 
 
 def make_env(n_envs: int = 1, use_async_envs: bool = False, cfg: Any = None) -> Any:

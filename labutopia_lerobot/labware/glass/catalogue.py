@@ -32,20 +32,20 @@ def catalogue() -> Mapping[str, Kind]:
     Raises:
         TypeError: Two tables have a kind of the same name.
     """
-    found: dict[str, Kind] = {}
+    kinds: dict[str, Kind] = {}
     for module in pkgutil.iter_modules(tables.__path__, f"{tables.__name__}."):
         for series in importlib.import_module(module.name).SERIES:
-            if series.kind in found:
+            if series.kind in kinds:
                 raise TypeError(f"Two kinds of ware are called {series.kind}: rename one")
-            found[series.kind] = series
-    return MappingProxyType(dict(sorted(found.items())))
+            kinds[series.kind] = series
+    return MappingProxyType(dict(sorted(kinds.items())))
 
 
 @cache
 def vessels() -> Mapping[str, Series]:
     """Return every kind of vessel by its name, in alphabetical order."""
-    found = {kind: one for kind, one in catalogue().items() if isinstance(one, Series)}
-    return MappingProxyType(found)
+    series_of_vessels = {kind: one for kind, one in catalogue().items() if isinstance(one, Series)}
+    return MappingProxyType(series_of_vessels)
 
 
 def glassware(kind: str, size: str, name: str | None = None) -> Vessel:

@@ -20,7 +20,7 @@ class DoesNotFitError(UserError, ValueError):
 
 
 class Hold(Protocol):
-    """How a closure stays on a vessel, and on which."""
+    """Fastening of a closure on a vessel, and the vessels that it fits."""
 
     @property
     def tight(self) -> bool:
@@ -29,11 +29,11 @@ class Hold(Protocol):
 
     @property
     def needs(self) -> str:
-        """What a vessel must be like, to be told to the user."""
+        """Requirement on a vessel, in words for the user."""
         ...
 
     def fits(self, vessel: Vessel) -> bool:
-        """Tell whether it closes a vessel."""
+        """Return whether it closes a vessel."""
         ...
 
     def seat(self, vessel: Vessel) -> float:
@@ -64,7 +64,7 @@ class Plug:
         return f"a mouth of {1e3 * self.low:g} to {1e3 * self.high:g} mm"
 
     def fits(self, vessel: Vessel) -> bool:
-        """Tell whether it goes in by a seventh of its length at least, and not in to its head."""
+        """Return whether it goes in by a seventh of its length at least, and not in to its head."""
         seat = self.seat(vessel)
         inside = (vessel.height - seat) / self.length
         return 0.14 < inside < 0.95
@@ -105,7 +105,7 @@ class Cover:
         return f"a mouth a little more than {1e3 * self.within:g} mm wide"
 
     def fits(self, vessel: Vessel) -> bool:
-        """Tell whether its rim has play around or within the lip, of 8 mm at most."""
+        """Return whether its rim has play around or within the lip, of 8 mm at most."""
         lip = 2 * vessel.profile.outer_radius(vessel.height)
         play = self.around - lip if self.around else 2 * vessel.mouth_radius - self.within
         return 0.0002 < play < 0.008
@@ -135,7 +135,7 @@ class Screw:
         return f"a thread of {1e3 * self.thread.diameter:g} x {1e3 * self.thread.pitch:g} mm"
 
     def fits(self, vessel: Vessel) -> bool:
-        """Tell whether a vessel has this thread."""
+        """Return whether a vessel has this thread."""
         return vessel.thread == self.thread
 
     def seat(self, vessel: Vessel) -> float:

@@ -2,8 +2,8 @@
 
 A wall seen edge on is looked through for a long way, and mirrors more than it lets through
 (Fresnel; Hecht, "Optics", 4.6). Fixed shading knows nothing of that. But a vessel is round: a
-texture that goes around it says how a wall looks by its angle to the line of sight, and whoever
-draws the vessel turns it about its axis until the beginning of the texture faces the eye.
+texture that goes around it says how a wall looks by its angle to the line of sight, and the
+code that draws the vessel turns it about its axis until the beginning of the texture faces the eye.
 """
 
 import mujoco
@@ -20,7 +20,7 @@ _SIZE = 256, 8
 _FACING = 0.14
 """Opacity of what faces the eye, as a part of that of the outline."""
 _OUTLINE_POWER = 7.0
-"""How narrow the outline is: its opacity grows with this power of the sine of the angle."""
+"""Narrowness of the outline: its opacity grows with this power of the sine of the angle."""
 _OUTLINE = (0.66, 0.82, 0.79)
 """Colour of the outline beside that of the wall: glass is greenish where it is thick."""
 _STREAKS = ((-0.62, 0.09, 0.60), (0.80, 0.05, 0.34))
@@ -55,8 +55,8 @@ def _around(width: int) -> NDArray[np.uint8]:
     opacity = _FACING + (1 - _FACING) * edge
     color = 1.0 - edge[:, None] * (1.0 - np.array(_OUTLINE))
     for middle, half_width, strength in _STREAKS:
-        off = np.angle(np.exp(1j * (azimuth - middle)))
-        streak = np.exp(-((off / half_width) ** 4))
+        deviation = np.angle(np.exp(1j * (azimuth - middle)))
+        streak = np.exp(-((deviation / half_width) ** 4))
         opacity = np.maximum(opacity, strength * streak)
         color = color + streak[:, None] * (1.0 - color)
     levels: NDArray[np.uint8] = np.rint(255 * np.column_stack([color, opacity])).astype(np.uint8)

@@ -1,4 +1,4 @@
-"""What is joined to a wall of revolution: arms, necks, jackets, spouts, handles, plates.
+"""Parts joined to a wall of revolution: arms, necks, jackets, spouts, handles, plates.
 
 Each function takes numbers in millimetres, as in catalogues, and returns what makes the forms for a
 wall. They are drawn and touched, but sealed where they join: liquid knows walls of revolution only.
@@ -7,7 +7,7 @@ wall. They are drawn and touched, but sealed where they join: liquid knows walls
 import math
 from collections.abc import Callable
 
-from labutopia_lerobot.labware.glass.fittings import Fitting, Flap, SnapLid, Stopcock
+from labutopia_lerobot.labware.glass.moving_fittings import Fitting, Flap, SnapLid, Stopcock
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned
 from labutopia_lerobot.labware.parts.pipe import Pipe

@@ -1,4 +1,4 @@
-"""What vessels are made of: density and look."""
+"""Materials of vessels: density and look."""
 
 from dataclasses import dataclass
 

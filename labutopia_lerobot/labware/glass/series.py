@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.glass.closure import Closure, Hold
-from labutopia_lerobot.labware.glass.fittings import Fitting
 from labutopia_lerobot.labware.glass.material import Material
+from labutopia_lerobot.labware.glass.moving_fittings import Fitting
 from labutopia_lerobot.labware.glass.outlines import Outline
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.glass.thread import Thread

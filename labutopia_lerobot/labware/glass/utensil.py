@@ -7,8 +7,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.labware.glass.fittings import Fitting
 from labutopia_lerobot.labware.glass.material import Material
+from labutopia_lerobot.labware.glass.moving_fittings import Fitting
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.contact import FRICTION
 from labutopia_lerobot.labware.parts.form import Form
@@ -20,7 +20,7 @@ from labutopia_lerobot.world.model import COLLISION_GROUP, SOLIMP, SOLREF
 
 @dataclass(frozen=True)
 class Shape:
-    """What a utensil is made of, and where it is taken.
+    """Material and grip of a utensil.
 
     Attributes:
         forms: In the frame of the piece: origin at the centre of its base, z up.
@@ -65,7 +65,7 @@ class Utensil(Loose):
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
-        """What moves on it."""
+        """Its moving fittings."""
         return tuple(fitting.mechanism for fitting in self.shape.fittings)
 
     @property
@@ -89,7 +89,7 @@ class Utensil(Loose):
 
     @property
     def mass(self) -> float:
-        """What it weighs [kg], without what moves on it."""
+        """Mass [kg], without what moves on it."""
         return moments(self.shape.forms, self.material.density).mass
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:

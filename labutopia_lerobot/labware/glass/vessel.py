@@ -8,8 +8,8 @@ from itertools import pairwise
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.glass.fittings import Fitting
 from labutopia_lerobot.labware.glass.material import BOROSILICATE, Material
+from labutopia_lerobot.labware.glass.moving_fittings import Fitting
 from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
 from labutopia_lerobot.labware.glass.thread import Thread
 from labutopia_lerobot.labware.glass.vessel_look import VesselLook, add_look
@@ -64,7 +64,7 @@ class Vessel(Loose):
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
-        """What moves on it."""
+        """Its moving fittings."""
         return tuple(fitting.mechanism for fitting in self.fittings)
 
     @property
@@ -100,7 +100,7 @@ class Vessel(Loose):
 
     @property
     def taper(self) -> float:
-        """How far its wall leans inwards where it does most, going up [rad]; 0 for a beaker."""
+        """Greatest inward lean of its wall, going up [rad]; 0 for a beaker."""
         leans = (math.atan2(a[0] - b[0], b[1] - a[1]) for a, b in pairwise(self.profile.inner))
         return max(0.0, *leans)
 

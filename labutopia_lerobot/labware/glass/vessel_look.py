@@ -1,4 +1,4 @@
-"""How a vessel looks: its two surfaces, its thick edges, what is printed on it. Nothing collides.
+"""Look of a vessel: its two surfaces, its thick edges, what is printed on it. Nothing collides.
 
 The printing, scale, numbers and label, is one mesh just off the surface. Seen from 0.25 m in a
 picture of 256 pixels a millimetre is a pixel high: numbers are 8 to 10 mm high, and only walls of
@@ -18,7 +18,7 @@ from labutopia_lerobot.labware.parts.mesh import SEGMENTS, Mesh, bead, join, rev
 from labutopia_lerobot.world.model import VISUAL_GROUP
 
 _OUTLINE_OPACITY = {"inside": 1.4, "outside": 2.4}
-"""How much more opaque clear walls are at their outline than on average."""
+"""Ratio of the opacity of clear walls at their outline to the average."""
 
 _WIDEST_BEAD = 0.002  # a thicker lip is drawn flat, not as a bead [m]
 
@@ -57,7 +57,7 @@ _STROKES = (
 
 @dataclass(frozen=True)
 class VesselLook:
-    """What one sees of a vessel.
+    """The visible parts of a vessel.
 
     Attributes:
         name: Name of the body; prefix of the names of what is drawn.

@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look
 
 _SLANT = math.radians(35.0)
 _ROLL = math.radians(45.0)
-"""How far the front leans back, and a pressing hand to the right about its own axis [rad].
+"""Angle by which the front leans back, and a pressing hand to the right about its own axis [rad].
 
 The default robot cannot point a level hand straight ahead. Like this, on a panel turned by 20 to 35
 degrees to face the robot's left, its joints keep away from their ends (`level1/press`).

@@ -23,7 +23,7 @@ _HANDLE_LENGTH = 0.160
 """Length of the bar [m], a usual one for furniture (hole spacing 160 mm)."""
 
 _WIDEST = 0.300
-"""Where the slides stop [m]."""
+"""Travel at which the slides stop [m]."""
 _CLOSED = 0.002
 """Travel below which no gap is seen: less than that between two drawers [m]."""
 _DRAWER_MASS = 3.0

@@ -1,6 +1,6 @@
 """A bench-top drying oven: a heated box with a hinged door, a window and a bar handle.
 
-It may have a push button that starts it, and a lamp that tells.
+It may have a push button that starts it, and a lamp that shows it.
 """
 
 import math
@@ -43,7 +43,7 @@ _LAMP_ASIDE = 0.045
 _DOOR_MASS = 6.5
 """Two skins of 0.8 mm steel (4.1 kg), a double pane of 4 mm glass (1.4 kg), frame and wool [kg]."""
 _WIDEST = math.radians(120.0)
-"""Where the hinge stops (original, DryingBox_01)."""
+"""Angle at which the hinge stops (original, DryingBox_01)."""
 _SEAL = math.radians(0.3)
 """Angle at which the free edge stands 3 mm off, which the silicone seal still fills [rad]."""
 _FRICTION = 0.5
@@ -90,12 +90,12 @@ class DryingOven(Equipment):
 
     @property
     def shelf(self) -> Shelf:
-        """Where to put things."""
+        """Place for things."""
         return Shelf(f"{self.name}_shelf")
 
     @property
     def button(self) -> PushButton:
-        """What starts it, and stops it again.
+        """Button that starts it, and stops it again.
 
         Raises:
             ValueError: If it has none.
@@ -106,7 +106,7 @@ class DryingOven(Equipment):
 
     @property
     def switch(self) -> Switch:
-        """What the button works, if there is one."""
+        """Switch that the button works, if there is one."""
         return Switch(f"{self.name}_switch", self.button.name, f"{self.name}_lamp")
 
     @property

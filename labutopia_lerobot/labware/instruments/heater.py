@@ -21,9 +21,9 @@ _PLATE = 0.008
 _DECK_DEPTH, _DECK_HEIGHT = 0.080, 0.042
 """Depth and height of the deck in front of it [m]; the button ends below the top."""
 _BUTTON_X = -_SIDE / 2 - 0.045
-"""Where the button is [m]; 0.09 m from a beaker in the middle, so that a hand fits between."""
+"""Position of the button [m]; 0.09 m from a beaker in the middle, so that a hand fits between."""
 _LAMP_Y = 0.045
-"""Where the lamp is, to the left of the button [m]."""
+"""Position of the lamp, to the left of the button [m]."""
 _ZONE = 0.060
 """Radius of the zone printed on the top, which gets hot [m]."""
 
@@ -51,7 +51,7 @@ class Heater(Equipment):
 
     @property
     def button(self) -> PushButton:
-        """What switches it on, and off again."""
+        """Button that switches it on, and off again."""
         return PushButton(f"{self.name}_button", COLORS[self.button_color], radius=0.020)
 
     @property

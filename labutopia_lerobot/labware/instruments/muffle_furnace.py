@@ -24,7 +24,7 @@ _HANDLE_INSET = 0.050
 _FOOT = 0.025
 """Height of the feet [m]."""
 _PLUG, _PLAY = 0.020, 0.004
-"""How far the door's brick reaches into the chamber, and the gap around it, in which its corner
+"""Reach of the door's brick into the chamber, and the gap around it, in which its corner
 clears the chamber's wall as the door swings [m]."""
 _HEARTH = 0.008
 """Thickness of the ceramic plate on the chamber's floor [m]."""
@@ -32,7 +32,7 @@ _HEARTH = 0.008
 _DOOR_MASS = 6.5
 """Two skins of 0.8 mm steel (4.0 kg), light brick and wool of 300 kg/m^3 in part of it (2.5 kg)."""
 _WIDEST = math.radians(100.0)
-"""Where the hinge stops (original, MuffleFurnace)."""
+"""Angle at which the hinge stops (original, MuffleFurnace)."""
 _SEAL = math.radians(0.3)
 """Angle at which the free edge stands 3 mm off, which the fibre rope still fills [rad]."""
 _FRICTION = 0.6
@@ -84,7 +84,7 @@ class MuffleFurnace(Equipment):
 
     @property
     def hearth(self) -> Vector:
-        """Where to put things: the middle of the chamber's floor in its own frame [m]."""
+        """Place for things: the middle of the chamber's floor in its own frame [m]."""
         return ((_CHAMBER.depth - _DEPTH) / 2, 0.0, _CHAMBER.bottom + _HEARTH)
 
     @property

@@ -42,7 +42,7 @@ class TestTubeRack(Equipment):
 
     @property
     def middle(self) -> Vector:
-        """Where a rod or tube in the middle opening stands, in the rack's frame [m]."""
+        """Position of a rod or tube in the middle opening, in the rack's frame [m]."""
         return (0.0, 0.0, _FLOOR)
 
     @property

@@ -28,7 +28,7 @@ _WALL = 0.040
 _DOOR_MASS = 7.5
 """A frame of aluminium (5 kg) around a pane of 10 mm glass (2.5 kg); ours."""
 _WIDEST = math.radians(110.0)
-"""Where the hinge stops; ours."""
+"""Angle at which the hinge stops [rad]; ours."""
 _SEAL = math.radians(0.3)
 """Angle at which the free edge stands 2 mm off, which the silicone seal still fills [rad]."""
 _FRICTION = 0.5

@@ -1,1 +1,1 @@
-"""What pieces are made of: doors, drawers, buttons, switches, boxes, meshes."""
+"""Parts of pieces: doors, drawers, buttons, switches, boxes, meshes."""

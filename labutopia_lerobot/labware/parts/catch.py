@@ -10,10 +10,10 @@ from labutopia_lerobot.world.model import COLLISION_GROUP, SOLREF, VISUAL_GROUP
 _RADIUS, _WIDTH = 0.005, 0.012
 """Radius and half length of the roller on the door and of the pin on the box [m]; ours."""
 _SHUT = 0.006
-"""How far behind the pin the roller is when the door is shut [m]; ours. It still rests on the pin,
+"""Distance of the roller behind the pin when the door is shut [m]; ours. It still rests on the pin,
 whose slope of 37 degrees there draws the door against its stop."""
 _DROP, _TRAVEL = 0.0028, 0.006
-"""How far the roller comes out again behind the pin, and how far in it can be pressed [m]; ours."""
+"""Travel of the roller out again behind the pin, and in when pressed [m]; ours."""
 _PRELOAD, _STIFFNESS = 23.0, 1500.0
 """Force before the roller yields [N] and spring rate [N/m]: see `HOLDS`."""
 _DAMPING = 8.0
@@ -23,11 +23,11 @@ _MASS = 0.1
 _HARD = (0.99, 0.999, 0.0005, 0.5, 2.0)
 """Contact that the spring presses in by less than 0.1 mm."""
 _CLEAR = 0.004
-"""How far the middle of the roller is above the door's edge [m]."""
+"""Height of the middle of the roller above the door's edge [m]."""
 
 HOLDS = 17.0
 """Force at the catch that pulls a shut door open [N]; a fifth more shuts it. Ours, no maker of
-ovens tells: two fingers open it, and it does not shake open. A test measures it."""
+ovens gives: two fingers open it, and it does not shake open. A test measures it."""
 
 _ACROSS = (0.5**0.5, 0.5**0.5, 0.0, 0.0)  # z axis along -y
 

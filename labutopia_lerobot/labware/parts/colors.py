@@ -1,4 +1,4 @@
-"""Colours of plastic and glaze by name, where an instruction may tell things apart by them."""
+"""Colours of plastic and glaze by name, by which an instruction may distinguish things."""
 
 type Color = tuple[float, float, float, float]
 """Red, green, blue, alpha; 0 to 1."""

@@ -1,4 +1,4 @@
-"""How labware touches."""
+"""Contact parameters of labware."""
 
 FRICTION = (0.4, 0.005, 0.0001)
 """Sliding, torsional [m], rolling [m]. The first is the kinetic friction of glass on glass (Serway,

@@ -12,7 +12,7 @@ from labutopia_lerobot.world.model import COLLISION_GROUP, SOLREF
 _WHEEL = 0.012
 """Radius of the circle of bumps inside the panel [m]; ours."""
 _INSIDE = 0.006
-"""How far behind the surface of the panel they are [m]."""
+"""Distance of the roller behind the surface of the panel [m]."""
 _PRELOAD, _STIFFNESS, _DAMPING, _MASS = 2.0, 400.0, 6.0, 0.1
 _HARD = (0.99, 0.999, 0.0005, 0.5, 2.0)
 """Of the sprung ball [N, N/m, N s/m, kg] and of its contacts: a few N cm at the knob, as makers of

@@ -37,7 +37,7 @@ class Fitted(Instrument, ABC):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """What its tops carry, then what stands in its units."""
+        """Things on its tops, then those in its units."""
         inside = (place for unit in self._units() for place in unit.made.places)
         return (*self._places_on_top(), *inside)
 

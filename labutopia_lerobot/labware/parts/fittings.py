@@ -1,4 +1,4 @@
-"""What many instruments have: feet, open boxes."""
+"""Fittings of many instruments: feet, open boxes."""
 
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Span
 

@@ -21,7 +21,7 @@ _UP: Vector = (0.0, 0.0, 1.0)
 
 
 class Primitive(NamedTuple):
-    """What is touched: a primitive of MuJoCo, or the convex hull of points.
+    """Contact shape: a primitive of MuJoCo, or the convex hull of points.
 
     Attributes:
         shape: Box, cylinder or mesh.

@@ -20,7 +20,7 @@ from labutopia_lerobot.processes import Process
 
 
 class Equipment(Still):
-    """What is known of every instrument.
+    """Interface of every instrument.
 
     Each is a frozen dataclass with a `name`. Its origin is the centre of its base, z up, its front
     faces -x: left is +y.
@@ -41,22 +41,22 @@ class Equipment(Still):
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
-        """What moves on it, buttons excepted, in an order in which all of it can be opened."""
+        """Its moving parts, buttons excepted, in an order in which all of them can be opened."""
         return ()
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where things stand on it or are put in."""
+        """Places where things stand on it or are put in."""
         return ()
 
     @property
     def tops(self) -> tuple[Top, ...]:
-        """What of it carries instruments: of furniture; bottles and vessels go to `places`."""
+        """Surfaces of furniture that carry instruments; bottles and vessels go to `places`."""
         return ()
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        """What it shows."""
+        """Its displays."""
         return ()
 
     @property

@@ -20,9 +20,10 @@ _DENSITY = 680.0
 _GAP = 0.0015
 """Between a front and the edge of its unit [m]; two fronts are twice that apart."""
 GRIP = 0.034
-"""How far a grip stands out before a front [m]."""
+"""Projection of a grip before a front [m]."""
 _WIDEST = math.radians(83.0)
-"""Where doors stop: a grip is then still within the sides of its box, clear of a drawer beside."""
+"""Angle at which doors stop [rad]: a grip is then still within the sides of its box, and clear of a
+drawer beside."""
 TURNED_BACK: Quaternion = (0.0, 0.0, 0.0, 1.0)
 """Of a unit that opens to the other side; scalar-first."""
 

@@ -54,7 +54,7 @@ class Knob:
         """Torque with which two fingers turn it [N m]."""
         return 0.15 if self.steps else 0.05
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return in_degrees(position)
 

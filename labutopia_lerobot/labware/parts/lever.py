@@ -11,7 +11,7 @@ from labutopia_lerobot.world import Pose, World
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _WIDEST = math.radians(80.0)
-"""Where it stops [rad]; ours."""
+"""Angle at which it stops [rad]; ours."""
 _FRICTION = 0.3
 """Dry friction [N m]: it stays where it is left; ours, 5 N at the middle of the bar."""
 _DAMPING = 0.02
@@ -63,7 +63,7 @@ class Lever:
         """Torque with which a hand on the bar turns it [N m]."""
         return 1.0
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return f"{math.degrees(position):.3g} deg"
 

@@ -43,7 +43,7 @@ class Lid:
         """Torque with which a hand at its front edge opens it [N m]."""
         return 4.0 * self.friction
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return in_degrees(position)
 

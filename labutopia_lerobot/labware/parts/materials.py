@@ -1,4 +1,4 @@
-"""What the parts of a piece look like: one material each."""
+"""Looks of the parts of a piece: one material each."""
 
 import mujoco
 

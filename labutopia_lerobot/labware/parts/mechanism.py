@@ -1,4 +1,4 @@
-"""What moves on an instrument: one joint, how far, and how hard a hand moves it."""
+"""Moving parts of an instrument: one joint, its range, and the force by which a hand moves it."""
 
 import math
 from typing import Protocol
@@ -36,7 +36,7 @@ class Mechanism(Protocol):
         """Torque [N m] or force [N] at its joint with which a hand moves it."""
         ...
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write a position with a unit."""
         ...
 

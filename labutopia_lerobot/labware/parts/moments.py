@@ -1,4 +1,4 @@
-"""What forms weigh: mass, centre and inertia of what their surfaces enclose."""
+"""Weight of forms: mass, centre and inertia of what their surfaces enclose."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""How things stand: free on the bench, or fixed to it; what most of them are is said once, here."""
+"""Mounting of things, free on the bench or fixed to it; what most share is said once, here."""
 
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.processes import Process

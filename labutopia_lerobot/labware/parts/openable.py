@@ -77,7 +77,7 @@ class Door[Grip]:
         handle: What to hold it by.
         widest: Angle at which it stops [rad].
         closed_within: Angle below which there is no gap [rad].
-        catch: What keeps it shut, if anything; whoever builds the door adds it to it.
+        catch: Mechanism that keeps it shut, if any; the builder of the door adds it.
         hinge: On which side it hangs, for who stands before it.
     """
 
@@ -140,7 +140,7 @@ class Door[Grip]:
         spec.add_exclude(bodyname1=box.name, bodyname2=self.name)
         return body
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return f"{math.degrees(position):.3g} deg"
 
@@ -183,7 +183,7 @@ class Drawer:
         """Force with which a hand at the handle opens it [N]."""
         return 20.0
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write a travel [m] with a unit."""
         return f"{position:.3g} m"
 

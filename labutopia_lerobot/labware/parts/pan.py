@@ -38,7 +38,7 @@ class Pan:
 
     @property
     def place(self) -> Seat:
-        """Where things stand on it."""
+        """Place where things stand on it."""
         return Seat(f"{self.name}_middle", self.name, (0.0, 0.0, self.top), self.width)
 
     def weighing(

@@ -1,4 +1,4 @@
-"""How things sit on panels: z into the panel, x up, y to the right of who stands before it."""
+"""Frames of things on panels: z into the panel, x up, y to the right of who stands before it."""
 
 import math
 

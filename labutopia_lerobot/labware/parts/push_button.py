@@ -20,7 +20,7 @@ from labutopia_lerobot.world.model import COLLISION_GROUP, SOLIMP, SOLREF
 type Color = tuple[float, float, float, float]
 
 _STOP = 0.002
-"""How far the cap still goes in after the click [m]."""
+"""Travel of the cap after the click [m]."""
 _PRELOAD, _STIFFNESS = 1.8, 200.0
 """Force before the cap yields [N] and spring rate [N/m]: 2.8 N at the click, within the 2 to 5 N
 that makers give for the contact blocks of 22 mm push buttons. The paper gives no figures."""

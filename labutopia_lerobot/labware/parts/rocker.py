@@ -58,7 +58,7 @@ class Rocker:
         """Torque with which a finger at its end presses it over [N m]."""
         return 0.06
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return in_degrees(position)
 
@@ -80,8 +80,8 @@ class Rocker:
             quat: Orientation of its frame in the panel's, scalar-first; z points into the panel.
         """
         panel = Rotation.from_quat(quat, scalar_first=True)
-        off = panel * Rotation.from_euler("y", -_TILT)
-        w, x, y, z = (float(part) for part in off.as_quat(scalar_first=True))
+        off_rotation = panel * Rotation.from_euler("y", -_TILT)
+        w, x, y, z = (float(part) for part in off_rotation.as_quat(scalar_first=True))
         x_p, y_p, z_p = np.asarray(pos) + panel.apply((0.0, 0.0, -_PROUD))
         pivot = (float(x_p), float(y_p), float(z_p))
         body = add_moving(

@@ -31,7 +31,7 @@ class Rotor:
         """Name of its hinge [rad]."""
         return f"{self.name}_hinge"
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return in_degrees(position)
 

@@ -187,7 +187,7 @@ def joined(shells: Sequence[Shell]) -> Shell:
 
 
 def negligible(mesh: Shell) -> bool:
-    """Tell whether a form is too small to be seen, where all is coarse."""
+    """Return whether a form is too small to be seen, where all is coarse."""
     return _COARSE.get() and bool(np.ptp(mesh[0], axis=0).max() < _NEGLIGIBLE)
 
 

@@ -1,4 +1,4 @@
-"""What slides: sashes on counterweights, panes, trays, carriages, plungers."""
+"""Sliding parts: sashes on counterweights, panes, trays, carriages, plungers."""
 
 from dataclasses import dataclass
 
@@ -35,7 +35,7 @@ class Slide:
         """Name of its slide [m]; 0 is where it is built."""
         return f"{self.name}_slide"
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write a travel [m] with a unit."""
         return in_millimetres(position)
 

@@ -1,4 +1,4 @@
-"""What one sits on: a seat that turns on a gas spring."""
+"""Seats: one that turns on a gas spring."""
 
 from typing import ClassVar
 

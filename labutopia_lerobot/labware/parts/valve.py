@@ -46,7 +46,7 @@ class Tap:
         """Torque with which two fingers turn it [N m]."""
         return 0.2
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return in_degrees(position)
 
@@ -111,7 +111,7 @@ class HandWheel:
         """Angle at which it is open [rad]."""
         return 2 * math.pi * self.turns
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return in_degrees(position)
 

@@ -10,7 +10,7 @@ import numpy as np
 from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, add_look, add_part
-from labutopia_lerobot.labware.soft.shell import OWN_CONTYPE, Elastic
+from labutopia_lerobot.labware.soft.elastic_shell import OWN_CONTYPE, Elastic
 from labutopia_lerobot.world import FloatArray
 from labutopia_lerobot.world.model import PHYSICS_HZ, SOLIMP, VISUAL_GROUP
 
@@ -25,7 +25,7 @@ _FRICTION = (0.8, 0.005, 0.0001)
 """The first is the kinetic friction of rubber on concrete (Serway and Jewett, "Physics for
 Scientists and Engineers", table of friction coefficients)."""
 _SOLREF = (1.0 / PHYSICS_HZ, 1.0)
-"""Time constant [s] and damping ratio of contacts: see `shell.py`."""
+"""Time constant [s] and damping ratio of contacts: see `elastic_shell.py`."""
 _SOLREF_LENGTH = (0.0012, 1.0)
 """Time constant [s] and damping ratio of the edges' length. Pulled by 0.25 N, an edge gets 0.8 %
 longer (measured; rubber, 0.3 %); at five sixths of the time constant the tube hums on the bench."""

@@ -6,7 +6,7 @@ from typing import override
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.soft.shell import Shell, enclosed_volume
+from labutopia_lerobot.labware.soft.elastic_shell import Shell, enclosed_volume
 from labutopia_lerobot.processes import Apparatus, Process
 from labutopia_lerobot.substances.filling import Dispenser
 from labutopia_lerobot.world import Reading

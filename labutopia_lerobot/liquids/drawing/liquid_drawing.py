@@ -16,8 +16,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.drawing.colors import REACH, colors_at
 from labutopia_lerobot.liquids.drawing.surface import LiquidSurface, VesselPose, liquid_surface
+from labutopia_lerobot.liquids.drawing.surface_colors import REACH, colors_at
 from labutopia_lerobot.substances.substance import Color
 from labutopia_lerobot.world.model import SKIN_GROUP
 
@@ -71,7 +71,7 @@ class LiquidDrawing:
             colors: Red, green, blue and opacity, 0 to 1, of every substance.
             spacing: Edge of the cube that has a particle's volume [m].
             particles: The most that are ever drawn.
-            skin: Whether there is a skin: without, `draw` and `upload` draw nothing, `quads` tell.
+            skin: Whether there is a skin: without, `draw` and `upload` draw nothing; see `quads`.
         """
         spec.worldbody.add_body(name=name)
         quads = QUADS_PER_PARTICLE * particles
@@ -119,7 +119,7 @@ class LiquidDrawing:
                 the first if not said.
 
         Raises:
-            RuntimeError: There are more particles than `add_to` was told.
+            RuntimeError: There are more particles than `add_to` was given.
         """
         surface = liquid_surface(positions_w, self.spacing, vessels, bench_height)
         if len(surface.quads) > self._capacity:
@@ -132,10 +132,10 @@ class LiquidDrawing:
         if len(self.colors) > 1:
             middles = surface.vertices_w[surface.quads].mean(axis=1)
             colors = self._colors(len(positions_w), amounts)
-            found = colors_at(middles, positions_w, colors, REACH * self.spacing)
+            texels = colors_at(middles, positions_w, colors, REACH * self.spacing)
             # The picture is drawn with the greatest opacity, of which a texel has a part.
-            found[:, 3] /= self.colors[:, 3].max()
-            self._texels = np.rint(255 * found).astype(np.uint8)
+            texels[:, 3] /= self.colors[:, 3].max()
+            self._texels = np.rint(255 * texels).astype(np.uint8)
         return surface
 
     def _colors(self, count: int, amounts: NDArray[np.float64] | None) -> NDArray[np.float64]:
@@ -180,7 +180,7 @@ class LiquidDrawing:
 
     @property
     def quads(self) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.uint8]]:
-        """What was extracted last.
+        """The surface that was extracted last.
 
         Corners, four for every quad, shape (4 quads, 3), metres, world frame; their normals; the
         share that every quad has of `tint`, shape (quads, 4), 0 to 255, empty for one substance.
@@ -189,7 +189,7 @@ class LiquidDrawing:
 
     @property
     def tint(self) -> NDArray[np.float32]:
-        """What the surface is drawn with, shape (4,): its colour, or that of full texels."""
+        """Colour that the surface is drawn with, shape (4,): its own, or that of full texels."""
         tint: NDArray[np.float32] = np.ones(4, np.float32)
         tint[:] = self.colors[0] if len(self.colors) == 1 else (1, 1, 1, self.colors[:, 3].max())
         return tint

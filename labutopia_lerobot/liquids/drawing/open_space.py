@@ -1,4 +1,4 @@
-"""How far from the glass, and how much open space there is around, everywhere near a vessel.
+"""Distance from the glass and share of open space, everywhere near a vessel.
 
 Tables over radius and height in the frame of a vessel, so that drawing its liquid costs two
 interpolations per point. Open is the cavity and all that is above the rim.
@@ -20,7 +20,7 @@ _FAR = 1.0  # further than anything in a vessel is from its glass [m]
 
 
 class OpenSpace(NamedTuple):
-    """What surrounds a place at a radius and a height; beyond the tables their edges hold.
+    """Surroundings of a place at a radius and a height; beyond the tables their edges hold.
 
     Attributes:
         step: Distance between entries [m].
@@ -50,7 +50,7 @@ KERNEL_VOLUME = 64 * np.pi / 315
 """Integral of `poly6` over space, for a reach of 1."""
 
 KERNEL_SLOPE = np.pi / 4 / KERNEL_VOLUME
-"""How fast the share of the kernel behind a plane changes at the plane, for a reach of 1.
+"""Rate of change, at the plane, of the kernel's share behind a plane, for a reach of 1.
 
 The plane through the middle cuts a disc out of the kernel, whose integral is pi / 4."""
 

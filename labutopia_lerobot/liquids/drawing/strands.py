@@ -1,4 +1,4 @@
-"""What falls is drawn as strands: particles near each other are smoothed, and joined by threads.
+"""Strands of falling liquid: particles near each other are smoothed, and joined by threads.
 
 A particle stands for a cube of liquid, but a stream is thinner and longer than a row of cubes, and
 surface tension makes it smooth. Positions are moved towards the mean of their neighbours, as Yu and
@@ -13,18 +13,18 @@ from numpy.typing import NDArray
 from labutopia_lerobot.kernel import kernel
 
 FALL = 2.6
-"""How much further particles see each other up and down than sideways: a stream is torn apart along
+"""Ratio of the reach of particles up and down to that sideways: a stream is torn apart along
 its fall, and hangs together there."""
 
 _NEIGHBOURS = 2.4
-"""How far particles smooth each other sideways, in particle spacings."""
+"""Reach of the smoothing sideways, in particle spacings."""
 
 _SMOOTHING = np.array([0.9, 0.9, 0.3])
-"""How far a particle is moved towards the mean of its neighbours, along each axis; Yu and Turk take
-0.9 to 1."""
+"""Share of the way to its neighbours' mean that a particle is moved, along each axis; Yu and Turk
+take 0.9 to 1."""
 
 LINK = 1.8
-"""How far a thread spans sideways, in particle spacings."""
+"""Greatest sideways span of a thread, in particle spacings."""
 
 _LINKS = 2
 """Threads that a particle begins: those to its nearest neighbours."""
@@ -86,14 +86,14 @@ def strands(
             _keep_nearest(nearest[a], squares[a], b, square)
             _keep_nearest(nearest[b], squares[b], a, square)
     points = np.empty((n * (1 + _MOST_BALLS), 3))
-    found = np.empty(len(points), np.float32)
+    point_weights = np.empty(len(points), np.float32)
     flows = np.empty(n)
     for a in range(n):
         flows[a] = min(max((totals[a] - 1.0) / _COMPANY - 1.0, 0.0), 1.0)
         for k in range(3):
             aside = sums[a, k] / totals[a] - positions_w[a, k]
             points[a, k] = positions_w[a, k] + flows[a] * _SMOOTHING[k] * aside
-        found[a] = weights[a]
+        point_weights[a] = weights[a]
     count = n
     for a in range(n):
         for link in range(_LINKS):
@@ -112,9 +112,9 @@ def strands(
                 )
                 for k in range(3):
                     points[count, k] = (1.0 - t) * points[a, k] + t * points[b, k]
-                found[count] = _BALL * flow * thin * min(weights[a], weights[b])
+                point_weights[count] = _BALL * flow * thin * min(weights[a], weights[b])
                 count += 1
-    return points[:count], found[:count]
+    return points[:count], point_weights[:count]
 
 
 @kernel

@@ -144,7 +144,7 @@ def _parts(
 def _held(
     positions_w: NDArray[np.float64], placed: PlacedSpace, reach: float
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Tell which particles are in a vessel, and which less than `reach` above its mouth."""
+    """Return which particles are in a vessel, and which less than `reach` above its mouth."""
     inside = np.zeros(len(positions_w), np.bool_)
     over = np.zeros(len(positions_w), np.bool_)
     origin = placed.position_w

@@ -143,12 +143,12 @@ def surface_of(
     )  # block, and place in the block and signs as one number
     vertex_of = np.empty((count, BLOCK, BLOCK, BLOCK), np.int32)
     corners = np.empty((BLOCK + 1, BLOCK + 1, BLOCK + 1), np.float32)
-    found = 0
+    vertex = 0
     for b in range(count):
         if not crossed[b]:
             continue
         _gather(corners, field, ahead[b], outside)
-        if found + BLOCK**3 > room:
+        if vertex + BLOCK**3 > room:
             room *= 2
             vertices = np.concatenate((vertices, np.empty_like(vertices)))
             normals = np.concatenate((normals, np.empty_like(normals)))
@@ -162,14 +162,14 @@ def surface_of(
                             signs |= 1 << c
                     if signs in (0, 255):
                         continue
-                    _place(corners, i, j, k, vertices[found], normals[found])
+                    _place(corners, i, j, k, vertices[vertex], normals[vertex])
                     for axis in range(3):
                         first = BLOCK * grid.blocks[b, axis]
-                        vertices[found, axis] = (vertices[found, axis] + first) * grid.cell
-                    vertex_of[b, i, j, k] = found
-                    cells[found] = b, (((i << _SHIFT) | j) << _SHIFT | k) << 8 | signs
-                    found += 1
-    return vertices[:found], normals[:found], _quads(cells[:found], vertex_of, ahead)
+                        vertices[vertex, axis] = (vertices[vertex, axis] + first) * grid.cell
+                    vertex_of[b, i, j, k] = vertex
+                    cells[vertex] = b, (((i << _SHIFT) | j) << _SHIFT | k) << 8 | signs
+                    vertex += 1
+    return vertices[:vertex], normals[:vertex], _quads(cells[:vertex], vertex_of, ahead)
 
 
 @kernel
@@ -185,7 +185,7 @@ def _blocks_ahead(grid: Grid) -> NDArray[np.int32]:
 
 @kernel
 def _crossed(field: Field, ahead: NDArray[np.int32], outside: float) -> NDArray[np.bool_]:
-    """Tell which blocks, with the first layers of those ahead, the surface may go through."""
+    """Return which blocks, with the first layers of those ahead, the surface may go through."""
     count = len(field)
     lowest, highest = np.empty(count, np.float32), np.empty(count, np.float32)
     for b in range(count):

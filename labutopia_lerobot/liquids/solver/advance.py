@@ -23,7 +23,7 @@ _WETTING = 10.0
 """Rate at which what lies on the bench comes to rest [1/s]: a puddle's rim sticks."""
 
 NOTHING = -1
-"""What a particle touches that touches neither a vessel nor a shape."""
+"""Owner number of a particle that touches neither a vessel nor a shape."""
 
 
 @kernel
@@ -105,7 +105,7 @@ def _drag(
     impulse: NDArray[np.float64],
     touching: NDArray[np.int64],
 ) -> None:
-    """Let walls carry liquid along, by its viscosity and on the bench by wetting; tell who touches.
+    """Let walls carry liquid along, by viscosity and, on the bench, by wetting; return which touch.
 
     A particle touches what its centre is less than a spacing from: where it settles, half a spacing
     is left.

@@ -13,7 +13,7 @@ _ROUNDS = 4
 
 
 class BodyFrames(NamedTuple):
-    """Where bodies are.
+    """Poses of bodies.
 
     Attributes:
         origin: Shape (bodies, 3), metres, world frame.

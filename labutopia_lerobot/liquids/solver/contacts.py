@@ -1,4 +1,4 @@
-"""Where particles are near walls: each such place as a plane, found once per step."""
+"""Contacts of particles with walls: each as a plane, computed once per step."""
 
 from typing import NamedTuple
 
@@ -27,7 +27,7 @@ _ROOM = 6
 """Planes per particle that there is room for at first: a corner of a vessel against a hand."""
 
 _COVER = 3
-"""Which number of a wall that is put together tells how much of a plane it covers."""
+"""Index of the number of a joined wall that says how much of a plane it covers."""
 
 
 class Contacts(NamedTuple):
@@ -86,8 +86,8 @@ def find_contacts(
     while True:
         starts = np.zeros(len(positions) + 1, np.int64)
         normal, offset, extent = np.empty((room, 3)), np.empty(room), np.empty(room)
-        found = Contacts(starts, normal, offset, extent, np.empty(room, np.int64), np.empty(0))
-        if _list_walls(positions, glass, shapes, clear, reach, near, joined, found):
+        contacts = Contacts(starts, normal, offset, extent, np.empty(room, np.int64), np.empty(0))
+        if _list_walls(positions, glass, shapes, clear, reach, near, joined, contacts):
             break
         room *= 2
     count = starts[-1]
@@ -96,7 +96,7 @@ def find_contacts(
         normal[:count],
         offset[:count],
         extent[:count],
-        found.owner[:count],
+        contacts.owner[:count],
         np.zeros(count),
     )
 
@@ -110,12 +110,12 @@ def _list_walls(
     reach: float,
     near: NDArray[np.int64],
     joined: NDArray[np.bool_],
-    found: Contacts,
+    contacts: Contacts,
 ) -> bool:
-    """Write down the walls within reach of all particles; tell whether there was room for them."""
+    """List the walls within reach of all particles; return whether there was room for them."""
     vessels, edges = len(glass.starts) - 1, glass.edges
-    starts, normal, offset = found.starts, found.normal, found.offset
-    extent, owner = found.extent, found.owner
+    starts, normal, offset = contacts.starts, contacts.normal, contacts.offset
+    extent, owner = contacts.extent, contacts.owner
     local, scratch, wall, count = np.empty(3), np.empty((3, 3)), np.zeros(4), 0
     for a in range(len(positions)):
         if count + len(edges) + len(near) > len(offset):
@@ -230,7 +230,7 @@ def _dot(a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
 
 @kernel
 def _another_is_nearer(clear: NDArray[np.float64], a: int, owner: int, far: float) -> bool:
-    """Tell whether a vessel may be nearer to a particle than the wall of another owner is."""
+    """Return whether a vessel may be nearer to a particle than the wall of another owner is."""
     nearer = False
     for v in range(len(clear)):
         nearer |= v != owner and clear[v, a] < far
@@ -248,7 +248,7 @@ def _behind_glass(
     far: float,
     scratch: NDArray[np.float64],
 ) -> bool:
-    """Tell whether another vessel's glass is between a particle and a wall, such as the bench."""
+    """Return whether another vessel's glass is between a particle and a wall, such as the bench."""
     start, end, foot = scratch[0], scratch[1], scratch[2]
     for k in range(3):
         foot[k] = point[k] - far * normal[k]

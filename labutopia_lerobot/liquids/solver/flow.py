@@ -1,4 +1,4 @@
-"""What the solver knows of liquids: numbers of the scene, of every substance, of every particle."""
+"""Properties of liquids for the solver: of the scene, of every substance, of every particle."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -35,7 +35,7 @@ settled liquid is compressed by when corrections end after a few iterations (`do
 
 _LEAST_VISCOSITY = 0.02
 """Part of the velocity difference to its neighbours that a particle always loses in a step: less
-than this, 12 times water's viscosity at 0.1 ml, cannot be told apart at this resolution."""
+than this, 12 times water's viscosity at 0.1 ml, cannot be distinguished at this resolution."""
 
 _MOST_VISCOSITY = 0.5
 """Part that may be evened out at once; a thicker liquid takes several passes."""
@@ -61,7 +61,7 @@ class Flow(NamedTuple):
 
 
 class Matter(NamedTuple):
-    """What each particle is made of, as the solver needs it; shape (n,) each.
+    """Properties of each particle, as the solver needs them; shape (n,) each.
 
     Masses are those of particles of the lightest substance in the scene: an inverse mass, by which
     corrections and changes of velocity are multiplied, is then never more than 1. Where there is

@@ -41,10 +41,10 @@ _LEAST_GAP = 0.25
 """Distance from a wall that particles keep in any case, in spacings; half is where they settle."""
 
 _SHARE = REACH**-3 / PACKING
-"""What a particle adds to the density, of 1, times the kernel's `weight`."""
+"""Contribution of a particle to the density, of 1, times the kernel's `weight`."""
 
 _WALL_SHARE = 1.0 / PACKING
-"""What a wall adds to the density, times the kernel's part behind it."""
+"""Contribution of a wall to the density, times the kernel's part behind it."""
 
 
 @kernel

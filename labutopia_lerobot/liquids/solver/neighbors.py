@@ -9,7 +9,7 @@ from labutopia_lerobot.kernel import kernel
 
 _SIDE = 16
 """Cells after which the grid repeats itself, a power of 2. Two cells that share a bucket are
-further apart than any neighbours, so that the distance tells them apart."""
+further apart than any neighbours, so that the distance distinguishes them."""
 
 _ROWS = np.array([(0, 1), (1, -1), (1, 0), (1, 1)])
 """Half of the eight rows of cells around a row, so that every pair is met once."""

@@ -1,4 +1,4 @@
-"""What liquid runs off beside vessels: boxes, capsules, cylinders, balls and planes."""
+"""Obstacles that liquid runs off, beside vessels: boxes, capsules, cylinders, balls and planes."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -37,7 +37,7 @@ _SMOOTH = 0.3
 """Sine of the angle up to which a joint is none: a curved wall cut into edges."""
 
 SKIN = 2e-5
-"""How far from the glass a stopped particle is left [m]: enough for rounding, too little to see."""
+"""Distance of a stopped particle from the glass [m]: enough for rounding, too little to see."""
 
 _ROUNDING = 1e-7
 """Two edges overlap by this much [m], so that nothing slips through between them."""
@@ -71,7 +71,7 @@ def edges_of(profile: Profile) -> Edges:
 
 @kernel
 def holds(edges: Edges, inner: int, x: float, y: float, z: float) -> bool:
-    """Tell whether a point of the vessel's frame [m] is in the cavity.
+    """Return whether a point of the vessel's frame [m] is in the cavity.
 
     Args:
         edges: Of the glass.
@@ -95,7 +95,7 @@ def holds(edges: Edges, inner: int, x: float, y: float, z: float) -> bool:
 
 @kernel
 def in_glass(edges: Edges, x: float, y: float, z: float) -> bool:
-    """Tell whether a point of the vessel's frame [m] is within the glass (even-odd rule)."""
+    """Return whether a point of the vessel's frame [m] is within the glass (even-odd rule)."""
     radius = np.sqrt(x * x + y * y)
     odd = False
     for k in range(len(edges)):

@@ -148,14 +148,14 @@ def masonry(plan: Plan) -> list[Masonry]:
 
 def _in(plan: Plan, along: int, length: Span, across: Span) -> tuple[Opening, ...]:
     """Return the openings of a wall, in order."""
-    found = []
+    openings = []
     for opening in plan.openings:
-        place, off = (opening.x, opening.y)[along], (opening.x, opening.y)[1 - along]
+        place, aside = (opening.x, opening.y)[along], (opening.x, opening.y)[1 - along]
         faces_along = opening.heading % 180 == 0  # its normal runs along x
-        beside = faces_along == (along == 1) and across[0] - 0.01 <= off <= across[1] + 0.01
+        beside = faces_along == (along == 1) and across[0] - 0.01 <= aside <= across[1] + 0.01
         if beside and length[0] < place < length[1]:
-            found.append(opening)
-    return tuple(sorted(found, key=lambda opening: (opening.x, opening.y)[along]))
+            openings.append(opening)
+    return tuple(sorted(openings, key=lambda opening: (opening.x, opening.y)[along]))
 
 
 def shell_of(faces: Sequence[FloatArray]) -> Shell:

@@ -22,7 +22,7 @@ _TEXTURE = mujoco.mjtTexture.mjTEXTURE_2D
 _RGB = int(mujoco.mjtTextureRole.mjTEXROLE_RGB)
 
 CEILING_LIGHT = 0.45
-"""How much of its colour the ceiling shines by itself."""
+"""Share of its colour that the ceiling emits by itself."""
 LOOKS = {
     "skirting": Finish((0.38, 0.40, 0.42, 1.0), 0.1, 0.1),
     "cap": Finish((0.30, 0.31, 0.33, 1.0), 0.0, 0.0),
@@ -100,13 +100,13 @@ def add_wall_solids(room: mujoco.MjsBody, boxes: Iterable[Box]) -> None:
 
 def add_wall_looks(spec: mujoco.MjSpec, room: mujoco.MjsBody, walls: list[Masonry]) -> None:
     """Add what is seen of walls: one mesh a material."""
-    seen = {
+    faces_of = {
         "wall": [face for wall in walls for face in wall.faces()],
         "cap": [face for wall in walls for face in wall.caps()],
         "skirting": [face for wall in walls for face in wall.skirting(*_SKIRTING)],
         "sky": [face for wall in walls for face in wall.panes()],
     }
-    for name, faces in seen.items():
+    for name, faces in faces_of.items():
         if faces:
             _add_mesh(spec, room, name, shell_of(faces))
 

@@ -18,8 +18,8 @@ class UnknownFamilyError(UserError, ValueError):
 def families() -> "MappingProxyType[str, Family]":
     """Return every family by its name, in alphabetical order."""
     names = sorted(module.name for module in pkgutil.iter_modules(__path__))
-    found = {name: importlib.import_module(f"{__name__}.{name}").FAMILY for name in names}
-    return MappingProxyType(found)
+    family_of = {name: importlib.import_module(f"{__name__}.{name}").FAMILY for name in names}
+    return MappingProxyType(family_of)
 
 
 def family(name: str) -> Family:

@@ -1,4 +1,4 @@
-"""Where solutions are made and glass is cleaned: sinks, drying, stirring, weighing."""
+"""Preparation laboratory, for solutions and cleaning glass: sinks, drying, stirring, weighing."""
 
 from labutopia_lerobot.scenes.generation.words import (
     AT_BENCH,

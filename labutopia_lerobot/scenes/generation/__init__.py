@@ -16,7 +16,7 @@ from labutopia_lerobot.scenes.generation.search import RoomTooSmallError, furnis
 from labutopia_lerobot.scenes.plan import Placed, Plan
 
 SHELLS = 6
-"""How often size, doors and windows are drawn for a seed before it is given up: of 400 rooms, 40 of
+"""Attempts at drawing size, doors and windows for a seed before it is given up: of 400 rooms, 40 of
 every family, 13 need a second and 3 a third."""
 
 

@@ -1,4 +1,4 @@
-"""Where things belong that need another: on a bench, before a desk, facing a board."""
+"""Places for things that need another: on a bench, before a desk, facing a board."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -41,7 +41,7 @@ class On:
             y = points(top.y[0] - sole.low[0, 1], top.y[1] - sole.high[0, 1])
             yield _in_frame_of(carrier, x, y, facing, carrier.height + top.height, carrier.name)
 
-    def spelt(self, kind: Extent) -> str:
+    def describe(self, kind: Extent) -> str:
         """Write how much room it needs."""
         depth, width = (kind.sole.high - kind.sole.low)[0, :2]
         return f"{width:.2f} x {depth:.2f} m on one of: {', '.join(self.kinds)}"
@@ -73,7 +73,7 @@ class Before:
             y = points(top.y[0] + reach, top.y[1] - reach)
             yield _in_frame_of(carrier, x, y, facing, 0.0, None)
 
-    def spelt(self, kind: Extent) -> str:
+    def describe(self, kind: Extent) -> str:
         """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         return f"{width:.2f} x {depth:.2f} m before one of: {', '.join(self.kinds)}"
@@ -103,7 +103,7 @@ class Facing:
             x = points(front - self.away[1], front - self.away[0])
             yield _in_frame_of(faced, x, points(-1.0, 1.0), 0, 0.0, None)
 
-    def spelt(self, kind: Extent) -> str:
+    def describe(self, kind: Extent) -> str:
         """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         return f"{width:.2f} x {depth:.2f} m at least {self.away[0]:g} m before a {self.kind}"

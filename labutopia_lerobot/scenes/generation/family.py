@@ -1,4 +1,4 @@
-"""What a kind of laboratory is: how large, what it needs, where that belongs, how it looks."""
+"""Description of a kind of laboratory: its size, its needs, where these belong, how it looks."""
 
 from dataclasses import dataclass, field
 from enum import IntEnum
@@ -13,15 +13,15 @@ class Importance(IntEnum):
     """Which pieces find their places first."""
 
     FIRST = 4
-    """What all the rest looks at."""
+    """Pieces that all others are placed to face."""
     VITAL = 3
-    """What the room is for: work places, hoods, benches to work at."""
+    """Pieces that the room is for: work places, hoods, benches to work at."""
     MAIN = 2
     """Furniture."""
     USUAL = 1
-    """What stands on and beside it."""
+    """Pieces that stand on and beside it."""
     DETAIL = 0
-    """What could be missing."""
+    """Pieces that the room could do without."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Chamber:
 
 @dataclass(frozen=True)
 class Corridor:
-    """What several rooms are entered from: along their south side, the entrance at its west end.
+    """Corridor to several rooms: along their south side, with the entrance at its west end.
 
     Attributes:
         width: From south to north.

@@ -45,7 +45,7 @@ class Region:
 
 @dataclass(frozen=True)
 class Footprint:
-    """What a plan is before anything stands in it; see `plan.Plan`."""
+    """A plan before anything stands in it; see `plan.Plan`."""
 
     size: tuple[float, float, float]
     walls: tuple[Wall, ...]

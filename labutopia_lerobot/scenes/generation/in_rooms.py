@@ -1,4 +1,4 @@
-"""Where things belong in a room: at a wall, hung on it, in the middle, to work at."""
+"""Places for things in a room: at a wall, hung on it, in the middle, to work at."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -49,7 +49,7 @@ class AtWall:
                 x, y = _inside(_with_back_free(kind).placed(heading), walls)
                 yield _against(heading, x, y, self.height)
 
-    def spelt(self, kind: Extent) -> str:
+    def describe(self, kind: Extent) -> str:
         """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         wall = "an outer wall" if self.outer else "wall"
@@ -81,7 +81,7 @@ class Peninsula:
                     x, y = _inside(kind.hull.placed(heading), walls)
                     yield _against(wall, x, y, 0.0, heading)
 
-    def spelt(self, kind: Extent) -> str:
+    def describe(self, kind: Extent) -> str:
         """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         return f"{depth:.2f} m of wall, {width:.2f} m into the room, {self.aisle:g} m on both sides"
@@ -112,7 +112,7 @@ class InMiddle:
             x, y = _inside(Boxes(hull.low - around, hull.high + around), walls)
             yield Patch(points(*x, _COARSE), points(*y, _COARSE), heading)
 
-    def spelt(self, kind: Extent) -> str:
+    def describe(self, kind: Extent) -> str:
         """Write how much room it needs."""
         depth, width = (kind.hull.high - kind.hull.low)[0, :2]
         return f"{width:.2f} x {depth:.2f} m with {self.aisle:g} m around it"
@@ -133,7 +133,7 @@ class ToWorkAt:
             x, y = _inside(kind.hull.placed(heading), walls)
             yield Patch(points(*x, _COARSE), points(*y, _COARSE), heading)
 
-    def spelt(self, kind: Extent) -> str:
+    def describe(self, kind: Extent) -> str:
         """Write how much room it needs."""
         return "3.6 x 3.5 m in which nothing is higher than the bench, for the robot's cameras"
 

@@ -1,4 +1,4 @@
-"""How good a place is: near edges, well apart or in a row, in line with its like.
+"""Scoring of a place: near edges, well apart or in a row, in line with its like.
 
 The three terms of the paper ("Environment Generation Pipeline"); their weights are ours. Sums and
 quotients only, rounded, so that every machine finds the same best one.
@@ -11,7 +11,7 @@ from labutopia_lerobot.scenes.space.boxes import Boxes, joined
 from labutopia_lerobot.world import FloatArray
 
 _FLUSH = 0.02
-"""What is less than this out of line is in line [m]."""
+"""Greatest misalignment that still counts as in line [m]."""
 
 
 def score(entry: Entry, sketch: Sketch) -> float:

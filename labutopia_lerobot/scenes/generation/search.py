@@ -22,7 +22,7 @@ TRIES = 240
 SAMPLES = 10
 """Spots among them that fit, of which the best is taken."""
 PASSES = 2
-"""How often all is begun anew before places are searched depth first."""
+"""Number of fresh starts before places are searched depth first."""
 GRID_TRIES = 700
 """Spots of the whole grid that the search looks at for a piece, evenly spread."""
 BRANCHES = 6
@@ -159,7 +159,7 @@ def _too_small(family: Family, footprint: Footprint, pieces: Sequence[Wanted], p
     which = f"{one.need.kind} ({number} of {len(same)})" if len(same) > 1 else one.need.kind
     room = f" {one.region.name}" if one.region.name else ""
     near = f", at most {one.need.within:g} m from a {one.need.near}" if one.need.near else ""
-    room_needed = one.need.where.spelt(extent(one.need.kind))
+    room_needed = one.need.where.describe(extent(one.need.kind))
     return (
         f"{family.name}: in a room{room} of {width:g} x {depth:g} m there is no place for {which} "
         f"beside the {placed} pieces before it. It needs {room_needed}{near}, and a robot "

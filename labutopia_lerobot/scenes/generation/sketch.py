@@ -6,9 +6,14 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.scenes.generation.berth import WORK_BENCH, Berth, berth, work_place
 from labutopia_lerobot.scenes.generation.family import Need
 from labutopia_lerobot.scenes.generation.footprint import Footprint, Region
+from labutopia_lerobot.scenes.generation.required_space import (
+    WORK_BENCH,
+    RequiredSpace,
+    required_space,
+    work_place,
+)
 from labutopia_lerobot.scenes.generation.where import StandingPieces
 from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Heading, Placed, WorkPlace
@@ -35,12 +40,12 @@ class Entry:
     need: Need
     region: Region
     place: WorkPlace | None
-    room: Berth
+    room: RequiredSpace
 
 
 @dataclass
 class Sketch:
-    """What stands in a footprint so far.
+    """The pieces that stand in a footprint so far.
 
     Attributes:
         footprint: Where.
@@ -90,14 +95,14 @@ class Sketch:
         for index in np.unique(which):
             patch, those = patches[index], which == index
             spots[those] = patch.offsets(numbers[those] - ends[index])
-            room = berth(need, patch.heading)
+            room = required_space(need, patch.heading)
             inside[those] = self._inside(room, spots[those], region)
             at_openings[those] = _close(room.outline, spots[those], self._openings).any(axis=1)
             close[those] = _close(room.hull, spots[those], hulls)
         inside &= self._near(need, region, spots)
         for number in np.flatnonzero(inside):
             patch = patches[which[number]]
-            room = berth(need, patch.heading).moved(spots[number])
+            room = required_space(need, patch.heading).moved(spots[number])
             others = (self.entries[other].room for other in np.flatnonzero(close[number]))
             closed = at_openings[number] and room.solids.meet(self._openings)
             if not closed and not any(map(room.conflicts, others)):
@@ -108,7 +113,7 @@ class Sketch:
         self,
         need: Need,
         region: Region,
-        room: Berth,
+        room: RequiredSpace,
         x: float,
         y: float,
         height: float,
@@ -120,8 +125,8 @@ class Sketch:
         place = work_place(piece, number) if need.kind == WORK_BENCH else None
         return Entry(piece, need, region, place, room)
 
-    def _inside(self, room: Berth, spots: FloatArray, region: Region) -> NDArray[np.bool_]:
-        """Tell at which spots all that a piece takes is in a region, shape (n,)."""
+    def _inside(self, room: RequiredSpace, spots: FloatArray, region: Region) -> NDArray[np.bool_]:
+        """Return at which spots all that a piece takes is in a region, shape (n,)."""
         taken = joined(room.solids, room.frees).hull
         low = np.array([region.x[0], region.y[0], 0.0]) - TOUCHING
         high = np.array([region.x[1], region.y[1], self.footprint.size[2]]) + TOUCHING
@@ -129,7 +134,7 @@ class Sketch:
         return np.asarray(inside.all(axis=1))
 
     def _near(self, need: Need, region: Region, spots: FloatArray) -> NDArray[np.bool_]:
-        """Tell which spots are near one of what is needed beside it, shape (n,)."""
+        """Return which spots are near one of what is needed beside it, shape (n,)."""
         if need.near is None:
             return np.ones(len(spots), bool)
         wanted = [(piece.x, piece.y) for piece in self.standing(region).of_kind(need.near)]
@@ -168,7 +173,7 @@ def _gets_to(reach: Reach, entry: Entry) -> bool:
 
 
 def _close(hull: Boxes, spots: FloatArray, others: Boxes) -> NDArray[np.bool_]:
-    """Tell at which spots a box meets which others, shape (n, number of others)."""
+    """Return at which spots a box meets which others, shape (n, number of others)."""
     low, high = spots + hull.low, spots + hull.high
     meeting = low[:, None] + TOUCHING < others.high
     meeting &= others.low + TOUCHING < high[:, None]

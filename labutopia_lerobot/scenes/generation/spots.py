@@ -1,4 +1,4 @@
-"""Where a piece could stand: points of a grid, a patch of which shares heading and height."""
+"""Spots for a piece: points of a grid, a patch of which shares heading and height."""
 
 from dataclasses import dataclass
 

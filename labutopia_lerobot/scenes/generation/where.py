@@ -1,4 +1,4 @@
-"""Where a piece belongs, in general; `in_rooms` and `at_things` say where there is."""
+"""Interface of the places where a piece belongs; `in_rooms` and `at_things` implement it."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from labutopia_lerobot.scenes.space.extent import Extent, extent
 
 
 class Walls(Protocol):
-    """What encloses a room of a plan."""
+    """Walls that enclose a room of a plan."""
 
     @property
     def x(self) -> tuple[float, float]:
@@ -31,7 +31,7 @@ class Walls(Protocol):
 
 @dataclass(frozen=True)
 class StandingPieces:
-    """What stands in a room of a plan already.
+    """Pieces that already stand in a room of a plan.
 
     Attributes:
         pieces: In the order in which they came.
@@ -51,11 +51,11 @@ class StandingPieces:
 
 
 class Where(Protocol):
-    """Where a piece belongs."""
+    """The kind of place where a piece belongs."""
 
     @property
     def walkway(self) -> tuple[float, float, float]:
-        """How far other furniture keeps away before it, behind it and beside it [m]."""
+        """Space that other furniture leaves free before it, behind it and beside it [m]."""
         ...
 
     @property
@@ -65,18 +65,18 @@ class Where(Protocol):
 
     @property
     def edge(self) -> float:
-        """How much better it stands near an edge or a corner than in the open, -1 to 1."""
+        """Preference for an edge or a corner over the open, -1 to 1."""
         ...
 
     @property
     def apart(self) -> float:
-        """How far it had better be from what stands on the same ground [m]; 0: in a row."""
+        """Preferred distance from what stands on the same ground [m]; 0: in a row."""
         ...
 
     def patches(self, kind: Extent, walls: Walls, standing: StandingPieces) -> Iterator[Patch]:
         """Yield where in a room a piece of a kind could be, whatever else is there."""
         ...
 
-    def spelt(self, kind: Extent) -> str:
+    def describe(self, kind: Extent) -> str:
         """Write how much room a piece of a kind needs."""
         ...

@@ -49,7 +49,7 @@ SAFETY = (
     Need("waste_bin", (1, 2), BESIDE, DETAIL),
     Need("coat_rack", (0, 1), BESIDE, DETAIL),
 )
-"""What every laboratory has (DGUV Information 213-850)."""
+"""Things that every laboratory has (DGUV Information 213-850)."""
 
 __all__ = [
     "AT_BENCH",

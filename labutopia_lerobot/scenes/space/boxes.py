@@ -8,7 +8,7 @@ from labutopia_lerobot.scenes.plan import Heading
 from labutopia_lerobot.world import FloatArray
 
 TOUCHING = 0.0015
-"""What two boxes may share and still only touch [m]: plans are written to the millimetre."""
+"""Greatest overlap of two boxes that still only touch [m]: plans are written to the millimetre."""
 
 _COSINES = {0: 1.0, 90: 0.0, 180: -1.0, 270: 0.0}
 
@@ -47,7 +47,7 @@ class Boxes(NamedTuple):
         return Boxes(self.low + by, self.high + by)
 
     def meet(self, other: "Boxes") -> bool:
-        """Tell whether any of them is in any of others by more than they may touch."""
+        """Return whether any of them is in any of others by more than they may touch."""
         if not (len(self.low) and len(other.low)):
             return False
         inside = self.low[:, None] + TOUCHING < other.high

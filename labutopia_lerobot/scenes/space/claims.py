@@ -1,4 +1,4 @@
-"""What a plan claims of its room: what is solid, and what must stay free of it."""
+"""Claims of a plan on its room: solids, and the space that must stay free of them."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -12,14 +12,14 @@ from labutopia_lerobot.scenes.space.extent import extent
 _DOUBLE = 1.25
 """Doors that are wider have two leaves [m] (DIN 18100: single ones up to 1.25 m)."""
 _BEHIND_DOOR = 0.3
-"""How far a passage is free on the side to which its door does not open [m]."""
+"""Depth of the free space on the side to which a passage's door does not open [m]."""
 _BEFORE_WINDOW = 0.15
-"""How far a window is free [m]."""
+"""Depth of the free space before a window [m]."""
 _VIEW_X, _VIEW_Y = (-0.9, 2.7), (-1.6, 1.9)
-"""Where nothing stands higher than the bench, in the frame of the robot that looks along x [m]:
+"""Region where nothing is higher than the bench, in the frame of the robot that looks along x [m]:
 the fixed cameras of every task are in it (`scenes.views`)."""
 _STAND = ((-0.35, 0.19), (-0.35, 0.35), (0.02, 2.0))
-"""Where nothing stands but the robot, in its frame [m]."""
+"""Region where nothing stands but the robot, in its frame [m]."""
 
 
 @dataclass(frozen=True, eq=False)

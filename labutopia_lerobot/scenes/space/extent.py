@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.top import Top
 from labutopia_lerobot.scenes.space.boxes import Boxes, boxes
@@ -25,15 +25,15 @@ if TYPE_CHECKING:
 _STATIONS = 12
 """Positions of a joint; between two neighbours all is taken that is between their boxes."""
 _STICKING_OUT = 0.005
-"""What moves out of the hull by less needs no room of its own [m]."""
+"""Least travel out of the hull that needs room of its own [m]."""
 _SOLE = 0.03
-"""What stands is what is less than this above the ground [m]."""
+"""Height above the ground up to which a part counts as standing on it [m]."""
 _CORNERS = np.array(np.meshgrid(*([-1.0, 1.0],) * 3)).reshape(3, -1).T
 
 
 @dataclass(frozen=True, eq=False)
 class Swing:
-    """What something takes that moves.
+    """The space that a moving part takes.
 
     Attributes:
         name: Of its mechanism, without the name of the piece.
@@ -80,13 +80,13 @@ def extent(kind: str) -> Extent:
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
-    seen = np.flatnonzero(model.geom_group != HULL_GROUP)
-    clouds = {geom: _points(model, data, geom) for geom in seen}
+    drawn = np.flatnonzero(model.geom_group != HULL_GROUP)
+    clouds = {geom: _points(model, data, geom) for geom in drawn}
     parts = _around(list(clouds.values()))
     hull = parts.hull
     solids = hull
     if piece.tops:
-        felt = model.geom_group[seen] == COLLISION_GROUP
+        felt = model.geom_group[drawn] == COLLISION_GROUP
         solids = Boxes(parts.low[felt], parts.high[felt]).without_inner()
     stands = parts.low[:, 2] < _SOLE
     swings = (
@@ -134,7 +134,7 @@ def _swept(
 
 
 def _hangs(model: mujoco.MjModel, geom: int, carrier: int) -> bool:
-    """Tell whether a geom moves with a body."""
+    """Return whether a geom moves with a body."""
     body = model.geom_bodyid[geom]
     while body not in (0, carrier):
         body = model.body_parentid[body]

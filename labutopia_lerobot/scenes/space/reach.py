@@ -1,4 +1,4 @@
-"""Who gets where: a robot drives in by the entrance and reaches for the fronts of things."""
+"""Reachability: a robot drives in by the entrance and reaches for the fronts of things."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,11 +15,11 @@ from labutopia_lerobot.world import FloatArray
 ROBOT_RADIUS = 0.3
 """Half the width of a robot that drives [m]; half of the paper's radius ("Navigation Details")."""
 REACH = 0.855
-"""How far the arm of levels 1 to 4 reaches [m] (its maker's data sheet)."""
+"""Reach of the arm of levels 1 to 4 [m] (its maker's data sheet)."""
 BENCH_SIDE = 0.5
-"""How near to a bench its robot gets [m]: somebody who stands at it."""
+"""Least distance of a robot from its bench [m]: that of somebody who stands at it."""
 _STAND = 0.3
-"""How near to a work place a robot gets [m]: behind it, as its own disc is wider than the gap."""
+"""Least distance of a robot from a work place [m]: behind it, as its disc is wider than the gap."""
 
 _SLACK = 0.01
 """By how much more is looked at, so that nothing is left out by rounding [m]."""
@@ -29,7 +29,7 @@ _COSINES = {0: 1.0, 90: 0.0, 180: -1.0, 270: 0.0}
 
 @dataclass(frozen=True, eq=False)
 class Reach:
-    """What a robot gets to.
+    """The places and things that a robot reaches.
 
     Attributes:
         middles: Where its middle gets, cell by cell, shape (n, 2) [m], room frame.
@@ -51,19 +51,19 @@ class Reach:
         return cls(occupancy.middles(reached))
 
     def gets_to(self, place: WorkPlace) -> bool:
-        """Tell whether it gets to a work place."""
+        """Return whether it gets to a work place."""
         away = np.hypot(*(self.middles - (place.x, place.y)).T)
         return bool((away < _STAND).any())
 
     def front_of(self, piece: Placed) -> bool:
-        """Tell whether it can reach for the front of a piece, standing before it."""
+        """Return whether it can reach for the front of a piece, standing before it."""
         hull = extent(piece.kind).hull
         along = (float(hull.low[0, 1]), float(hull.high[0, 1]))
         before, beside = self._from(piece, float(hull.low[0, 0]), along, behind=False)
         return bool(((before > 0) & (np.hypot(before, beside) <= REACH)).any())
 
     def side_of(self, piece: Placed, top: Top) -> bool:
-        """Tell whether it gets to the side of a piece of furniture at which one works."""
+        """Return whether it gets to the side of a piece of furniture at which one works."""
         edge = top.x[1] if top.behind else top.x[0]
         before, beside = self._from(piece, edge, top.y, behind=top.behind)
         return bool(((before > 0) & (before <= BENCH_SIDE) & (beside == 0)).any())

@@ -18,9 +18,9 @@ from labutopia_lerobot.labware.parts.form import Form, Ring, Rod
 from labutopia_lerobot.labware.parts.pipe import Cone
 
 _SQUEEZE = 0.00002
-"""How much wider than the mouth a plug is pressed in, in radius [m]: makes `pull`."""
+"""Excess of a pressed-in plug's radius over the mouth's [m]: makes `pull`."""
 _TIGHT = 0.00008
-"""How far a screw cap is tightened beyond touching [m]: makes its torque."""
+"""Travel by which a screw cap is tightened beyond touching [m]: makes its torque."""
 
 
 def _stopper(name: str, high: float, low: float, length: float, head: float, *, look: str) -> Shape:

@@ -1,8 +1,7 @@
-"""What goes with ware: bars, pestles, spatulas, thermometers, syringes, droppers."""
+"""Tools used with ware: bars, pestles, spatulas, thermometers, syringes, droppers."""
 
 from functools import partial
 
-from labutopia_lerobot.labware.glass.fittings import Piston
 from labutopia_lerobot.labware.glass.material import (
     BOROSILICATE,
     POLYPROPYLENE,
@@ -12,6 +11,7 @@ from labutopia_lerobot.labware.glass.material import (
     SOFT_RUBBER,
     STAINLESS_STEEL,
 )
+from labutopia_lerobot.labware.glass.moving_fittings import Piston
 from labutopia_lerobot.labware.glass.series import UtensilSeries
 from labutopia_lerobot.labware.glass.utensil import Shape
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod

@@ -1,1 +1,1 @@
-"""What doses liquids."""
+"""Instruments that dose liquids."""

@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.valve import Tap
 
 _X, _Y = -0.045, 0.0
-"""Where the burette hangs [m]."""
+"""Position of the burette [m]."""
 _TAP = 0.215
 """Height of its stopcock [m]."""
 
@@ -41,7 +41,7 @@ class BuretteStand(Instrument):
 
     @property
     def under(self) -> Seat:
-        """Where the flask stands, under the tip."""
+        """Place of the flask, under the tip."""
         return Seat(f"{self.name}_base", self.name, (_X, _Y, 0.016), width=0.090)
 
     @property

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
@@ -14,7 +15,6 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.slide import Slide
 
 
@@ -33,7 +33,7 @@ class SyringePump(Instrument):
 
     @property
     def carriage(self) -> Slide:
-        """What pushes the plunger, to the left."""
+        """Slide that pushes the plunger, to the left."""
         return Slide(f"{self.name}_carriage", 0.100, friction=4.0, effort=20.0)
 
     @property

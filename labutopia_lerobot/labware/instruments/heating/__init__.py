@@ -1,1 +1,1 @@
-"""What heats, dries or sterilises."""
+"""Instruments that heat, dry or sterilise."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.form import (
     Block,
@@ -20,7 +21,6 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.valve import HandWheel, Tap
 
@@ -43,7 +43,7 @@ class Autoclave(Instrument):
 
     @property
     def wheel(self) -> HandWheel:
-        """What locks the lid."""
+        """Hand wheel that locks the lid."""
         wheel = f"{self.name}_wheel"
         return HandWheel(wheel, diameter=0.220, turns=2.0, look="black", standoff=0.060, effort=4.0)
 
@@ -57,7 +57,7 @@ class Autoclave(Instrument):
 
     @property
     def valve(self) -> Tap:
-        """What lets steam out, on the right."""
+        """Valve that lets steam out, on the right."""
         return Tap(f"{self.name}_valve", length=0.050, look="red")
 
     @property

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring
@@ -11,12 +12,11 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
 
 _ROWS, _COLUMNS = (0.007, 0.030, 0.053), (0.0345, 0.0115, -0.0115, -0.0345)
-"""Where the bores are: from the front, from left to right [m]."""
+"""Positions of the bores: from the front, from left to right [m]."""
 
 
 @dataclass(frozen=True)

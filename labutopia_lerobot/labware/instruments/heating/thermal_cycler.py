@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Clock
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
@@ -16,7 +17,6 @@ from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_TOP, leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Clock
 from labutopia_lerobot.labware.parts.seat import Seat
 
 _SLOPE = 66.0
@@ -41,7 +41,7 @@ class ThermalCycler(Instrument):
 
     @property
     def pressure(self) -> Knob:
-        """What presses the heated plate down."""
+        """Knob that presses the heated plate down."""
         return Knob(f"{self.name}_pressure", diameter=0.060, depth=0.026, look="anthracite")
 
     @property

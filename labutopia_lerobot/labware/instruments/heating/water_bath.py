@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet, tub
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod
@@ -14,7 +15,6 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.valve import Tap
@@ -47,7 +47,7 @@ class WaterBath(Instrument):
 
     @property
     def drain(self) -> Tap:
-        """What lets the water out, on the right."""
+        """Valve that lets the water out, on the right."""
         return Tap(f"{self.name}_drain", look="red", length=0.036)
 
     @property
@@ -56,7 +56,7 @@ class WaterBath(Instrument):
 
     @property
     def grid(self) -> Seat:
-        """Where vessels stand in the water."""
+        """Place of vessels in the water."""
         return Seat(f"{self.name}_grid", self.name, (0.0, 0.0, 0.112), width=0.200)
 
     @property

@@ -1,1 +1,1 @@
-"""What measures and what one looks through."""
+"""Instruments that measure, and those that one looks through."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Clock, Unmeasured
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet, tub
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned
@@ -13,7 +14,6 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Clock, Unmeasured
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
@@ -53,7 +53,7 @@ class LiquidChromatograph(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where vials stand in the drawer, from left to right."""
+        """Places of vials in the drawer, from left to right."""
         return tuple(
             Seat(f"{self.name}_vial_{n}", self.drawer.name, (0.0, y, 0.006), 0.0125, 0.020)
             for n, y in enumerate((0.075, 0.045, 0.015, -0.015, -0.045, -0.075))

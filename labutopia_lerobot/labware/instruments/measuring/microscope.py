@@ -16,7 +16,7 @@ from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 _TUBE = 0.030
-"""Where the optical axis is, before the middle of the base [m]."""
+"""Position of the optical axis, before the middle of the base [m]."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Microscope(Instrument):
 
     @property
     def table(self) -> Slide:
-        """What carries the slide from side to side."""
+        """Stage that carries the slide from side to side."""
         return Slide(f"{self.name}_table", 0.040, friction=1.0, effort=5.0)
 
     @property
@@ -57,7 +57,7 @@ class Microscope(Instrument):
 
     @property
     def stage(self) -> Seat:
-        """Where a slide lies, in the optical axis."""
+        """Place of a slide, in the optical axis."""
         at = (0.0, 0.0, 0.004)
         return Seat(f"{self.name}_slide", self.table.name, at, width=0.020)
 

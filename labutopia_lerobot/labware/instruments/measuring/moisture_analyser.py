@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
@@ -17,7 +18,6 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.pan import Pan
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.weighing import Weighing
 
@@ -53,7 +53,7 @@ class MoistureAnalyser(Instrument):
 
     @property
     def tare(self) -> PushButton:
-        """What sets the display to zero."""
+        """Button that sets the display to zero."""
         blue = FINISHES["blue"].rgba
         return PushButton(f"{self.name}_tare", blue, radius=0.009, travel=0.003, proud=0.006)
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
@@ -13,7 +14,6 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
@@ -34,7 +34,7 @@ class PlateReader(Instrument):
 
     @property
     def drawer(self) -> Slide:
-        """What the plate stands on; it comes out in front."""
+        """Drawer that the plate stands on; it comes out in front."""
         return Slide(f"{self.name}_drawer", 0.150, friction=2.0, effort=10.0)
 
     @property
@@ -56,7 +56,7 @@ class PlateReader(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where the plate stands in the drawer."""
+        """Place of the plate in the drawer."""
         at = (0.0, 0.0, 0.006)
         return (Seat(f"{self.name}_plate", self.drawer.name, at, width=0.084),)
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod
@@ -13,7 +14,6 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 
 
@@ -37,12 +37,12 @@ class Refractometer(Instrument):
 
     @property
     def index(self) -> Knob:
-        """What turns the prisms until the edge of the shadow is in the cross."""
+        """Knob that turns the prisms until the edge of the shadow is in the cross."""
         return Knob(f"{self.name}_index", diameter=0.040, look="black")
 
     @property
     def dispersion(self) -> Knob:
-        """What takes the colours from the edge."""
+        """Knob that takes the colours from the edge."""
         return Knob(f"{self.name}_dispersion", diameter=0.028, look="black")
 
     @property

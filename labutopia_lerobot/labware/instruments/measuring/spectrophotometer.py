@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod
@@ -14,7 +15,6 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -38,7 +38,7 @@ class Spectrophotometer(Instrument):
 
     @property
     def carriage(self) -> Slide:
-        """What holds the cuvettes; its rod is pulled out in front."""
+        """Carriage of the cuvettes; its rod is pulled out in front."""
         return Slide(f"{self.name}_carriage", 0.054, friction=2.0, effort=10.0)
 
     @property
@@ -51,7 +51,7 @@ class Spectrophotometer(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where cuvettes stand, from the back to the front."""
+        """Places of the cuvettes, from the back to the front."""
         return tuple(
             Seat(
                 f"{self.name}_cuvette_{n}",

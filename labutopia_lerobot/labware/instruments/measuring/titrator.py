@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
@@ -14,7 +15,6 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -34,7 +34,7 @@ class Titrator(Instrument):
 
     @property
     def arm(self) -> Slide:
-        """What holds the electrode and the burette's tip, which is pushed down."""
+        """Holder of the electrode and the burette's tip, which is pushed down."""
         return Slide(f"{self.name}_arm", 0.110, friction=4.0, effort=15.0)
 
     @property
@@ -61,7 +61,7 @@ class Titrator(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where the beaker stands, over the stirrer."""
+        """Place of the beaker, over the stirrer."""
         return (Seat(f"{self.name}_plate", self.name, (-0.075, 0.030, 0.052), width=0.080),)
 
     @property

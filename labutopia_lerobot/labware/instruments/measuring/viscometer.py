@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod
@@ -12,7 +13,6 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
@@ -50,7 +50,7 @@ class Viscometer(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """Where the beaker stands, below the spindle."""
+        """Place of the beaker, below the spindle."""
         return (Seat(f"{self.name}_base", self.name, (-0.070, 0.0, 0.026), width=0.110),)
 
     @property

@@ -1,1 +1,1 @@
-"""What shakes and stirs."""
+"""Instruments that shake and stir."""

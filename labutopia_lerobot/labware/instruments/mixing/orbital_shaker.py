@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod
@@ -12,7 +13,6 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
@@ -36,7 +36,7 @@ class OrbitalShaker(Instrument):
 
     @property
     def sledge(self) -> Slide:
-        """What carries the platform to and fro."""
+        """Slide that carries the platform to and fro."""
         return Slide(f"{self.name}_sledge", _ORBIT, friction=6.0, effort=25.0)
 
     @property

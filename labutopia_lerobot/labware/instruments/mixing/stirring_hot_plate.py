@@ -4,19 +4,19 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.panel import leaning
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
 
 _TOP = 0.095
 """Height of the plate [m]."""
 _SLOPE = 58.1
-"""How far the console leans back [deg]."""
+"""Angle by which the console leans back [deg]."""
 
 
 @dataclass(frozen=True)
@@ -34,12 +34,12 @@ class StirringHotPlate(Instrument):
 
     @property
     def heat(self) -> Knob:
-        """What sets the temperature of the plate."""
+        """Knob that sets the temperature of the plate."""
         return Knob(f"{self.name}_heat", look="anthracite", pointer="red")
 
     @property
     def speed(self) -> Knob:
-        """What sets how fast the magnet turns."""
+        """Knob that sets the speed of the magnet."""
         return Knob(f"{self.name}_speed", look="anthracite")
 
     @property

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet, tub
 from labutopia_lerobot.labware.parts.form import Block, Form
@@ -14,7 +15,6 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
 
 
@@ -50,7 +50,7 @@ class UltrasonicBath(Instrument):
 
     @property
     def basket(self) -> Seat:
-        """Where glass stands in the water."""
+        """Place of glass in the water."""
         return Seat(f"{self.name}_basket", self.name, (0.0, 0.0, 0.116), width=0.110)
 
     @property

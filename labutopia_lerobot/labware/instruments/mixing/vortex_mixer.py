@@ -18,7 +18,7 @@ from labutopia_lerobot.labware.parts.seat import Seat
 _ORBIT = 0.0025
 """From the axis of the motor to that of the cup [m]: an orbit of 5 mm."""
 _LEAN = 20.0
-"""How far the front leans back [deg]."""
+"""Angle by which the front leans back [deg]."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class VortexMixer(Instrument):
 
     @property
     def cup(self) -> Seat:
-        """Where the end of a tube is pressed in."""
+        """Place where the end of a tube is pressed in."""
         at = (_ORBIT, 0.0, 0.010)
         return Seat(f"{self.name}_cup_middle", self.rotor.name, at, width=0.034, depth=0.012)
 

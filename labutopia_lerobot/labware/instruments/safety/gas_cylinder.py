@@ -41,7 +41,7 @@ class GasCylinder(Instrument):
 
     @property
     def pressure(self) -> Knob:
-        """What sets the pressure behind the regulator."""
+        """Knob that sets the pressure behind the regulator."""
         return Knob(f"{self.name}_pressure", diameter=0.046, depth=0.040, look="blue")
 
     @property

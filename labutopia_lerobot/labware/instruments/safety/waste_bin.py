@@ -39,7 +39,7 @@ class WasteBin(Instrument):
 
     @property
     def pedal(self) -> Slide:
-        """What a foot presses down."""
+        """Pedal that a foot presses down."""
         return Slide(f"{self.name}_pedal", 0.040, friction=1.0, effort=40.0)
 
     @property

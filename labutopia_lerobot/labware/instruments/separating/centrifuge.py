@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
@@ -16,12 +17,11 @@ from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 
 _BORES, _CIRCLE = 12, 0.070
-"""How many, and the radius of their circle [m]."""
+"""Number of them, and the radius of their circle [m]."""
 _BORE, _DEEP = 0.0175, 0.060
 """Diameter of a bore, for tubes of 17 mm, and its depth [m]."""
 
@@ -61,7 +61,7 @@ class Centrifuge(Instrument):
 
     @property
     def latch(self) -> PushButton:
-        """What releases the lid."""
+        """Button that releases the lid."""
         red = FINISHES["red"].rgba
         return PushButton(f"{self.name}_latch", red, radius=0.011, travel=0.004, proud=0.008)
 

@@ -17,7 +17,7 @@ from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 
 _BORES, _CIRCLE = 8, 0.030
-"""How many, and the radius of their circle [m]."""
+"""Number of them, and the radius of their circle [m]."""
 
 
 @dataclass(frozen=True)

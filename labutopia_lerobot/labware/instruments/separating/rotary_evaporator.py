@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned, about
@@ -13,13 +14,12 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, leaning
-from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.labware.parts.valve import Tap
 
 _LEAN = math.radians(30.0)
-"""How far the flask's axis points down [rad]."""
+"""Angle by which the flask's axis points down [rad]."""
 _AXIS = (-math.cos(_LEAN), 0.0, -math.sin(_LEAN))
 
 
@@ -57,7 +57,7 @@ class RotaryEvaporator(Instrument):
 
     @property
     def stopcock(self) -> Tap:
-        """What lets air in, on top of the condenser."""
+        """Stopcock that lets air in, on top of the condenser."""
         return Tap(f"{self.name}_stopcock", length=0.030, look="blue", standoff=0.012)
 
     @property

@@ -1,1 +1,1 @@
-"""Where things are kept."""
+"""Storage: cabinets, refrigerators and the like, in which things are kept."""

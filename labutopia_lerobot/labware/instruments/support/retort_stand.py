@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
 
 _ROD = (0.080, 0.0)
-"""Where the rod stands on the base, x and y [m]."""
+"""Position of the rod on the base, x and y [m]."""
 
 
 @dataclass(frozen=True)

@@ -51,7 +51,7 @@ class AnalyticalBalance(Instrument):
 
     @property
     def tare(self) -> PushButton:
-        """What sets the display to zero."""
+        """Button that sets the display to zero."""
         button, green = f"{self.name}_tare", (0.10, 0.50, 0.45, 1.0)
         return PushButton(button, green, radius=0.009, travel=0.003, proud=0.006)
 

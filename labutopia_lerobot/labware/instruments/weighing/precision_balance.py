@@ -45,7 +45,7 @@ class PrecisionBalance(Instrument):
 
     @property
     def tare(self) -> PushButton:
-        """What sets the display to zero."""
+        """Button that sets the display to zero."""
         blue = (0.15, 0.35, 0.65, 1.0)
         return PushButton(f"{self.name}_tare", blue, radius=0.012, travel=0.003, proud=0.012)
 

@@ -28,7 +28,7 @@ JOBS = {
     "transport": "move the beaker onto the red plate",
     "pour": "pour the flask into the large beaker and set it down on the blue plate",
 }
-"""What is done -> how the instruction says it."""
+"""Name of an action -> its words in the instruction."""
 ORDERS = [", ".join(order) for order in permutations(JOBS)]
 OPEN_TO = math.radians(30)  # original
 

@@ -44,7 +44,7 @@ class LabUtopiaRobotConfig(SettingOptions, RobotConfig):
 
     @property
     def setting(self) -> Setting:
-        """What is played and observed.
+        """The setting that is played and observed.
 
         Raises:
             UnknownOptionError: If a value is impossible.

@@ -1,4 +1,4 @@
-"""What moves on ware: stopcocks, pistons, hinged lids."""
+"""Moving fittings of ware: stopcocks, pistons, hinged lids."""
 
 import math
 from dataclasses import dataclass
@@ -50,7 +50,7 @@ class Stopcock:
 
 
 _THUMB = 0.03
-"""What is felt at a plunger beside its own mass [kg]: a thumb is behind it."""
+"""Mass felt at a plunger beside its own [kg]: a thumb is behind it."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ class Piston:
 
 @dataclass(frozen=True)
 class Flap:
-    """What hangs on a moulded hinge: it opens upwards and back, and stays where it is left.
+    """Lid on a moulded hinge: it opens upwards and back, and stays where it is left.
 
     Attributes:
         name: Name of its body.
@@ -98,7 +98,7 @@ class Flap:
         """Torque with which a thumb opens it [N m]."""
         return 0.03
 
-    def spell(self, position: float) -> str:
+    def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
         return in_degrees(position)
 
@@ -106,14 +106,14 @@ class Flap:
 _NOSE = 0.0006
 """Radius of the nose of a snap lid, and of the bead on the rim that it passes [m]; ours."""
 _BITE = 0.00012
-"""How far nose and bead must give way to each other [m]; ours: see `SnapLid`."""
+"""Distance by which nose and bead must give way to each other [m]; ours: see `SnapLid`."""
 
 
 @dataclass(frozen=True)
 class SnapLid:
     """A hinged lid whose nose snaps over a bead at the rim: contact alone keeps it shut.
 
-    Between 0.1 and 2.6 N at the nose opens it (a test measures it); makers do not tell.
+    Between 0.1 and 2.6 N at the nose opens it (a test measures it); makers do not say.
 
     Attributes:
         mechanism: Its hinge, at +x of the rim.

@@ -7,7 +7,7 @@ from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.liquids.drawing.open_space import poly6
 
 REACH = 2.0
-"""How far particles colour the surface, in particle spacings."""
+"""Reach of a particle's colour on the surface, in particle spacings."""
 
 _SIDE = 32
 """Cells after which the grid repeats itself, a power of 2: what shares a bucket by chance is

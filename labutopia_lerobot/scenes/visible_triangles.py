@@ -9,11 +9,11 @@ from labutopia_lerobot.labware.parts.shell import Shell
 from labutopia_lerobot.scenes.views import MOST_DISPLACED, WIDEST_PICTURE, CameraPose
 
 _MARGIN = MOST_DISPLACED + 0.02
-"""How much nearer to the picture a thing may be than it is [m]."""
+"""Margin by which a thing may be nearer to the picture than it is [m]."""
 
 
-def seen(mesh: Shell, camera: CameraPose) -> NDArray[np.bool_]:
-    """Tell of each triangle whether a camera, or one that is displaced, may see its front.
+def visible_triangles(mesh: Shell, camera: CameraPose) -> NDArray[np.bool_]:
+    """Return for each triangle whether a camera, or one that is displaced, may see its front.
 
     What stands before what is not asked.
 
@@ -35,9 +35,9 @@ def seen(mesh: Shell, camera: CameraPose) -> NDArray[np.bool_]:
     wide = high * WIDEST_PICTURE
     inside = (depth > -_MARGIN)[faces].any(axis=1)
     for axis, slope in ((right, wide), (up, high)):
-        off, margin = away @ axis, _MARGIN * math.hypot(1.0, slope)
+        lateral, margin = away @ axis, _MARGIN * math.hypot(1.0, slope)
         for side in (-1.0, 1.0):
-            inside &= (side * off < slope * depth + margin)[faces].any(axis=1)
+            inside &= (side * lateral < slope * depth + margin)[faces].any(axis=1)
     first, second, third = np.moveaxis(away[faces], 1, 0)
     normal = np.cross(second - first, third - first)
     length = np.maximum(np.linalg.norm(normal, axis=1), 1e-12)

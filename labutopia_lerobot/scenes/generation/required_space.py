@@ -1,4 +1,4 @@
-"""What a piece takes of a room while that is being planned, walkways included."""
+"""The space that a piece requires in a room that is being planned, walkways included."""
 
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -13,15 +13,15 @@ from labutopia_lerobot.world import FloatArray
 WORK_BENCH = "work_bench"
 """Kind of the bench that a robot stands at."""
 _BEFORE_BENCH = 0.2
-"""How far before its edge the base of the robot is [m], as in the room of levels 1 to 4."""
+"""Distance of the robot's base from the edge of the bench [m], as in the room of levels 1 to 4."""
 _KNEE = 0.7
 """Walkways are free of what is between the floor and this [m]; what hangs higher is no matter."""
 _FURNITURE = 0.6
-"""What stands on the floor for good and is higher keeps out of walkways [m]."""
+"""Height above which what stands on the floor for good keeps out of walkways [m]."""
 
 
 @dataclass(frozen=True, eq=False)
-class Berth:
+class RequiredSpace:
     """Boxes of a piece [m].
 
     Attributes:
@@ -46,13 +46,13 @@ class Berth:
         """The box around all of them."""
         return joined(self.solids, self.frees, self.walkway).hull
 
-    def moved(self, by: FloatArray) -> "Berth":
+    def moved(self, by: FloatArray) -> "RequiredSpace":
         """Return it elsewhere, shape (3,) [m]."""
         parts = (self.solids.moved(by), self.frees.moved(by), self.walkway.moved(by))
-        return Berth(*parts, self.is_furniture)
+        return RequiredSpace(*parts, self.is_furniture)
 
-    def conflicts(self, other: "Berth") -> bool:
-        """Tell whether two pieces cannot stand where they do."""
+    def conflicts(self, other: "RequiredSpace") -> bool:
+        """Return whether two pieces cannot stand where they do."""
         return (
             self.solids.meet(other.solids)
             or self.solids.meet(other.frees)
@@ -63,7 +63,7 @@ class Berth:
 
 
 @cache
-def berth(need: Need, heading: Heading) -> Berth:
+def required_space(need: Need, heading: Heading) -> RequiredSpace:
     """Return what a piece takes at the origin, when its front faces a way."""
     kind = extent(need.kind)
     before, behind, beside = need.where.walkway
@@ -77,7 +77,7 @@ def berth(need: Need, heading: Heading) -> Berth:
         place = work_place(Placed(need.kind, "", 0.0, 0.0, heading), 1)
         frees = joined(frees, *(c.room for c in claims_of_work_place(place, float(high[2]))))
     stays = need.where.on_floor and not kind.movable and high[2] > _FURNITURE
-    return Berth(kind.solids.placed(heading), frees, walkway.placed(heading), stays)
+    return RequiredSpace(kind.solids.placed(heading), frees, walkway.placed(heading), stays)
 
 
 def work_place(bench: Placed, number: int) -> WorkPlace:

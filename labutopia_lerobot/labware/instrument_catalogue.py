@@ -39,14 +39,14 @@ def catalogue() -> "MappingProxyType[str, Maker]":
     Raises:
         CatalogueError: If a module does not define one instrument, or two have the same name.
     """
-    found: dict[str, Maker] = {}
+    makers: dict[str, Maker] = {}
     for module in pkgutil.walk_packages(instruments.__path__, f"{instruments.__name__}."):
         if not module.ispkg:
             kind = module.name.rpartition(".")[2]
-            if kind in found:
+            if kind in makers:
                 raise CatalogueError(f"Two modules are called {kind}: rename {module.name}")
-            found[kind] = _instrument_of(importlib.import_module(module.name))
-    return MappingProxyType(dict(sorted(found.items())))
+            makers[kind] = _instrument_of(importlib.import_module(module.name))
+    return MappingProxyType(dict(sorted(makers.items())))
 
 
 def instrument(kind: str, name: str | None = None) -> "Piece":
@@ -84,7 +84,7 @@ def _instrument_of(module: ModuleType) -> "Maker":
             f"{module.__name__} must define one public frozen dataclass with `add_to` that needs "
             f"nothing but a name; it defines: {', '.join(k.__name__ for k in kinds) or 'none'}"
         )
-    maker: Maker = kinds[0]  # type: ignore[assignment]  # what it lacks of one, tests tell
+    maker: Maker = kinds[0]  # type: ignore[assignment]  # tests find what it lacks of one
     return maker
 
 

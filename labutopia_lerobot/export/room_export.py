@@ -9,7 +9,7 @@ from PIL import Image
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.export.mjcf import write_mjcf
-from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.scenes.furnished_model import build
 from labutopia_lerobot.scenes.plan import Plan
@@ -22,7 +22,7 @@ WIDTH, HEIGHT = 1280, 800
 """Of the picture [pixels]."""
 _FIELD_OF_VIEW_DEG = 32.0
 _FROM = np.array([-0.35, -0.62, 0.85])
-"""Where the camera is, seen from the middle of the room: above its south-west."""
+"""Direction of the camera from the middle of the room: above its south-west."""
 
 
 def write_room(plan: Plan, folder: Path) -> tuple[Path, Path, Path]:
@@ -68,9 +68,9 @@ def _add_camera(spec: mujoco.MjSpec, plan: Plan) -> None:
     half = math.tan(math.radians(_FIELD_OF_VIEW_DEG / 2))
     middle = np.array([plan.size[0] / 2, plan.size[1] / 2, 0.6])
     corners = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * plan.size
-    seen = (corners - middle) @ axes  # right, up, towards the camera
+    in_camera = (corners - middle) @ axes  # right, up, towards the camera
     limits = np.array([half * WIDTH / HEIGHT, half])
-    away = (np.abs(seen[:, :2]) / limits + seen[:, 2:]).max()
+    away = (np.abs(in_camera[:, :2]) / limits + in_camera[:, 2:]).max()
     spec.worldbody.add_camera(
         name=OVERVIEW,
         pos=middle + 1.03 * away * back,

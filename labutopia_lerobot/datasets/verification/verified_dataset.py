@@ -91,7 +91,7 @@ class VerifiedDataset:
 
     @property
     def edited(self) -> str | None:
-        """What another tool has changed since the recording, in words; None if nothing.
+        """Changes by another tool since the recording, in words; None if there are none.
 
         LeRobot's merge drops `meta/labutopia.json`; its delete and split drop our columns too; its
         resume appends episodes that have none. Older versions of ours did not write `SETTING`.

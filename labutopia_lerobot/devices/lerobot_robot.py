@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from lerobot.robots import Robot
 
-from labutopia_lerobot.devices.config_robot import LabUtopiaRobotConfig
+from labutopia_lerobot.devices.config_lerobot_robot import LabUtopiaRobotConfig
 from labutopia_lerobot.robots import load_robot
 
 if TYPE_CHECKING:
@@ -51,13 +51,13 @@ class LabUtopiaRobot(Robot):
 
     @property
     def observation_features(self) -> dict[str, type | tuple[int, ...]]:
-        """What is observed: the elements of the robot, and pictures."""
+        """Observed features: the elements of the robot, and pictures."""
         size = (self._setting.height, self._setting.width, 3)
         return {**self.action_features, **dict.fromkeys(self._setting.cameras, size)}
 
     @property
     def action_features(self) -> dict[str, type]:
-        """What is commanded: absolute targets of the elements [rad or m]."""
+        """Commanded features: absolute targets of the elements [rad or m]."""
         return dict.fromkeys(self._names, float)
 
     @property

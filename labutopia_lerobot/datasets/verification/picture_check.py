@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.declaration import IMAGES
 from labutopia_lerobot.datasets.tables import RENDERER, Row
-from labutopia_lerobot.datasets.verification.subject import VerifiedDataset
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.pictures import COLOR, camera_and_kind
 from labutopia_lerobot.runtime.video import ENCODINGS, read_frames
@@ -21,20 +21,20 @@ _GRID = 8
 """A picture is compared block by block, on a grid of as many rows and columns."""
 
 TOLERANCE = 12.0
-"""How far the mean of a block may be off [levels of 255]. Measured in `level1/pick`, cameras front
+"""Greatest deviation of a block's mean [levels of 255]. Measured in `level1/pick`, cameras front
 and wrist: compression makes up to 2.9 at 256 x 256 pixels and up to 8.6 at 64 x 48; a mirrored
 picture at least 25 and 14; that of another episode mostly 9 (wrist) and 30 (front)."""
 
 
 PIXELS_TOLERANCE = 1.0
-"""How many pixels of a depth or a segmentation may be others on another renderer [%], which may
+"""Share of a depth's or segmentation's pixels that may differ on another renderer [%], which may
 draw the edges of things otherwise: chosen, not measured. On the same one none may: both are
 lossless."""
 
 
 @dataclass(frozen=True)
-class Off:
-    """How far a stored picture is off.
+class Deviation:
+    """Deviation of a stored picture from the one drawn again.
 
     Attributes:
         frame: Its number.
@@ -72,7 +72,7 @@ class PictureCheck:
             for key in subject.cameras
             if key.startswith(IMAGES)
         }
-        self.worst: dict[str, Off] = {}
+        self.worst: dict[str, Deviation] = {}
 
     def look(self, number: int, env: LabEnv) -> None:
         """Compare a frame, if it is wanted, with what the environment shows."""
@@ -80,23 +80,25 @@ class PictureCheck:
             return
         drawn = env.workcell.pictures([key.removeprefix(IMAGES) for key in self._decoded])
         for key, frames in self._decoded.items():
-            found, stored = next(frames, (-1, None))
-            off = self._off(
-                number, stored if found == number else None, drawn[key.removeprefix(IMAGES)], key
+            frame, stored = next(frames, (-1, None))
+            deviation = self._deviation(
+                number, stored if frame == number else None, drawn[key.removeprefix(IMAGES)], key
             )
-            if key not in self.worst or off.by > self.worst[key].by:
-                self.worst[key] = off
+            if key not in self.worst or deviation.by > self.worst[key].by:
+                self.worst[key] = deviation
 
-    def _off(self, number: int, stored: NDArray[Any] | None, drawn: NDArray[Any], key: str) -> Off:
+    def _deviation(
+        self, number: int, stored: NDArray[Any] | None, drawn: NDArray[Any], key: str
+    ) -> Deviation:
         kind = _kind(key)
         if kind == COLOR:
             by = 255.0 if stored is None else block_difference(stored, drawn)
-            told = f"off by {by:.0f} levels, where {TOLERANCE:g} are allowed"
-            return Off(number, by, TOLERANCE, told)
+            text = f"off by {by:.0f} levels, where {TOLERANCE:g} are allowed"
+            return Deviation(number, by, TOLERANCE, text)
         by = 100.0 if stored is None else other_pixels(stored, drawn, kind)
         allowed = 0.0 if self._drawn_by == opengl_renderer_name() else PIXELS_TOLERANCE
-        told = f"{by:.2g} % of its pixels are others, where {allowed:g} are allowed"
-        return Off(number, by, allowed, told)
+        text = f"{by:.2g} % of its pixels are others, where {allowed:g} are allowed"
+        return Deviation(number, by, allowed, text)
 
 
 def block_difference(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
@@ -142,5 +144,5 @@ def _decoded(
 ) -> Iterator[tuple[int, NDArray[Any]]]:
     try:
         yield from read_frames(path, first, wanted, kind)
-    except (OSError, ValueError):  # told by the check of the files
+    except (OSError, ValueError):  # reported by the check of the files
         return

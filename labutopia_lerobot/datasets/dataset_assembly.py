@@ -20,7 +20,7 @@ class Assembly:
     Args:
         config: What is recorded.
         work: Folder of the candidates; the dataset is made in it.
-        assembled: Is told of every episode of the dataset.
+        assembled: Notified of every episode of the dataset.
     """
 
     def __init__(

@@ -6,10 +6,10 @@ from pathlib import Path
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.scenes.plan import Plan
-from labutopia_lerobot.scenes.plans.reading import read_plan
+from labutopia_lerobot.scenes.plans.plan_files import read_plan
 
 FOLDER = Path(__file__).parent
-"""Where they lie, a file each."""
+"""Folder of the plans, a file each."""
 
 
 class UnknownPlanError(UserError, ValueError):

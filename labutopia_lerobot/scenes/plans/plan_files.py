@@ -1,4 +1,4 @@
-"""Reading a plan: what is wrong in a file is told by its place in it."""
+"""Reading a plan: a mistake in a file is reported by its place in it."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ class PlanError(UserError, ValueError):
 
 
 def read_plan(path: Path) -> Plan:
-    """Return the plan in a file; whether it can be furnished so, `proof.faults` tells.
+    """Return the plan in a file; `proof.faults` says whether it can be furnished so.
 
     Raises:
         PlanError: If it cannot be read, is no plan, or names what does not exist.
@@ -64,7 +64,7 @@ def _check_sizes(plan: Plan, source: str) -> None:
 
 
 def _check_names(plan: Plan, source: str) -> None:
-    from labutopia_lerobot.labware.catalogue import catalogue, instrument  # here: mujoco
+    from labutopia_lerobot.labware.instrument_catalogue import catalogue, instrument  # here: mujoco
 
     for look, finishes in (("floor", FLOOR_FINISHES), ("wall", WALL_FINISHES)):
         if (name := getattr(plan, look)) not in finishes:
