@@ -14,11 +14,13 @@ from labutopia_lerobot.features import (
     forces,
     observation_features,
     observation_space,
+    reading_names,
+    readings,
     with_pictures,
 )
 from labutopia_lerobot.pictures import picture_names
 from labutopia_lerobot.scenario import Scenario
-from labutopia_lerobot.setting import FORCES, Setting, require_choices
+from labutopia_lerobot.setting import FORCES, READINGS, Setting, require_choices
 from labutopia_lerobot.sim.workcell import Workcell
 from labutopia_lerobot.sim.workcells import Workcells
 from labutopia_lerobot.skills.expert import Expert
@@ -38,8 +40,9 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     Observations: `agent_pos` float32, measured joint angles [rad] and gripper opening [m];
     with `obs="pixels"` also `pixels`, a dict of camera -> (height, width, 3) uint8; with
     `obs="state"` `environment_state`, privileged object poses (see
-    `features.environment_state_names`). Of `extras`, `forces` float32, left and right pad [N]; for
-    every camera `pixels["<camera>_segmentation"]` uint8, the number of what is seen in all three
+    `features.environment_state_names`). Of `extras`, `forces` float32, left and right pad [N];
+    `readings` float32 (see `features.readings`); for every camera
+     `pixels["<camera>_segmentation"]` uint8, the number of what is seen in all three
     channels (see `sim.segments`), and `images.<camera>_depth` float32, (height, width, 1) [m].
 
     Actions: float32, absolute targets of the same. What acted is `info["applied_action"]`.
@@ -179,7 +182,10 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             observation |= with_pictures(pictures)
             self._frame = pictures[self.setting.cameras[0]]
         if FORCES in self.setting.extras:
-            observation["forces"] = forces(self.workcell.world)
+            observation[FORCES] = forces(self.workcell.world)
+        if READINGS in self.setting.extras:
+            names = reading_names(self._workcells.task)
+            observation[READINGS] = readings(self.workcell.world, names)
         return observation
 
     def _info(self) -> Info:

@@ -4,6 +4,7 @@ The environment's spaces, LeRobot's `EnvConfig.features` and the dataset's featu
 from what is here, so that keys, shapes and order cannot diverge. Imports neither mujoco nor torch.
 """
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind, picture_names
 from labutopia_lerobot.robots import load_robot
-from labutopia_lerobot.setting import DEPTH, FORCES, Setting
+from labutopia_lerobot.setting import DEPTH, FORCES, READINGS, Setting, UnknownOptionError
 from labutopia_lerobot.substances.filling import Fillable
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, FloatArray, World
@@ -77,12 +78,12 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
 
     Args:
         setting: What is played and observed.
-        load_task: Returns the canonical task; called for `obs="state"` only, since it may import
-            mujoco.
+        load_task: Returns the canonical task; called for `obs="state"` and for readings only,
+            since it may import mujoco.
 
     Returns:
         The path in the environment's observation (`agent_pos`, `environment_state`, `forces`,
-        `pixels/<picture>`, `images.<depth>`) -> the feature.
+        `readings`, `pixels/<picture>`, `images.<depth>`) -> the feature.
     """
     features = {"agent_pos": _numbers("observation.state", load_robot(setting.robot).names)}
     if setting.obs == "state":
@@ -91,6 +92,15 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
     if FORCES in setting.extras:
         pads = (LEFT_PAD, RIGHT_PAD)
         features[FORCES] = Feature("observation.forces", "float32", (2,), pads, 0.0, np.inf)
+    if READINGS in setting.extras:
+        names = reading_names(load_task())
+        if not names:
+            raise UnknownOptionError(
+                f"extras=[{READINGS}]: nothing in {setting.task} shows a reading. Leave it out"
+            )
+        features[READINGS] = Feature(
+            "observation.readings", "float32", (len(names),), names, -np.inf, np.inf
+        )
     for name in picture_names(setting):
         key, axes = f"observation.images.{name}", ("height", "width", "channels")
         size = setting.height, setting.width
@@ -126,6 +136,33 @@ def with_pictures(pictures: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
 def forces(world: World) -> NDArray[np.float32]:
     """Return the sum of the normal forces on each pad at the last physics step [N], shape (2,)."""
     return np.array([world.normal_force(LEFT_PAD), world.normal_force(RIGHT_PAD)], np.float32)
+
+
+def reading_names(task: Task) -> tuple[str, ...]:
+    """Name the elements of `readings`: each that a display of the task shows, and if it settled."""
+    processes = (process for piece in task.start for process in piece.processes)
+    shown = dict.fromkeys(name for process in processes for name in process.displayed)
+    return tuple(each for name in shown for each in (name, f"{name}.settled"))
+
+
+def readings(world: World, names: tuple[str, ...]) -> NDArray[np.float32]:
+    """Return what displays show, in their units, and 1 behind each that is settled, else 0.
+
+    Dashes and errors are 0, not settled.
+
+    Args:
+        world: The world.
+        names: As `reading_names` has them.
+
+    Returns:
+        Shape (len(names),).
+    """
+    numbers: list[float] = []
+    for name in names[::2]:
+        reading = world.reading(name)
+        known = math.isfinite(reading.shown)
+        numbers += [reading.shown if known else 0.0, float(known and reading.settled)]
+    return np.array(numbers, np.float32)
 
 
 def environment_state_names(task: Task) -> tuple[str, ...]:

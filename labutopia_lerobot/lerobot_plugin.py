@@ -160,6 +160,7 @@ _TYPES = {
     "action": FeatureType.ACTION,
     "observation.state": FeatureType.STATE,
     "observation.forces": FeatureType.STATE,
+    "observation.readings": FeatureType.STATE,
     "observation.environment_state": FeatureType.ENV,
 }
 

@@ -38,9 +38,14 @@ RENDERERS = (CLASSIC, FILAMENT)
 CAMERAS = ("front", "top", "wrist")
 """Every camera of a scene: facing the robot, overhead, on the hand."""
 
-DEPTH, SEGMENTATION, FORCES = "depth", "segmentation", "forces"
-EXTRAS = (DEPTH, SEGMENTATION, FORCES)
-"""What can be observed beside the usual: depth and segmentation of every camera, forces on pads."""
+DEPTH, SEGMENTATION = "depth", "segmentation"
+FORCES, READINGS = "forces", "readings"
+NUMBERS = (FORCES, READINGS)
+"""Extras that need no cameras: forces on the pads, readings of the displays."""
+
+EXTRAS = (DEPTH, SEGMENTATION, *NUMBERS)
+"""What can be observed beside the usual: depth and segmentation of every camera, forces on
+pads, what displays read."""
 
 ROBOT_NAMES = ("panda", "iiwa")
 """Every robot that can play: the keys of `robots.ROBOTS`."""
@@ -108,7 +113,7 @@ class SettingOptions:
     extras: tuple[str, ...] = option(
         (),
         "What is observed beside: a list of `depth` [m] and `segmentation` of every camera, with "
-        "`obs=pixels`, and `forces` on the pads [N].",
+        "`obs=pixels`, `forces` on the pads [N], and `readings` of the displays.",
     )
     width: int = option(IMAGE_SIZE, "Width of the pictures [pixels].")
     height: int = option(IMAGE_SIZE, "Height of the pictures [pixels].")
@@ -180,12 +185,12 @@ class Setting(SettingOptions):
                 f"from: {', '.join(CAMERAS)}"
             )
         require_choices("extras", self.extras, EXTRAS)
-        if self.obs == "state" and not set(self.extras) <= {FORCES}:
+        if self.obs == "state" and not set(self.extras) <= set(NUMBERS):
             raise UnknownOptionError(
                 f"extras={list(self.extras)} needs cameras: choose obs=pixels, or of extras only "
-                f"{FORCES}"
+                f"{' and '.join(NUMBERS)}"
             )
-        if self.renderer == FILAMENT and not set(self.extras) <= {FORCES}:
+        if self.renderer == FILAMENT and not set(self.extras) <= set(NUMBERS):
             raise UnknownOptionError(
                 f"extras={list(self.extras)} needs renderer=classic: {FILAMENT} draws colours only"
             )
@@ -205,7 +210,7 @@ class Setting(SettingOptions):
 
     def without_pictures(self) -> "Setting":
         """Return the same with no pictures drawn: `obs=state`, and of the extras the numbers."""
-        numbers = tuple(extra for extra in self.extras if extra == FORCES)
+        numbers = tuple(extra for extra in self.extras if extra in NUMBERS)
         return replace(self, obs="state", extras=numbers)
 
 

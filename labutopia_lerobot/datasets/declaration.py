@@ -15,7 +15,6 @@ IMAGES = "observation.images."
 """Prefix of the keys of pictures; the camera follows."""
 
 STATE = "observation.state"
-FORCE = "observation.forces"
 ENVIRONMENT_STATE = "observation.environment_state"
 
 PRIVILEGED_STATE = "privileged.environment_state"

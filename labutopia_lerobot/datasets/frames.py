@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from labutopia_lerobot.datasets.declaration import (
     COMMAND,
     DONE,
-    FORCE,
     PHASE,
     REWARD,
     STATE,
@@ -19,7 +18,7 @@ from labutopia_lerobot.datasets.declaration import (
 )
 from labutopia_lerobot.env import Info, LabEnv, Observation
 from labutopia_lerobot.features import ACTION
-from labutopia_lerobot.setting import FORCES
+from labutopia_lerobot.setting import NUMBERS
 
 Columns = dict[str, NDArray[Any]]
 """Feature key -> values, shape (frames, elements), or (frames,) where there is one element."""
@@ -55,7 +54,11 @@ class Frames:
         self._rows.append(
             {
                 STATE: observation["agent_pos"],
-                **({FORCE: observation[FORCES]} if FORCES in observation else {}),
+                **{
+                    f"observation.{each}": observation[each]
+                    for each in NUMBERS
+                    if each in observation
+                },
                 key: state,
                 STEP: "" if progress.step is None else progress.step.name,
                 SUBSTEP: latched[-1] if latched else "",

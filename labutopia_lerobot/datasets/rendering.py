@@ -49,7 +49,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.pictures import camera_and_kind, picture_names
 from labutopia_lerobot.runtime.provenance import machine
 from labutopia_lerobot.runtime.video import VideoWriter
-from labutopia_lerobot.setting import FORCES
+from labutopia_lerobot.setting import NUMBERS
 from labutopia_lerobot.sim.renderers import renderer_name
 
 _SOURCE = "source"
@@ -107,10 +107,13 @@ def _config(root: Path, out: Path, chosen: dict[str, Any]) -> RecordingConfig:
         )
     known = {option.name for option in fields(RecordingConfig)}
     recorded = {name: v for name, v in recording["config"].items() if name in known}
-    forces = {FORCES} & set(recorded.get("extras", ()))  # are in the tables, or are not
-    if FORCES in chosen.get("extras", ()) and not forces:
-        raise UserError(f"{root} has no {FORCES}, which no picture shows: record them")
-    extras = sorted({*chosen.get("extras", ()), *forces})
+    numbers = set(NUMBERS) & set(recorded.get("extras", ()))  # are in the tables, or are not
+    missing = sorted(set(NUMBERS) & set(chosen.get("extras", ())) - numbers)
+    if missing:
+        raise UserError(
+            f"{root} has no {' and no '.join(missing)}, which no picture shows: record them"
+        )
+    extras = sorted({*chosen.get("extras", ()), *numbers})
     changed = chosen | {"obs": "pixels", "extras": extras, "root": str(out)}
     return RecordingConfig(**(recorded | changed))
 

@@ -45,6 +45,9 @@ _MEANINGS = {
     "observation.forces": Meaning(
         "N", "sum of the normal forces on each pad, at the last physics step before the action"
     ),
+    "observation.readings": Meaning(
+        "the instrument's", "what displays show before the action, and 1 behind it if settled"
+    ),
     "observation.images.*_depth": Meaning(
         "m", "distance along the optical axis before the action, in whole millimetres"
     ),

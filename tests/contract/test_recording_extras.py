@@ -26,9 +26,10 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.lerobot_plugin import LabUtopiaEnvConfig
 from labutopia_lerobot.pictures import camera_and_kind
 from labutopia_lerobot.runtime.video import VideoWriter, read_frames
-from labutopia_lerobot.setting import EXTRAS, Setting
+from labutopia_lerobot.setting import DEPTH, FORCES, SEGMENTATION, Setting
 from recordings import Watch, assert_same_dataset, recording
 
+EXTRAS = (DEPTH, SEGMENTATION, FORCES)
 TINY = ["task=level1/pick", "liquid=off", "width=64", "height=48", "cameras=[top]"]
 SENSED = [*TINY, "extras=[depth,segmentation,forces]"]
 DEPTH, SEGMENTS_SEEN = "observation.images.top_depth", "observation.images.top_segmentation"

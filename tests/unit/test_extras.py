@@ -10,13 +10,17 @@ from gymnasium.utils.env_checker import check_env
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.features import observation_features
 from labutopia_lerobot.pictures import FARTHEST_M
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenario import canonical_task, draw_scenario
-from labutopia_lerobot.setting import ALL, EXTRAS, Setting, UnknownOptionError
+from labutopia_lerobot.setting import ALL, DEPTH, FORCES, SEGMENTATION, Setting, UnknownOptionError
 from labutopia_lerobot.sim.segments import segment_names
 
 SMALL = {"width": 64, "height": 64, "cameras": ("top",)}
+
+EXTRAS = (DEPTH, SEGMENTATION, FORCES)
+"""What every task has."""
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +81,7 @@ def test_gymnasium_finds_no_fault_with_them():
 def test_pictures_need_cameras_and_forces_do_not():
     with pytest.raises(UnknownOptionError, match="needs cameras: choose obs=pixels"):
         Setting("level1/pick", obs="state", extras=("forces", "depth"))
-    with pytest.raises(UnknownOptionError, match="depth, segmentation, forces"):
+    with pytest.raises(UnknownOptionError, match="depth, segmentation, forces, readings"):
         Setting("level1/pick", extras=("touch",))
     blind = Setting("level1/pick", extras=EXTRAS).without_pictures()
     assert (blind.obs, blind.extras) == ("state", ("forces",))
@@ -177,3 +181,22 @@ def test_a_camera_above_the_ceiling_sees_what_is_below_it():
     names = segment_names(env.workcell.task)
     assert observation["images.top_depth"].min() > 2.0
     assert {names.index("robot"), names.index("oven")} < set(numbers(env).flat)
+
+
+def test_readings_are_what_displays_show_and_whether_they_have_settled():
+    env = LabEnv(Setting("level1/tare", obs="state", extras=("readings",)))
+    observation, info = env.reset(seed=0)
+    assert env.observation_space["readings"].shape == (2,)
+    shown, settled = observation["readings"]
+    assert shown == np.float32(info["readings"]["balance_reading"])
+    assert settled == 1.0
+    assert observation_names(env) == ("balance_reading", "balance_reading.settled")
+
+
+def observation_names(env: LabEnv) -> tuple[str, ...]:
+    return observation_features(env.setting, lambda: env.workcell.task)["readings"].names
+
+
+def test_readings_of_a_task_that_shows_none_are_refused():
+    with pytest.raises(UnknownOptionError, match=r"nothing in level1/pick shows a reading"):
+        LabEnv(Setting("level1/pick", obs="state", extras=("readings",)))
