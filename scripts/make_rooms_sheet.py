@@ -7,8 +7,8 @@ import mujoco
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from labutopia_lerobot.scenes.furnished_model import build
 from labutopia_lerobot.scenes.plan import Plan
+from labutopia_lerobot.scenes.plan_model import build
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 from word_tables import cell, code

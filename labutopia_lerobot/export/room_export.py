@@ -11,8 +11,8 @@ from scipy.spatial.transform import Rotation
 from labutopia_lerobot.export.mjcf import write_mjcf
 from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.processes import Apparatus
-from labutopia_lerobot.scenes.furnished_model import build
 from labutopia_lerobot.scenes.plan import Plan
+from labutopia_lerobot.scenes.plan_model import build
 from labutopia_lerobot.scenes.plans import text_of
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 

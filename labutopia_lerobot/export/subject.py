@@ -11,7 +11,7 @@ from labutopia_lerobot.labware.instrument_catalogue import catalogue as instrume
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenes import ROOMS, load_room
-from labutopia_lerobot.scenes.furnished_model import build
+from labutopia_lerobot.scenes.plan_model import build
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.setting import LIQUID, Setting

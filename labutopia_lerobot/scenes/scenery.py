@@ -17,8 +17,8 @@ from scipy import ndimage
 from labutopia_lerobot.labware.parts import shell
 from labutopia_lerobot.labware.parts.shell import Shell
 from labutopia_lerobot.scenes.building.masonry import masonry
-from labutopia_lerobot.scenes.furnished_model import add_openings, add_pieces
 from labutopia_lerobot.scenes.plan import Placed, Plan
+from labutopia_lerobot.scenes.plan_model import add_openings, add_pieces
 from labutopia_lerobot.world import FloatArray
 from labutopia_lerobot.world.model import COLLISION_GROUP
 

@@ -21,10 +21,10 @@ from labutopia_lerobot.scenes import (
 from labutopia_lerobot.scenes import __name__ as scenes_module
 from labutopia_lerobot.scenes.building.masonry import masonry
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
-from labutopia_lerobot.scenes.furnished_model import build
 from labutopia_lerobot.scenes.furnished_room import furnished_room
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Plan
+from labutopia_lerobot.scenes.plan_model import build
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.scenes.proof import faults
 from labutopia_lerobot.scenes.views import DOOR_VIEW, OVEN_VIEW, PRESS_VIEW, VESSEL_VIEW
