@@ -259,9 +259,9 @@ def test_a_room_without_a_work_place_is_refused_with_rooms_that_have_one(monkeyp
     monkeypatch.setattr(f"{scenes_module}.plan_names", lambda: tuple(plans))
     monkeypatch.setattr(f"{scenes_module}.load_plan", plans.__getitem__)
     with pytest.raises(NoWorkPlaceError, match=r"'idle' has no work place.*: laboratory, bright$"):
-        Setting("level1/pick", room="idle")
+        LabEnv(Setting("level1/pick", room="idle"))
     with pytest.raises(UnknownRoomError, match=r"'brigth' is unknown. Did you mean: bright"):
-        Setting("level1/pick", room="brigth")
+        LabEnv(Setting("level1/pick", room="brigth"))
 
 
 def test_the_laboratory_is_still_the_bare_one():
