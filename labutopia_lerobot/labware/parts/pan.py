@@ -42,10 +42,17 @@ class Pan:
         return Seat(f"{self.name}_middle", self.name, (0.0, 0.0, self.top), self.width)
 
     def weighing(
-        self, name: str, resolution: float, capacity: float, tare: str, doors: tuple[str, ...] = ()
+        self,
+        name: str,
+        resolution: float,
+        capacity: float,
+        tare: str,
+        doors: tuple[str, ...] = (),
+        tared: tuple[float, float] = (0.0, 0.0),
     ) -> Weighing:
         """Return what weighs what is on it; see `Weighing` for the arguments."""
-        return Weighing(name, self.force_sensor, self.name, resolution, capacity, tare, doors)
+        cell, pan = self.force_sensor, self.name
+        return Weighing(name, cell, pan, resolution, capacity, tare, doors, tared)
 
     def add_to(
         self,

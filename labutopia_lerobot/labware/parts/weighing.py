@@ -48,6 +48,7 @@ class Weighing(Process):
         capacity: The most that it weighs [g].
         tare: Name of the button that sets it to zero.
         doors: Joints of the doors of its draught shield, which are shut at 0.
+        tared: Least and most that was tared before the episode [g], drawn evenly.
     """
 
     name: str
@@ -57,6 +58,7 @@ class Weighing(Process):
     capacity: float
     tare: str
     doors: tuple[str, ...] = ()
+    tared: tuple[float, float] = (0.0, 0.0)
 
     @property
     @override
@@ -71,10 +73,18 @@ class Weighing(Process):
 
     @override
     def start(self, apparatus: Apparatus, rng: np.random.Generator) -> None:
-        """Begin with what is on the pan, settled, and nothing tared."""
+        """Begin with what is on the pan, settled, less what somebody has tared before."""
         averages, rest = self._split(apparatus)
         averages[:] = self._load(apparatus)
-        rest[:] = 0.0, 0.0, averages[-1], _STEADY_FOR, 0.0, rng.integers(2**31), 0.0
+        rest[:] = (
+            rng.uniform(*self.tared),
+            0.0,
+            averages[-1],
+            _STEADY_FOR,
+            0.0,
+            rng.integers(2**31),
+            0.0,
+        )
 
     @override
     def step(self, apparatus: Apparatus) -> None:

@@ -26,9 +26,11 @@ class PrecisionBalance(Instrument):
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
+        tared: Least and most that was tared before the episode [g].
     """
 
     name: str
+    tared: tuple[float, float] = (0.0, 0.0)
     size = (0.320, 0.200, 0.095)
     mass = 4.5
     source = "200 x 320 x 95 mm, pan of 180 mm, usual for 4.2 kg x 0.01 g; from memory"
@@ -57,7 +59,7 @@ class PrecisionBalance(Instrument):
     def weighing(self) -> Weighing:
         """The mass on its pan."""
         name, tare = f"{self.name}_reading", self.tare.name
-        return self.pan.weighing(name, 0.01, 4200.0, tare)
+        return self.pan.weighing(name, 0.01, 4200.0, tare, tared=self.tared)
 
     @property
     def places(self) -> tuple[Seat, ...]:

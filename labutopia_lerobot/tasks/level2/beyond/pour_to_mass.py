@@ -3,6 +3,7 @@
 import math
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.weighing.precision_balance import PrecisionBalance
 from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.places import WhereItStood
@@ -19,8 +20,12 @@ YAW = (-math.radians(10), math.radians(10))  # ours: as far as the button stays 
 
 def pour_to_mass() -> Task:
     """Return the task."""
+    return weigh_from(glassware("beaker", "150 ml", "small"))
+
+
+def weigh_from(source: Vessel, *, mass: float = MASS) -> Task:
+    """Return the task with a vessel and a mass [g], which level 3 varies."""
     balance, target = PrecisionBalance("balance"), glassware("beaker", "250 ml", "large")
-    source = glassware("beaker", "150 ml", "small")
     back = WhereItStood(source)
     return Task(
         instruction="Tare the balance, pour 50 g of water into its beaker and put the rest back.",
@@ -36,11 +41,11 @@ def pour_to_mass() -> Task:
         steps=(
             actions.press(balance.tare, hold=0.3).named("tare"),
             actions.pick(source, by=actions.OFF_THE_BENCH),
-            actions.pour_by_reading(source, target, balance.weighing, mass=MASS, within=WITHIN),
+            actions.pour_by_reading(source, target, balance.weighing, mass=mass, within=WITHIN),
             actions.place(source, back, within=0.05),
         ),
         goal=(
-            reads(balance.weighing, low=MASS - WITHIN, high=MASS + WITHIN),
+            reads(balance.weighing, low=mass - WITHIN, high=mass + WITHIN),
             settled(balance.weighing),
             standing_on(target, balance.pan.place),
             *actions.left_standing(source, back, within=0.05),
@@ -49,7 +54,7 @@ def pour_to_mass() -> Task:
         never={
             **failures.handling(source, spill=0.02, into=target),
             "struck": struck(target, but_for=frozenset({balance.pan.name})),
-            "overshot": given(source, target, more_than_ml=MASS + 1.2 * WITHIN),
+            "overshot": given(source, target, more_than_ml=mass + 1.2 * WITHIN),
         },
         needs_liquid=True,
         time_limit_s=90.0,  # ours
