@@ -11,7 +11,9 @@ from labutopia_lerobot.world import OpenVessel, Pose, World
 
 _FURTHEST = math.radians(100.0)
 """Lean at which the vessel counts as empty [rad]."""
-_FIRST_SLOPE, _WIDEST_STEP = 80.0, 0.04
+_DRY_LEAN = math.radians(35.0)
+"""Lean up to which it goes fast [rad]: a vessel that is half full gives nothing yet."""
+_FIRST_SLOPE, _WIDEST_STEP = 80.0, 0.025
 """What a beaker of 150 ml gives at first when it leans further [g/rad], and the largest step [rad]:
 measured on the shipped task; the skill goes by what it then reads."""
 
@@ -64,6 +66,8 @@ class PourToMass:
 
         yield phase("start", lambda w: above, arrived(within=0.015))
         yield phase("ready", lambda w: ready, arrived(within=0.006))
+        leaning = pivot.towards(world, _DRY_LEAN)
+        yield phase("lean", leaning, _leaning(thing, _DRY_LEAN - 0.05, beyond=True), 0.5)
         tilt = pivot.towards(world, _FURTHEST)
         yield phase("pour", tilt, self._shows(self.coarse * self.mass), self.turn_speed)
         lean, slope = world.pose(thing).tilt - self.ease, _FIRST_SLOPE
@@ -71,7 +75,7 @@ class PourToMass:
         yield phase("read", pivot.towards(world, lean), self._read)
         shown = world.reading(self.reading.name).value
         while self.mass - shown > self.within and lean < _FURTHEST:
-            further = min(_WIDEST_STEP, 0.4 * (self.mass - shown) / slope)
+            further = min(_WIDEST_STEP, 0.3 * (self.mass - shown) / slope)
             lean += further
             held = pivot.towards(world, lean)
             yield phase("add", held, _leaning(thing, lean - 0.005, beyond=True), 0.1)

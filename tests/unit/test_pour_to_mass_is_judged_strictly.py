@@ -20,9 +20,9 @@ def test_without_liquid_it_is_refused():
         LabEnv(Setting("level2/pour_to_mass", obs="state", liquid="off"))
 
 
-def test_a_gram_and_a_half_too_much_is_overshot(env):
+def test_three_grams_too_much_are_overshot(env):
     tare, pick, pour, _ = env.workcell.task.skills
-    info = play(env, tare, pick, replace(pour, mass=pour.mass + 3.0))
+    info = play(env, tare, pick, replace(pour, mass=pour.mass + 4.0))
     assert info["outcome"] == "overshot"
 
 

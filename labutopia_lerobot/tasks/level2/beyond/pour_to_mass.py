@@ -54,7 +54,7 @@ def weigh_from(source: Vessel, *, mass: float = MASS) -> Task:
         never={
             **failures.handling(source, spill=0.02, into=target),
             "struck": struck(target, but_for=frozenset({balance.pan.name})),
-            "overshot": given(source, target, more_than_ml=mass + 1.2 * WITHIN),
+            "overshot": given(source, target, more_than_ml=mass + 2 * WITHIN),
         },
         needs_liquid=True,
         time_limit_s=90.0,  # ours
