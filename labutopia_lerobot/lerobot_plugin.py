@@ -34,7 +34,7 @@ class InvalidEnvError(UserError, DecodingError):
 @EnvConfig.register_subclass("labutopia")
 @with_setting
 class LabUtopiaEnvConfig(EnvConfig):
-    """Which environments LeRobot plays; every field is a flag `--env.<field>`.
+    """The environments that LeRobot plays; every field is a flag `--env.<field>`.
 
     The fields of `Setting` are fields of this too.
 

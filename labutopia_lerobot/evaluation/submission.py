@@ -36,10 +36,10 @@ from labutopia_lerobot.scenes import DEFAULT_ROOM
 from labutopia_lerobot.setting import CLASSIC, PARTICLES, Setting
 
 FIRST_SEED = 100_000
-"""Of every published evaluation."""
+"""First seed of every published evaluation."""
 
 FEWEST_EPISODES = 100
-"""Of every condition, where the number was fixed beforehand."""
+"""Fewest episodes of every condition, where the number was fixed beforehand."""
 
 PUBLISHED: Mapping[str, object] = {
     "liquid": "on",

@@ -1,4 +1,4 @@
-"""Which buttons are in: the electric contacts behind them."""
+"""The pressed buttons: the electric contacts behind them."""
 
 from collections.abc import Sequence
 
