@@ -13,7 +13,7 @@ from typing import Any, cast
 _PACKAGE = Path(__file__).parent
 _MARK = b"@kernel"
 _KEPT_DAYS = 30
-"""For how long kernels stay that were compiled from other sources and are not used."""
+"""Days for which unused kernels stay that were compiled from other sources."""
 
 
 def user_cache() -> Path:

@@ -120,7 +120,7 @@ class OnBench:
 
 @dataclass(frozen=True)
 class Inside:
-    """In a place of another thing, such as a rack, wherever that thing stands.
+    """Start in a place of another thing, such as a rack, wherever that thing stands.
 
     Attributes:
         holder: The other thing; it comes earlier in the task's start.

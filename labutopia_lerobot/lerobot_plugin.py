@@ -36,7 +36,7 @@ class InvalidEnvError(UserError, DecodingError):
 @EnvConfig.register_subclass("labutopia")
 @dataclass
 class LabUtopiaEnvConfig(SettingOptions, EnvConfig):
-    """Which environments LeRobot plays; every field is a flag `--env.<field>`.
+    """The environments that LeRobot plays; every field is a flag `--env.<field>`.
 
     Its `max_parallel_tasks` has to be 1: LeRobot would let tasks that it plays at a time share one
     policy and its queue of actions (huggingface/lerobot#4327). `features` and `features_map` follow

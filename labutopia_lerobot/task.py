@@ -139,7 +139,7 @@ class Step:
         _require_all(Predicate, self.notes, f"`notes` of step '{self.name}'")
         _require_outcomes(self.never, f"step '{self.name}'")
         if not self.substeps:
-            raise TaskError(f"Step '{self.name}' has no substep: say by what it is done")
+            raise TaskError(f"Step '{self.name}' has no substep: name the fact by which it is done")
 
     def named(self, name: str) -> "Step":
         """Return the same step under another name, which its substeps bear before their own."""

@@ -22,7 +22,7 @@ PAGE = DOCS / "glassware.md"
 PICTURES = DOCS / "glassware"
 
 WIDTH, HEIGHT = 640, 240
-"""Of a picture [pixels]."""
+"""Size of a picture [pixels]."""
 _DETAIL = 2
 """Pictures are drawn this many times larger and shrunk, which smooths their edges."""
 _GAP = 0.015

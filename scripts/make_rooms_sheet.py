@@ -17,7 +17,7 @@ DOCS = Path(__file__).parents[1] / "docs"
 PAGE, SHEET, VIEWS = DOCS / "rooms.md", DOCS / "rooms" / "plans.jpg", DOCS / "rooms" / "views.jpg"
 
 _COLUMNS, _CELL, _LABEL = 10, 190, 18
-"""Of the sheet: cells in a row, side of a cell and height of its label [pixels]."""
+"""Layout of the sheet: cells in a row, side of a cell and height of its label [pixels]."""
 _VIEW = (900, 560)
 """Width and height of a perspective view [pixels]."""
 _ANGLE = 31.0
@@ -26,7 +26,7 @@ _DETAIL = 2
 """Pictures are drawn this many times larger and shrunk, which smooths their edges."""
 _PAPER = (255, 255, 255)
 _FAR = 45.0
-"""Of the camera above, so that walls are seen almost from the edge [m]."""
+"""Height of the camera, so that walls are seen almost from the edge [m]."""
 
 
 def main() -> None:

@@ -20,7 +20,7 @@ from labutopia_lerobot.setting import Setting
 KINDS = ("speed of", "acceleration of", "jerk of", "speed of the hand", "torque")
 
 FIRST_SEED = 100000
-"""Of the episodes: those of the README's rates."""
+"""First seed of the episodes: those of the README's rates."""
 
 
 @clear_errors

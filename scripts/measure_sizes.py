@@ -30,7 +30,7 @@ EVERY = 5
 """One of so many frames is looked at."""
 
 FIRST_SEED = 300000
-"""Of the episodes."""
+"""First seed of the episodes."""
 
 
 @clear_errors

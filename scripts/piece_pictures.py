@@ -19,7 +19,7 @@ SIZE = 160
 """Width and height of a picture [pixels]."""
 
 _COLORS = 48
-"""Of the palette: enough for grey glass before a grey wall, at some 4 kB a picture."""
+"""Size of the palette: enough for grey glass before a grey wall, at some 4 kB a picture."""
 
 _DETAIL = 3
 """Pictures are drawn this many times larger and shrunk, which smooths their edges."""

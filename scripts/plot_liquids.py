@@ -76,7 +76,7 @@ def heights() -> Texts:
     axes.set(xlabel="volume [ml]", ylabel="height over the bottom [mm]")
     axes.legend(title="lines: from the volume")
     save(figure, "heights")
-    return {"heights": table("vessel | ml | height off by | speed [mm/s]", rows)}
+    return {"heights": table("vessel | ml | error of height | speed [mm/s]", rows)}
 
 
 def at_rest(vessel: Vessel, ml: float, seed: int) -> tuple[float, float]:

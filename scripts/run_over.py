@@ -21,7 +21,7 @@ from labutopia_lerobot.substances.substance import WATER
 from liquid_experiments import filled, move_to
 
 CAPILLARY_LENGTH = float(np.sqrt(0.0728 / (WATER.density * GRAVITY)))
-"""Of water against air at 20 degrees Celsius, surface tension 72.8 mN/m [m]."""
+"""Capillary length of water against air at 20 degrees Celsius, surface tension 72.8 mN/m [m]."""
 _SLOW, _FAST = np.radians(1.0), np.radians(8.0)
 """Angular speed of a vessel about the barrier, and on the way there [rad/s]: waves die away."""
 _EARLY = np.radians(3.0)

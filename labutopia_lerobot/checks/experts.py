@@ -58,7 +58,7 @@ def a_step_can_begin_where_the_one_before_is_done(env: LabEnv) -> None:
 
 
 def the_expert_wins_at_least_nine_of_ten(env: LabEnv) -> None:
-    """Of the first ten seeds from 100, with as much liquid as everywhere else."""
+    """Check the first ten seeds from 100, with as much liquid as everywhere else."""
     usual = LabEnv(replace(env.setting, particles=PARTICLES))
     failures: dict[tuple[str, str], tuple[list[int], str]] = {}
     for seed in range(100, 110):

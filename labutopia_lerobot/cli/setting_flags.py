@@ -58,7 +58,7 @@ def setting_of_flags(arguments: argparse.Namespace, task: str, **chosen: Any) ->
     """Return the setting that the flags describe.
 
     Args:
-        arguments: What the parser found.
+        arguments: The parsed command line.
         task: Task id.
         **chosen: Fields that take other values than the flags'.
 

@@ -16,7 +16,7 @@ RECORDING = "meta/labutopia.json"
 """Configuration, code, versions, machines, renderers and failures of the recording."""
 
 VIDEO = "video"
-"""As the type of a feature: pictures."""
+"""Type of a feature of pictures."""
 
 _KEY = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.\-]{0,199}")
 _LARGEST_RATE = 10_000

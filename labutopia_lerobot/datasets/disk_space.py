@@ -11,11 +11,11 @@ from labutopia_lerobot.setting import DEPTH, SEGMENTATION
 from labutopia_lerobot.world import CONTROL_HZ
 
 _BYTES_PER_PIXEL = {COLOR: 0.03, DEPTH: 0.3, SEGMENTATION: 0.06}
-"""Of a video, per pixel and frame; of `level1/pick` at 256 pixels 0.016 to 0.020 were measured, of
-its depth and segmentation 0.21 and 0.03 (camera front)."""
+"""Size of a video per pixel and frame; of `level1/pick` at 256 pixels 0.016 to 0.020 were measured,
+of its depth and segmentation 0.21 and 0.03 (camera front)."""
 
 _BYTES_PER_FRAME = 600
-"""Of the tables, per frame, as they are put aside: about 150 numbers of four bytes."""
+"""Size of the tables per frame, as they are put aside: about 150 numbers of four bytes."""
 
 _SHARE_OF_LIMIT = 0.6
 """Length of a demonstration as a share of its time limit: 0.2 to 0.7 by the README's table."""

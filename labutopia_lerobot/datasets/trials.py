@@ -1,4 +1,4 @@
-"""Which candidates of a task are still to be played."""
+"""Candidates of a task that are still to be played."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator

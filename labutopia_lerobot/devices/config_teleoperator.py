@@ -19,7 +19,7 @@ class InvalidTeleoperatorError(UserError, DecodingError):
 @TeleoperatorConfig.register_subclass("labutopia")
 @dataclass
 class LabUtopiaTeleoperatorConfig(TeleoperatorConfig):
-    """With what a person moves the hand, and how fast.
+    """Device with which a person moves the hand, and the speed.
 
     Attributes:
         device: `keyboard` or `gamepad`, read by LeRobot's own teleoperators of these names.

@@ -16,7 +16,7 @@ Who plays
 Playing
     run                 a run: plays what is missing, writes the result, prints the tables
     rollout             one episode, and its film
-    precision           how far off things are at the end, measured beside success
+    precision           errors of places and volumes at the end, beside success
     failure_causes      why an episode failed, in one phrase
     stopping            when enough episodes are played (`until=`, `versus=`)
 

@@ -36,7 +36,7 @@ _LARGEST = {"layers": 1_000, "heads": 10_000, "dim": 1_000_000, "size": 1_000_00
 _REPEATED_GROUP = re.compile(r"\)[*+{]")
 _REPETITION = re.compile(r"[*+{]")
 _MOST_REPETITIONS = 3
-"""In a pattern: with more of them, matching the names of all modules takes minutes."""
+"""Most repetitions in a pattern: with more, matching the names of all modules takes minutes."""
 
 _TOKENIZER = "tokenizer_name"
 _TOKENIZER_FILES = ("tokenizer_config.json", "tokenizer.json")

@@ -28,7 +28,7 @@ class PlayedEpisodes:
 
     Attributes:
         rows: Condition without what only the observer sees -> seed -> row.
-        sequential: Those of these conditions whose run could stop by what it had seen (`until`).
+        sequential: Those of these conditions whose run could stop early by its outcomes (`until`).
     """
 
     rows: Mapping[Condition, Mapping[int, Row]]
@@ -44,7 +44,7 @@ class PlayedEpisodes:
 
     @property
     def sha256(self) -> str:
-        """Of all rows, in hexadecimal digits."""
+        """Hash of all rows, in hexadecimal digits."""
         rows = [asdict(row) for of_one in self.rows.values() for row in of_one.values()]
         return hashlib.sha256(json.dumps(rows, sort_keys=True).encode()).hexdigest()
 
@@ -118,7 +118,7 @@ class Comparison:
     Attributes:
         condition: What both played, without what only they saw; None over all tasks.
         pairs: Common episodes, by who succeeded.
-        sequential: Whether one of the runs could stop by what it had seen: then the number of
+        sequential: Whether one of the runs could stop early by its outcomes: then the number of
             episodes says something of the outcome, and only what is valid anytime is given.
         p_value_holm: Its p-value, adjusted for the number of conditions that are listed; over all
             tasks as it is.
@@ -136,7 +136,7 @@ class Comparison:
 
     @property
     def p_value(self) -> float:
-        """Of equal policies; valid for how the number of episodes came about."""
+        """P-value under equal policies; valid for how the number of episodes came about."""
         pairs = self.pairs
         return anytime.p_value(pairs.first, pairs.second) if self.sequential else pairs.p_value
 

@@ -41,7 +41,7 @@ class LoadedResult:
 
     @property
     def sequential(self) -> bool:
-        """Whether the run could stop by what it had seen (`until`)."""
+        """Whether the run could stop early by its own outcomes (`until`)."""
         return self.config.get("until") is not None
 
     @cached_property

@@ -75,7 +75,7 @@ class ExpertPolicy:
 
     @property
     def failure(self) -> str | None:
-        """Which phase it could not finish in this episode, or None."""
+        """The phase that it could not finish in this episode, or None."""
         return self._expert.failure
 
 

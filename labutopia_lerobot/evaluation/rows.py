@@ -67,8 +67,8 @@ class Row:
             None; empty in rows of earlier versions.
         ml_off_target: Liquid missing from where it should have gone, or too much there [ml]; the
             worst of the task's pours (see `precision`). None where nothing is poured.
-        mm_off_place: How far a thing, or a finger, is off its place at the end [mm]; the worst.
-        deg_off_place: How far it is off its direction at the end [deg]; the worst.
+        mm_off_place: Distance of a thing, or a finger, from its place at the end [mm]; the worst.
+        deg_off_place: Angle of it from its direction at the end [deg]; the worst.
         unwanted_contacts: "what and what" -> control steps in which they touched though they should
             not; None in rows of earlier versions.
         step: The step that was played alone, behind the expert's of those before it; then the row
@@ -193,7 +193,7 @@ class EvaluationSummary:
     Attributes:
         policy: What the policy is called.
         condition: Under which condition it played.
-        sequential: Whether the run could stop by what it had seen (`until`).
+        sequential: Whether the run could stop early by its own outcomes (`until`).
         n: Episodes.
         successes: Episodes in which the goal held for as long as it must.
         rate: Share of the successes.
@@ -247,7 +247,7 @@ def summarise(rows: Iterable[Row], *, sequential: bool = False) -> list[Evaluati
 
     Args:
         rows: What to count.
-        sequential: Whether the run could stop by what it had seen.
+        sequential: Whether the run could stop early by its own outcomes.
     """
     return [
         summary_of(of_one, policy, condition, sequential)

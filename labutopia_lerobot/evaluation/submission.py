@@ -35,10 +35,10 @@ from labutopia_lerobot.runtime.claim import differences, write_whole
 from labutopia_lerobot.setting import CLASSIC, DEFAULT_ROBOT, DEFAULT_ROOM, PARTICLES, Setting
 
 FIRST_SEED = 100_000
-"""Of every published evaluation."""
+"""First seed of every published evaluation."""
 
 FEWEST_EPISODES = 100
-"""Of every condition, where the number was fixed beforehand."""
+"""Fewest episodes of every condition, where the number was fixed beforehand."""
 
 PUBLISHED: Mapping[str, object] = {
     "liquid": "on",

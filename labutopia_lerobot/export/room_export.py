@@ -19,7 +19,7 @@ from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 OVERVIEW = "overview"
 """Name of the camera from which the picture is taken."""
 WIDTH, HEIGHT = 1280, 800
-"""Of the picture [pixels]."""
+"""Size of the picture [pixels]."""
 _FIELD_OF_VIEW_DEG = 32.0
 _FROM = np.array([-0.35, -0.62, 0.85])
 """Direction of the camera from the middle of the room: above its south-west."""

@@ -13,7 +13,7 @@ from labutopia_lerobot.export.carriers import FAR, carriers, is_drawn, is_joint,
 _MASS_TOLERANCE = 0.01
 """Share by which masses may differ."""
 _TOLERANCE = 1e-3
-"""By which limits may differ [rad or m], and corners of the whole [m]."""
+"""Tolerance of limits [rad or m], and of the corners of the whole [m]."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Summary:
 
     @property
     def mass(self) -> float:
-        """Of all that moves [kg]."""
+        """Mass of all that moves [kg]."""
         return sum(self.masses)
 
     def differences(self, other: "Summary") -> list[str]:

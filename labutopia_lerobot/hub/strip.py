@@ -19,7 +19,7 @@ STRIP = "assets/strip.jpg"
 
 _PICTURES = 6
 _HEIGHT = 128
-"""Of a picture in the strip [pixels]."""
+"""Height of a picture in the strip [pixels]."""
 
 
 def picture_strip(root: Path, info: dict[str, Any]) -> bytes | None:

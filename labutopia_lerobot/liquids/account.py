@@ -1,4 +1,4 @@
-"""Which vessels particles are in, and the account of it: whole numbers that add up, exactly."""
+"""The vessel of each particle, and the account of it: whole numbers that add up, exactly."""
 
 import numpy as np
 from numpy.typing import NDArray

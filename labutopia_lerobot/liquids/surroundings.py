@@ -86,7 +86,7 @@ class Surroundings:
 
     @property
     def standing(self) -> NDArray[np.bool_]:
-        """Which owners stand, shape (owners,): neither the robot touches them, nor do they fall."""
+        """Mask of the owners that stand, shape (owners,): not touched by the robot, not falling."""
         data = self._data
         geoms = data.contact.geom[(data.contact.geom >= 0).all(axis=1)]  # no flexes
         of_geom = self._root_of_geom[geoms]

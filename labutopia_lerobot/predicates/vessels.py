@@ -53,7 +53,7 @@ def gripped(world: World, thing: Thing) -> bool:
 
 @predicate("{thing} steady below {below:g} m/s")
 def steady(world: World, thing: Thing, *, below: float) -> bool:
-    """Centre of mass moves slower than `below` [m/s], and so does by turning what is 10 cm off."""
+    """Centre of mass moves slower than `below` [m/s], and so does by turning what is 10 cm away."""
     turning = _LEVER * float(np.linalg.norm(world.angular_velocity(thing)))
     return bool(np.linalg.norm(world.velocity(thing)) < below) and turning < below
 

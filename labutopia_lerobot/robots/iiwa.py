@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 
 _RUN_UP_S = 0.25
-"""From rest to full speed [s]. KUKA publishes no accelerations; the Panda, a lighter arm, needs
-0.13 to 0.29 s."""
+"""Time from rest to full speed [s]. KUKA publishes no accelerations; the Panda, a lighter arm,
+needs 0.13 to 0.29 s."""
 _JERK_SHARE = 500.0
 """Jerk over acceleration [1/s]: not published either; that of all axes of the Panda."""
 

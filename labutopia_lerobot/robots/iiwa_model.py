@@ -62,7 +62,7 @@ _CENTRE_OF_MASS = (
     (0.0, 0.0004, 0.0006),
     (0.0, 0.0, 0.101),
 )
-"""In the frames of the base and links 1 to 7 [m] [Drake]."""
+"""Centres of mass in the frames of the base and links 1 to 7 [m] [Drake]."""
 
 _INERTIA = (
     (0.05, 0.06, 0.03),
@@ -113,7 +113,7 @@ _JOINT_ARMATURE = 0.1
 """Inertia of the motors seen through the gears [kg m^2]; not published, a usual estimate."""
 
 _HAND_TURN = math.pi / 2
-"""Of the hand on the flange [rad]; upright vessels leave joint 7 near the middle of its range."""
+"""Turn of the hand on the flange [rad]; upright vessels leave joint 7 near mid-range."""
 
 _MESHES = "xacro/kuka_description/kuka_lbr_iiwa/meshes/lbr_iiwa_14_r820/collision"
 _LINK_TRIANGLES = 900
@@ -121,7 +121,7 @@ _LINK_TRIANGLES = 900
 
 _ORANGE, _GREY = "kuka_orange", "kuka_grey"
 _COLOURS = (_GREY, _GREY, _ORANGE, _GREY, _ORANGE, _GREY, _ORANGE, "dark")
-"""Of the base and links 1 to 7; on the real arm only the covers of its bends are orange."""
+"""Colours of the base and links 1 to 7; on the real arm only the covers of its bends are orange."""
 
 # Links that overlap at a joint, or sit two joints apart with little between them. MuJoCo skips
 # parent and child by itself, except where the parent is fixed to the world.

@@ -17,7 +17,7 @@ from labutopia_lerobot.robots.thinning import Part, ThinMesh, thin_mesh
 logger = logging.getLogger(__name__)
 
 _MADE_BY = 2
-"""Of the way that meshes are made; what another has left in the cache is not taken."""
+"""Version of the way that meshes are made; what another has left in the cache is not taken."""
 
 
 def load_mesh(name: str, triangles: int) -> ThinMesh:

@@ -54,7 +54,7 @@ _CENTRE_OF_MASS = (
     (0.060149, -0.014117, -0.010517),
     (0.010517, -0.004252, 0.061597),
 )
-"""In the frames of links 0 to 7 [m] [Gaz]."""
+"""Centres of mass in the frames of links 0 to 7 [m] [Gaz]."""
 
 _INERTIA = (
     (0.00315, 0.00388, 0.004285, 8.2904e-7, 0.00015, 8.2299e-6),
@@ -118,9 +118,9 @@ _JOINT_ARMATURE = 0.1
 """Inertia of the motors seen through the gears [kg m^2]; not published, a usual estimate."""
 
 _FLANGE_OFFSET = 0.107
-"""From joint 7 to the flange along its axis [m] [FCI]."""
+"""Distance from joint 7 to the flange along its axis [m] [FCI]."""
 _HAND_TURN = -math.pi / 4
-"""Of the hand on the flange [rad] (franka_description)."""
+"""Turn of the hand on the flange [rad] (franka_description)."""
 
 _LINK_TRIANGLES = 520
 """Triangles of each link's mesh: few, for rendering speed, yet smooth at 256 x 256 pixels."""

@@ -1,4 +1,4 @@
-"""From commands, thirty a second, to set-points for the servos at every physics step.
+"""Conversion of commands, thirty a second, to set-points for the servos at every physics step.
 
 The commands are the control points of a uniform cubic B-spline in time, which moves on by one
 segment per command. Its position lies among the last four commands, its speed, acceleration and

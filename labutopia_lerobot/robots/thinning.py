@@ -36,14 +36,15 @@ _UNITS = 1000.0
 begin with 1.5 mm, and take edges in any order."""
 
 _LEAST_SHARE = 0.017
-"""Of what is seen: a part that has less, a screw or a plug, is left out."""
+"""Least share of the visible area: a part that has less, a screw or a plug, is left out."""
 
 _SHARE_POWER = 0.7
-"""Triangles go to parts by this power of their seen area: small ones need more than their share."""
+"""Exponent of the visible area by which triangles go to parts: small ones need more than their
+share."""
 
 _VIEWS = 40
 _PIXEL = 0.0015
-"""Of the pictures that show what can be seen [m]."""
+"""Size of a pixel of the pictures that show what can be seen [m]."""
 _SAMPLES_PER_PIXEL = 4.0
 _BEHIND = 0.0008
 """Depth behind the front of a pixel up to which something still counts as seen [m]."""

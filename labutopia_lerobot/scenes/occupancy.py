@@ -28,7 +28,7 @@ FINE, COARSE = 0.05, 0.5
 """Width of a cell [m]: ours, and that of the paper."""
 
 _GREYS = {FREE: 254, OCCUPIED: 0, UNDEFINED: 205}
-"""As ROS writes maps (map_server, "Image Format")."""
+"""Greys of cells, as ROS writes maps (map_server, "Image Format")."""
 
 
 @dataclass(frozen=True, eq=False)

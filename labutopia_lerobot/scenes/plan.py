@@ -11,7 +11,8 @@ Heading = Literal[0, 90, 180, 270]
 """East, north, west, south [deg]."""
 
 WALL_THICKNESS = 0.12
-"""Of a wall inside a room [m]: plasterboard of two layers on 75 mm studs is 125 mm (DIN 18183)."""
+"""Thickness of a wall inside a room [m]: plasterboard of two layers on 75 mm studs is
+125 mm (DIN 18183)."""
 
 
 @dataclass(frozen=True)

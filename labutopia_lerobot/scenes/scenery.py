@@ -29,7 +29,7 @@ _CLEAR = 0.7
 _SHINES = 0.45
 """Specular from which a thing is of the shiny kind."""
 _CELL = 0.1
-"""Of the grid by which things are assigned to rooms [m]."""
+"""Cell of the grid by which things are assigned to rooms [m]."""
 
 
 class SceneryMesh(NamedTuple):

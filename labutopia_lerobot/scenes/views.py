@@ -73,13 +73,13 @@ DRAWER_VIEW = View(
     front=CameraPose((-0.7, 1.4, 1.4), (0.61, -0.762, -0.17), _UP, 33.0),
     top=CameraPose((-1.0, -0.1, 3.6), (0.423, 0.0, -0.906), _FORWARD, 29.3),
 )
-"""As `DOOR_VIEW`, but nearer in front: the other has room for a door that swings open."""
+"""Like `DOOR_VIEW`, but nearer in front: the other has room for a door that swings open."""
 
 FURNACE_VIEW = View(
     front=CameraPose((-0.7, 1.4, 1.4), (0.577, -0.787, -0.292), _UP, 47.0),
     top=DOOR_VIEW.top,
 )
-"""As `DOOR_VIEW`, but nearer in front and lower, for the vessels and plates before a furnace."""
+"""Like `DOOR_VIEW`, but nearer in front and lower, for the vessels and plates before a furnace."""
 
 OVEN_VIEW = View(
     front=CameraPose((-0.7, -1.3, 1.7), (0.548, 0.72, -0.38), _UP, 41.0),

@@ -1,4 +1,4 @@
-"""Which triangles a fixed camera can see."""
+"""Triangles that a fixed camera can see."""
 
 import math
 

@@ -17,7 +17,7 @@ from labutopia_lerobot.world import FloatArray
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
 MATERIAL = "contact_shadow"
-"""Of the spots, and name of their texture."""
+"""Name of the spots' material and of their texture."""
 
 _SIZE = 64
 _DARKEST = 0.24
@@ -27,7 +27,7 @@ _MARGIN = 1.25
 _FADING = 0.10
 """Height at which a spot has faded by a factor e [m]."""
 _GROWTH = 0.35
-"""Growth of a spot's radius per height [m/m]: the half angle of light from a lit ceiling."""
+"""Growth of a spot's half sides per height [m/m]: the half angle of light from a lit ceiling."""
 _FAINTEST = 0.015
 """Opacity below which a spot is left out."""
 _NARROWEST = 1e-3

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from mujoco import mjrf
 
 _ROUGHNESS = 0.25
-"""Of a liquid: still water mirrors lamps, small waves blur them; chosen."""
+"""Roughness of a liquid: still water mirrors lamps, small waves blur them; chosen."""
 _CLEAR = 0.3
 """Opacity of clear glass as a part of that of its outline; chosen."""
 

@@ -36,8 +36,8 @@ _GAIN = 0.85 / CONTROL_HZ
 """Share of the distance left that one control period may use up, per second: mink bounds a step by
 `gain * distance / dt`."""
 _POSTURE = 0.003
-"""Cost of joints away from home, beside 1.0 for the position of the hand [1/rad]; ours: pulls the
-hand off its target by less than the phases ask for."""
+"""Cost of joints away from home, beside 1.0 for the position of the hand [1/rad]; ours: its pull
+moves the hand from its target by less than the phases ask for."""
 _STRETCHED = 0.6
 """Angle of the elbow below which the posture costs more [rad]; ours: experts that are not lost fold
 it by 0.9 rad and more in every task."""

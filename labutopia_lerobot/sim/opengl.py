@@ -1,4 +1,4 @@
-"""Which OpenGL MuJoCo is to use; it asks once, when it is first imported."""
+"""Choice of MuJoCo's OpenGL; it asks once, when it is first imported."""
 
 import ctypes
 import os

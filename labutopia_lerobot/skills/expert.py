@@ -32,7 +32,7 @@ _TURN_ACCELERATION = 5.0
 
 
 _TINY = 1e-6
-"""By how much an opening may be beyond the gripper's [m]: commands are in single precision."""
+"""Excess that an opening may have over the gripper's [m]: commands are in single precision."""
 
 
 class Motion(Protocol):

@@ -149,7 +149,7 @@ def place(
     Args:
         thing: What is in the hand.
         on: Where to.
-        within: How far off it may stand [m].
+        within: Greatest distance from the place [m].
         hover: Height above that from which the expert lowers it [m].
         through: What the expert carries it through, to a place inside something; None elsewhere.
     """

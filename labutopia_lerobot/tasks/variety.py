@@ -24,8 +24,8 @@ def draw_filling(draw: Draw, ml: float) -> Filling:
     """Return what a vessel holds: water, or on the axis `liquid` more or less of some substance.
 
     Water and ethanol are for training. Ethylene glycol, eighteen times as viscous, is for tests, as
-    are amounts off the training range. All ours: the paper's vessels hold "a solution", and those
-    of its code are empty.
+    are amounts outside the training range. All ours: the paper's vessels hold "a solution", and
+    those of its code are empty.
 
     Args:
         draw: The episode's draw.

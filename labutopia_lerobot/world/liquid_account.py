@@ -44,34 +44,34 @@ class LiquidAccount:
 
     @property
     def inside(self) -> Mapping[str, float]:
-        """In each vessel, by its name, wherever it came from [m^3]."""
+        """Volume in each vessel, by its name, wherever it came from [m^3]."""
         return {name: self._volume(self.counts[:, v]) for v, name in enumerate(self.vessels)}
 
     @property
     def retained(self) -> float:
-        """In the vessels that it was filled into [m^3]."""
+        """Volume in the vessels that it was filled into [m^3]."""
         return self._volume(np.diagonal(self.counts[:-1]))
 
     @property
     def poured(self) -> float:
-        """In other vessels than it was filled into [m^3]."""
+        """Volume in other vessels than it was filled into [m^3]."""
         elsewhere = self.counts[:, :-3].copy()
         np.fill_diagonal(elsewhere, 0)
         return self._volume(elsewhere)
 
     @property
     def spilled(self) -> float:
-        """In no vessel, and on what stands: bench, floor, plate, the outside of a vessel [m^3]."""
+        """Volume in no vessel, on what stands: bench, floor, plate, outside of a vessel [m^3]."""
         return self._volume(self.counts[:, -3])
 
     @property
     def clinging(self) -> float:
-        """In no vessel, and on the robot, on what it holds or on what falls [m^3]."""
+        """Volume in no vessel, and on the robot, on what it holds or on what falls [m^3]."""
         return self._volume(self.counts[:, -2])
 
     @property
     def in_flight(self) -> float:
-        """In no vessel, and touching nothing [m^3]."""
+        """Volume in no vessel, and touching nothing [m^3]."""
         return self._volume(self.counts[:, -1])
 
     @property

@@ -40,7 +40,7 @@ _LEARNING = ("lerobot", "torch", "torchvision", "diffusers", "transformers", "sa
 """Packages that no episode is played with."""
 
 ALL = -1
-"""As a number of frames: every frame of an episode."""
+"""Number of frames that stands for every frame of an episode."""
 
 
 def check_features(subject: VerifiedDataset) -> Iterator[Finding]:

@@ -59,7 +59,7 @@ class PictureCheck:
         wanted: Which frames to compare.
 
     Attributes:
-        worst: Feature key -> the picture that is furthest off.
+        worst: Feature key -> the picture that deviates most.
     """
 
     def __init__(self, subject: VerifiedDataset, row: Row, wanted: Collection[int]) -> None:

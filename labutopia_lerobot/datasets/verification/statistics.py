@@ -27,15 +27,15 @@ _COUNTERS = ("index", "frame_index", "episode_index", "task_index", "timestamp")
 
 _BINS = 5000
 _ROUNDING = 2e-5
-"""Of sums in single precision, as a share of the largest number; of short episodes."""
+"""Rounding of sums in single precision, as a share of the largest number; for short episodes."""
 
 _ADDITION = 2.0**-25
-"""By how much of a sum every addition to it may round in single precision. LeRobot adds up frame
-by frame, so that an episode of 1,200 may be off by 4e-5, and its mean square less the square of its
-mean by three times as much."""
+"""Share of a sum by which every addition to it may round in single precision. LeRobot adds up frame
+by frame, so that an episode of 1,200 may be wrong by 4e-5, and its mean square less the square of
+its mean by three times as much."""
 
 _EDGE = 1e-9
-"""By how much the histograms reach beyond the numbers."""
+"""Margin of the histograms beyond the numbers."""
 
 Statistics = dict[str, NDArray[np.float64]]
 """`min`, `max`, `mean`, `std` and, of each quantile, `low` and `high` -> shape (elements,)."""
@@ -148,7 +148,7 @@ class _Together:
 
     @property
     def all(self) -> Statistics:
-        """Of all episodes so far."""
+        """Statistics of all episodes so far."""
         return self._all
 
 

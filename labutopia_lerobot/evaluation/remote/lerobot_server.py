@@ -42,7 +42,7 @@ def _rebuild_tensor(storage: Any, offset: int, size: Any, stride: Any, *others: 
 
 
 _MOST_NUMBERS = 1_000_000
-"""Of a tensor of actions: 10,000 of them have at most 100 elements."""
+"""Most numbers in a tensor of actions: 10,000 of them have at most 100 elements."""
 
 _UNREADABLE = (
     pickle.UnpicklingError,

@@ -71,7 +71,7 @@ _LARGEST = 64_000_000
 """Bytes of an answer: 10,000 actions of 100 numbers have a tenth of that."""
 
 _MOST_LINES = 100
-"""Of what a server says is wrong."""
+"""Most lines that are shown of a server's error."""
 
 _CLOSE_S = 1.0
 """Longest time for a server to say goodbye [s]."""

@@ -1,4 +1,4 @@
-"""From the rows of results to tables and pages; knows nothing of how rows are made.
+"""Tables and pages from the rows of results; knows nothing of how rows are made.
 
 table           a table as a value, and as text, Markdown, CSV, LaTeX
 paper           the paper's own numbers

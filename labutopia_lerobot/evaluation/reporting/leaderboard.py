@@ -51,7 +51,7 @@ class _Line:
 
     @property
     def mean(self) -> float:
-        """Of the rates, each column the same."""
+        """Mean of the rates, with the same weight for each column."""
         return fmean(entry.summary.rate for entry in self.entries.values())
 
     def has_all(self, columns: Sequence[str]) -> bool:

@@ -31,7 +31,7 @@ LEFT_OUT = (
     "Left out: the paper's A4 to A7 of liquid_fusion, which repeat clean_beaker's, and its A7 of "
     "drying_beakers, a seventh column of six actions."
 )
-"""Which of its numbers stand beside nothing; a note in the file marks them."""
+"""The paper's numbers that no row of ours stands beside; a note in the file marks them."""
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Which rows stand together: one policy under one condition."""
+"""Rows that stand together: one policy under one condition."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -59,7 +59,7 @@ class ReportEntry:
 
     @property
     def sequential(self) -> bool:
-        """Whether the run could stop by what it had seen: then only what is valid anytime is."""
+        """Whether the run could stop early by its outcomes: then only what is valid anytime is."""
         return self.result.sequential
 
     def rate(self, count: int, n: int) -> Rate:

@@ -298,7 +298,7 @@ def precision_table(entries: Sequence[ReportEntry]) -> Table:
     )
     note = (
         "Medians with 95 % intervals (order statistics), of the worst of each episode: millilitres "
-        "that are not where they should be, millimetres and degrees off the place at the end, "
+        "that are not where they should be, millimetres and degrees from the place at the end, "
         "seconds over the expert's with the same seed. Unwanted contact: episodes in which the arm "
         "touched anything, or the hand the bench, a housing or a distractor."
     )

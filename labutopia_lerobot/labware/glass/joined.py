@@ -15,9 +15,9 @@ from labutopia_lerobot.labware.parts.solid import Vector
 from labutopia_lerobot.labware.parts.valve import Tap
 
 type Joined = Callable[[Profile], tuple[Form, ...]]
-"""From a wall to what is joined to it."""
+"""Function from a wall to the forms joined to it."""
 type Fitted = Callable[[str, Profile], tuple[Fitting, ...]]
-"""From the name of a piece and its wall to what moves on it."""
+"""Function from the name of a piece and its wall to the fittings that move on it."""
 
 _AXIS_ALONG_Y = (math.sqrt(0.5), -math.sqrt(0.5), 0.0, 0.0)
 

@@ -41,7 +41,7 @@ class Thread:
 
     @property
     def height(self) -> float:
-        """From the lip down to the lower end of the ridge [m]."""
+        """Distance from the lip down to the lower end of the ridge [m]."""
         return (self.turns + 0.5) * self.pitch
 
     def add_ridge_to(self, body: mujoco.MjsBody, lip: float) -> None:
@@ -98,6 +98,6 @@ class Thread:
 
 
 GL45 = Thread(diameter=0.045, pitch=0.004)
-"""Of laboratory bottles: GL 45 (DIN 168-1), pitch 4 mm; from memory."""
+"""Thread of laboratory bottles: GL 45 (DIN 168-1), pitch 4 mm; from memory."""
 GL32 = Thread(diameter=0.032, pitch=0.004)
-"""Of small ones, as GL 45; from memory."""
+"""Thread of small bottles, otherwise as GL 45; from memory."""

@@ -23,7 +23,7 @@ _OUTLINE_OPACITY = {"inside": 1.4, "outside": 2.4}
 _WIDEST_BEAD = 0.002  # a thicker lip is drawn flat, not as a bead [m]
 
 _STEPS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 25, 50, 100, 200, 500, 1000, 2000)
-"""Of scales [ml]: the smallest with fewer than ten graduations is taken."""
+"""Steps of scales [ml]: the smallest with fewer than ten graduations is taken."""
 
 
 _TALL, _THICK = 0.008, 0.0015

@@ -24,7 +24,7 @@ _WIDTH, _HEIGHT, _DEPTH = 0.36, 0.13, 0.05
 _SPACING = 0.12
 """Between two buttons [m] (original: 0.05 to 0.29, drawn one by one)."""
 _POST_RADIUS, _POST_LENGTH = 0.018, 0.50
-"""Of the post, which goes down through the bench top, whatever the panel's height [m]."""
+"""Radius and length of the post [m], which goes through the bench top at any panel height."""
 
 _COLORS = ("red", "green", "blue")
 _SLOTS = (-_SPACING, 0.0, _SPACING)

@@ -16,7 +16,7 @@ _SIDE, _DEPTH = 0.080, 0.050
 _HALF_GAP = 0.085
 """Half of the least distance of two of them, without `layout.CLEARANCE` [m]; ours."""
 _POST_RADIUS, _POST_LENGTH = 0.014, 0.50
-"""Of the post, which goes down through the bench top, whatever the height of the box [m]."""
+"""Radius and length of the post, which goes through the bench top at any height of the box [m]."""
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,7 @@ _DOOR_WIDTH, _DOOR_HEIGHT, _DOOR_THICKNESS = 0.546, 0.594, 0.040
 _HANDLE_LENGTH = 0.202
 """Length of the bar [m] (original, DryingBox_01)."""
 _HANDLE_INSET = 0.050
-"""From the door's free edge to the bar [m]."""
+"""Distance from the door's free edge to the bar [m]."""
 _FOOT = 0.018
 """Height of the feet, on which door and box are level [m]."""
 _WALL = 0.040
@@ -34,11 +34,11 @@ _WALL = 0.040
 _LEG = 0.030
 """Width of the legs of its stand, of square tube, and thickness of the plate on them [m]."""
 _CATCH_INSET = 0.050
-"""From the door's free edge to its catch [m]."""
+"""Distance from the door's free edge to its catch [m]."""
 _BUTTON_HEIGHT = 0.24
-"""Of the button on the control column, between knob and main switch [m]; ours."""
+"""Height of the button on the control column, between knob and main switch [m]; ours."""
 _LAMP_ASIDE = 0.045
-"""From the button to its lamp, on the left [m]; as on the heater."""
+"""Distance from the button to its lamp, on the left [m]; as on the heater."""
 
 _DOOR_MASS = 6.5
 """Two skins of 0.8 mm steel (4.1 kg), a double pane of 4 mm glass (1.4 kg), frame and wool [kg]."""

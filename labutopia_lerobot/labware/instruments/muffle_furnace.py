@@ -20,7 +20,7 @@ nearly as high as the drying oven's, within the robot's reach."""
 _HANDLE_LENGTH = 0.332
 """Length of the bar [m] (original, MuffleFurnace)."""
 _HANDLE_INSET = 0.050
-"""From the door's free edge to the bar [m]."""
+"""Distance from the door's free edge to the bar [m]."""
 _FOOT = 0.025
 """Height of the feet [m]."""
 _PLUG, _PLAY = 0.020, 0.004

@@ -19,7 +19,8 @@ THICKNESS = 0.005
 """Height of the top above the bench [m] (original)."""
 
 _DENSITY = 2400.0
-"""Of glazed porcelain [kg/m^3] (CRC Handbook, "Density of various solids": 2300 to 2500)."""
+"""Density of glazed porcelain [kg/m^3] (CRC Handbook, "Density of various solids": 2300 to
+2500)."""
 
 PORCELAIN = (0.86, 0.86, 0.82, 1.0)
 _BLUE = (0.10, 0.33, 0.62, 1.0)

@@ -17,9 +17,9 @@ _DROP, _TRAVEL = 0.0028, 0.006
 _PRELOAD, _STIFFNESS = 23.0, 1500.0
 """Force before the roller yields [N] and spring rate [N/m]: see `HOLDS`."""
 _DAMPING = 8.0
-"""Of the plunger in its sleeve [N s/m]: it drops without bouncing."""
+"""Damping of the plunger in its sleeve [N s/m]: it drops without bouncing."""
 _MASS = 0.1
-"""Of plunger and roller, and of the spring as felt at them [kg]."""
+"""Mass of plunger and roller, and of the spring as felt at them [kg]."""
 _HARD = (0.99, 0.999, 0.0005, 0.5, 2.0)
 """Contact that the spring presses in by less than 0.1 mm."""
 _CLEAR = 0.004

@@ -12,13 +12,13 @@ from labutopia_lerobot.world.model import COLLISION_GROUP, SOLREF
 _WHEEL = 0.012
 """Radius of the circle of bumps inside the panel [m]; ours."""
 _INSIDE = 0.006
-"""Distance of the roller behind the surface of the panel [m]."""
+"""Distance of the bumps behind the surface of the panel [m]."""
 _PRELOAD, _STIFFNESS, _DAMPING, _MASS = 2.0, 400.0, 6.0, 0.1
 _HARD = (0.99, 0.999, 0.0005, 0.5, 2.0)
-"""Of the sprung ball [N, N/m, N s/m, kg] and of its contacts: a few N cm at the knob, as makers of
+"""Spring of the ball [N, N/m, N s/m, kg] and its contacts: a few N cm at the knob, as makers of
 rotary switches give; mass and hardness as of the roller of `Catch`."""
 _BIT = 4
-"""Of MuJoCo's collision masks: balls and bumps meet nothing else."""
+"""Bit of MuJoCo's collision masks: balls and bumps meet nothing else."""
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from labutopia_lerobot.world.model import VISUAL_GROUP
 _ROWS = 48
 """Height of a texture [pixels]."""
 _DARK, _LIT = (9, 14, 17), (150, 235, 220)
-"""Of a vacuum fluorescent display; ours."""
+"""Colours of a vacuum fluorescent display; ours."""
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from labutopia_lerobot.labware.parts.shell import Outline, Shell
 from labutopia_lerobot.labware.parts.solid import BOX, CYLINDER, UNTURNED, Quaternion, Vector
 
 type Span = tuple[float, float]
-"""From where to where along an axis [m]."""
+"""Interval along an axis [m]."""
 
 _UP: Vector = (0.0, 0.0, 1.0)
 

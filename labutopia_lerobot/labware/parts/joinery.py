@@ -16,7 +16,7 @@ from labutopia_lerobot.labware.parts.solid import UNTURNED, Quaternion, Vector
 BOARD = 0.018
 """Thickness of coated particle board, a usual one [m]."""
 _DENSITY = 680.0
-"""Of particle board [kg/m^3]: EN 312 boards of 18 mm have 640 to 720."""
+"""Density of particle board [kg/m^3]: EN 312 boards of 18 mm have 640 to 720."""
 _GAP = 0.0015
 """Between a front and the edge of its unit [m]; two fronts are twice that apart."""
 GRIP = 0.034
@@ -25,7 +25,7 @@ _WIDEST = math.radians(83.0)
 """Angle at which doors stop [rad]: a grip is then still within the sides of its box, and clear of a
 drawer beside."""
 TURNED_BACK: Quaternion = (0.0, 0.0, 0.0, 1.0)
-"""Of a unit that opens to the other side; scalar-first."""
+"""Rotation of a unit that opens to the other side; scalar-first."""
 
 
 @dataclass(frozen=True)
@@ -215,7 +215,7 @@ class Chest:
 
 
 _TRAY = BOARD + 0.006
-"""From the lower edge of a drawer's front to its floor [m]: the lowest clears the box's floor."""
+"""Height of a drawer's floor over its front's lower edge [m]: the lowest clears the box's floor."""
 
 
 def carcass(x: Span, wide: float, tall: float, plinth: float, look: str) -> list[Form]:

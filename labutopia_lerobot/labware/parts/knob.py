@@ -14,9 +14,10 @@ from labutopia_lerobot.labware.parts.solid import Quaternion, Vector
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _FRICTION, _DAMPING = 0.010, 0.008
-"""Of a panel potentiometer [N m, N m s/rad]: makers give 0.3 to 1.5 N cm of turning torque."""
+"""Friction, damping of a panel potentiometer [N m, N m s/rad]: makers give 0.3 to 1.5 N cm
+of turning torque."""
 _DENSITY = 1100.0
-"""Of ABS with its insert [kg/m^3]."""
+"""Density of ABS with its insert [kg/m^3]."""
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.weighing import Weighing
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _MASS = 0.1
-"""Of a pan with its support [kg]; tared."""
+"""Mass of a pan with its support [kg]; tared."""
 _X_UP = (0.5**0.5, 0.0, -(0.5**0.5), 0.0)  # the sensor's first number is the vertical force
 
 

@@ -14,13 +14,13 @@ from labutopia_lerobot.labware.parts.solid import Quaternion, Vector
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _TILT = math.radians(12.0)
-"""Of the rocker to either side [rad]; a usual one."""
+"""Tilt of the rocker to either side [rad]; a usual one."""
 _PROUD = 0.003
-"""From the panel to the pivot [m]; ours."""
+"""Distance from the panel to the pivot [m]; ours."""
 _ARM, _ANCHOR = 0.006, 0.013
-"""From the pivot to the ends of the spring behind the panel [m]; ours."""
+"""Distances from the pivot to the ends of the spring behind the panel [m]; ours."""
 _STIFFNESS, _PRESSED = 500.0, 0.012
-"""Of the spring [N/m], and how much shorter it is than at rest [m]: 3 to 6 N at the rocker's end,
+"""Stiffness of the spring [N/m], and its shortening from rest [m]: 3 to 6 N at the rocker's end,
 as makers give for appliance switches."""
 
 

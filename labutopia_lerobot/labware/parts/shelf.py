@@ -8,7 +8,7 @@ from labutopia_lerobot.labware.parts.solid import Vector, add_part
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _THICKNESS = 0.006
-"""Of the sheet with its bent edges [m]."""
+"""Thickness of the sheet with its bent edges [m]."""
 
 
 @dataclass(frozen=True)

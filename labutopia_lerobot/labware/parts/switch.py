@@ -11,7 +11,7 @@ from labutopia_lerobot.world import ON, Reading
 from labutopia_lerobot.world.model import VISUAL_GROUP
 
 _RADIUS = 0.010
-"""Of the lamp [m]."""
+"""Radius of the lamp [m]."""
 _DARK = (0.25, 0.08, 0.05, 1.0)
 """The lamp when it is off."""
 

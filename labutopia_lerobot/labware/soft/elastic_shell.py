@@ -27,7 +27,7 @@ _PRIORITY = 2
 friction is then that of the pads on smooth plastic, see `_FRICTION`."""
 
 _FRICTION = (1.0, *FRICTION[1:])
-"""As a rubber pad on anything smooth (the pads in `robots/`)."""
+"""Friction of a rubber pad on anything smooth (the pads in `robots/`)."""
 
 OWN_CONTYPE = 2
 """Contact type of a shell and of the rigid parts it is fixed to: they meet everything else, whose

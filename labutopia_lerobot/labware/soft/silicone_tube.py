@@ -38,7 +38,7 @@ _FALL = 8
 _BOW = 10
 """Edges of the bow on the bench."""
 _BOW_RADIUS = 0.060
-"""Of the bow [m]: tubing comes off a roll and keeps some of its bend."""
+"""Radius of the bow [m]: tubing comes off a roll and keeps some of its bend."""
 
 _ALONG_X: Quaternion = (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
 

@@ -28,8 +28,8 @@ second, without swinging.
 """
 
 _RADIUS = 0.029
-"""Of the body, to the middle of its wall [m]: with the wall's skin it is 61 mm wide, about what
-bottles of 250 ml are, and a hand that opens by 80 mm takes it round."""
+"""Radius of the body, to the middle of its wall [m]: with the wall's skin it is 61 mm wide, about
+what bottles of 250 ml are, and a hand that opens by 80 mm takes it round."""
 _WALL = 0.001
 """Thickness of the wall [m]; ours: with the modulus above, the hand's 35 N per finger, a firm pinch
 between finger and thumb, take it in by a third of its width (measured: from 61 to 41 mm)."""
@@ -49,7 +49,7 @@ _SEGMENTS = 14
 _CONTENTS = 200e-6
 """Liquid at the start [m^3]; the rest is air."""
 _WATER_DENSITY = 998.2
-"""At 20 C [kg/m^3] (CRC Handbook, "Standard density of water")."""
+"""Density of water at 20 C [kg/m^3] (CRC Handbook, "Standard density of water")."""
 
 _HOLDER_RADIUS, _PLATE_RADIUS, _PLATE_HEIGHT = 0.034, 0.042, 0.004
 _CAP_RADIUS, _CAP_BOTTOM, _CAP_TOP = 0.017, 0.130, 0.152

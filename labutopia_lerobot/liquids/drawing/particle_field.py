@@ -1,4 +1,4 @@
-"""From particles to a field on a grid that is positive in the liquid and falls along its surface.
+"""A field from particles, on a grid, that is positive in the liquid and falls along its surface.
 
 A body of liquid is where the particles, smoothed, fill more than half of space: for anything larger
 than the kernel that is just where their volume ends. Near glass the sum is divided by the share of

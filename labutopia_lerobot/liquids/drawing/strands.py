@@ -39,7 +39,7 @@ _THINNEST = 0.7
 """Part of it that is left in the middle of the longest thread."""
 
 _MOST_BALLS = 3
-"""Of all threads together, for each particle: the skin of a liquid has no room for more."""
+"""Most balls of all threads for each particle: the skin of a liquid has no room for more."""
 
 _COMPANY = 0.75
 """Weight of neighbours from which a particle begins to be of a stream, and at twice which it is: a

@@ -24,7 +24,7 @@ type Field = NDArray[np.float32]
 
 
 class Grid(NamedTuple):
-    """Which blocks of an unbounded grid of nodes exist; node (i, j, k) is at (i, j, k) * cell.
+    """The existing blocks of an unbounded grid of nodes; node (i, j, k) is at (i, j, k) * cell.
 
     Attributes:
         cell: Distance between nodes [m].

@@ -1,4 +1,4 @@
-"""Which particles are near each other: a grid that repeats itself, without bounds in space."""
+"""Search for near particles: a grid that repeats itself, without bounds in space."""
 
 from typing import NamedTuple
 

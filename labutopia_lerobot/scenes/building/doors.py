@@ -21,7 +21,7 @@ _JAMB, _GAP = 0.050, 0.004
 """Width of the frame, and the gap between it and a leaf [m]."""
 _WIDEST = math.radians(90.0)
 _DENSITY = 500.0
-"""Of a door leaf of tube board [kg/m^3]; one of 0.9 x 2 m weighs 36 kg."""
+"""Density of a door leaf of tube board [kg/m^3]; one of 0.9 x 2 m weighs 36 kg."""
 MATERIALS = "building"
 """Prefix of the materials of all doors and windows."""
 

@@ -14,7 +14,7 @@ OUTER = 0.24
 
 type Span = tuple[float, float]
 type Box = tuple[Span, Span, Span]
-"""From where to where along x, y and z [m], room frame."""
+"""Intervals along x, y and z [m], room frame."""
 
 
 @dataclass(frozen=True)

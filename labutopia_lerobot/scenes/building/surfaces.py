@@ -10,7 +10,7 @@ SIZE = 512
 """Side of a floor's texture [pixels]; it continues itself over its edges."""
 
 FLOOR_REPEATS = {"vinyl": 2.0, "tiles": 1.2, "epoxy": 2.0}
-"""Which floors there are, by the last word of their finish, and the side of what is repeated [m]:
+"""Floors, by the last word of their finish -> side of the pattern that is repeated [m]:
 four tiles of 0.3 m."""
 TILE = 0.6
 """Side of a ceiling's tile [m], a usual grid."""

@@ -28,7 +28,7 @@ LOOKS = {
     "cap": Finish((0.30, 0.31, 0.33, 1.0), 0.0, 0.0),
     "sky": Finish((0.80, 0.90, 0.98, 1.0), 0.0, 0.0),
 }
-"""Of skirting boards; of walls that are cut off, seen from above; of what windows show."""
+"""Finishes of skirting boards, of cut-off walls as seen from above, of the view in windows."""
 _SKIRTING = (0.070, 0.004)
 """Height, and how far it stands out [m]."""
 

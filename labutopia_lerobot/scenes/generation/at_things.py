@@ -18,7 +18,7 @@ _APART = 0.03
 
 @dataclass(frozen=True)
 class On:
-    """On a bench, a table, in a hood.
+    """Places on a bench, on a table, in a hood.
 
     Attributes:
         kinds: What carries it.

@@ -10,7 +10,7 @@ type Range = tuple[float, float]
 
 
 class Importance(IntEnum):
-    """Which pieces find their places first."""
+    """Order in which pieces find their places: the highest first."""
 
     FIRST = 4
     """Pieces that all others are placed to face."""

@@ -14,7 +14,7 @@ _STEP = 0.1
 _JAMB = 0.15
 """Least wall beside a door or window [m]."""
 _DOOR_HEIGHT = 2.1
-"""Of the opening [m]: doors of 2,110 mm (DIN 18101)."""
+"""Height of the opening [m]: doors of 2,110 mm (DIN 18101)."""
 _WINDOW = (1.2, 1.8)
 _SILL, _WINDOW_HEIGHT = 1.0, 1.3
 """Width, height of the lower edge and height of windows [m]: above benches of 0.9 m."""

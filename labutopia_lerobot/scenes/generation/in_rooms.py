@@ -20,7 +20,7 @@ _COARSE = 0.1
 
 @dataclass(frozen=True)
 class AtWall:
-    """With its back to a wall.
+    """Places with the back to a wall.
 
     Attributes:
         outer: Whether that wall has to be an outer one, where windows are.
@@ -58,7 +58,7 @@ class AtWall:
 
 @dataclass(frozen=True)
 class Peninsula:
-    """With one end at a wall.
+    """Places with one end at a wall.
 
     Attributes:
         aisle: How far other furniture keeps away on both sides [m].

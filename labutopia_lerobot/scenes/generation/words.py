@@ -20,7 +20,7 @@ FIRST, VITAL, MAIN, USUAL, DETAIL = (
 
 AT_WALL = AtWall()
 DESK_AT_WALL = AtWall(before=1.2)
-"""With room for a chair that turns."""
+"""At a wall, with room for a chair that turns."""
 AT_OUTER_WALL = AtWall(outer=True)
 BESIDE = AtWall(before=0.3)
 """At a wall, where nobody works before it."""
@@ -28,7 +28,7 @@ HUNG_LOW = AtWall(before=0.3, height=0.9)
 HUNG_HIGH = AtWall(before=0.0, height=1.5)
 """Over benches (furniture hangs 1.5 m high, as `instruments/furniture` says)."""
 BOARD = AtWall(before=0.6, height=0.8)
-"""As blackboards hang."""
+"""At a wall and as high as blackboards hang."""
 BEFORE_BOARD = Facing("blackboard")
 ISLAND = InMiddle()
 PENINSULA = Peninsula()

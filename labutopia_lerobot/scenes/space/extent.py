@@ -46,7 +46,7 @@ class Swing:
 
 @dataclass(frozen=True, eq=False)
 class Extent:
-    """Of a kind of instrument, in its own frame: origin at the centre of its base, front to -x.
+    """Space of an instrument kind, in its own frame: origin at the centre of its base, front to -x.
 
     Attributes:
         solids: What it takes while it is shut: one box, or of what carries others one a part.

@@ -22,7 +22,7 @@ _STAND = 0.3
 """Least distance of a robot from a work place [m]: behind it, as its disc is wider than the gap."""
 
 _SLACK = 0.01
-"""By how much more is looked at, so that nothing is left out by rounding [m]."""
+"""Margin of the search, so that nothing is left out by rounding [m]."""
 
 _COSINES = {0: 1.0, 90: 0.0, 180: -1.0, 270: 0.0}
 

@@ -11,7 +11,7 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.slide import Sash
 
 _WIDE, _TALL = 2.400, 1.000
-"""Of each of the two boards [m]."""
+"""Width and height of each of the two boards [m]."""
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
 
 _AXIS = (0.042, 0.088)
-"""Of the head, y and z [m]."""
+"""Axis of the head, y and z [m]."""
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ class TubeRoller(Instrument):
 
     @property
     def rollers(self) -> tuple[Rotor, ...]:
-        """From the front."""
+        """Rollers from the front."""
         return tuple(Rotor(f"{self.name}_roller_{n}", friction=0.01, effort=0.1) for n in range(5))
 
     @property

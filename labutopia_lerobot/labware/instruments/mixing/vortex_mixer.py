@@ -16,7 +16,7 @@ from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 
 _ORBIT = 0.0025
-"""From the axis of the motor to that of the cup [m]: an orbit of 5 mm."""
+"""Distance from the axis of the motor to that of the cup [m]: an orbit of 5 mm."""
 _LEAN = 20.0
 """Angle by which the front leans back [deg]."""
 

@@ -49,7 +49,7 @@ class DesiccatorCabinet(Instrument):
 
     @property
     def shelves(self) -> tuple[Shelf, ...]:
-        """From below."""
+        """Shelves from below."""
         return tuple(Shelf(f"{self.name}_shelf_{n}") for n in range(3))
 
     @property

@@ -61,7 +61,7 @@ class Refrigerator(Instrument):
 
     @property
     def shelves(self) -> tuple[Shelf, ...]:
-        """From below: in the freezer, then in the refrigerator."""
+        """Shelves from below: in the freezer, then in the refrigerator."""
         return tuple(Shelf(f"{self.name}_shelf_{n}") for n in range(4))
 
     @property

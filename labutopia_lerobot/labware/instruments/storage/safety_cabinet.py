@@ -54,7 +54,7 @@ class SafetyCabinet(Instrument):
 
     @property
     def shelves(self) -> tuple[Shelf, ...]:
-        """From below."""
+        """Shelves from below."""
         return tuple(Shelf(f"{self.name}_shelf_{n}") for n in range(3))
 
     @property

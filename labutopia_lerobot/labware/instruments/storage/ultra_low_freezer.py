@@ -42,7 +42,7 @@ class UltraLowFreezer(Instrument):
 
     @property
     def baskets(self) -> tuple[Slide, ...]:
-        """From left to right; each is lifted by its handle, in guides."""
+        """Baskets from left to right; each is lifted by its handle, in guides."""
         return tuple(
             Slide(f"{self.name}_{side}_basket", 0.300, friction=6.0, effort=40.0)
             for side in ("left", "right")

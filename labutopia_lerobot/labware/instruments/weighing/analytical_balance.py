@@ -17,9 +17,9 @@ from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.labware.parts.weighing import Weighing
 
 _FRONT, _TOWER, _FLOOR, _TOP = -0.078, 0.098, 0.078, 0.330
-"""Of the weighing chamber: front pane, tower behind it, floor and roof [m]."""
+"""Positions of the weighing chamber's front pane, tower behind it, floor and roof [m]."""
 _TRAVEL = 0.150
-"""Of doors and roof [m]: the tower carries on their guides."""
+"""Travel of doors and roof [m]: the tower carries on their guides."""
 
 
 @dataclass(frozen=True)
