@@ -19,7 +19,6 @@ from labutopia_lerobot.setting import Setting, UnknownOptionError
         ("level1/pick", "state", "off"),
         ("level1/pick", "pixels", "off"),
         ("level1/pour", "state", "on"),
-        ("level3/open_door", "state", "off"),
         # They are all the same environment.
         *(pytest.param(task, "state", "off", marks=pytest.mark.slow) for task in task_files()),
     ],

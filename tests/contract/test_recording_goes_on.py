@@ -74,7 +74,14 @@ def test_stopped_while_assembling_it_resumes(filmed: Path, tmp_path: Path) -> No
     assert_same_dataset(filmed, recording(root, *FILM))
 
 
-@pytest.mark.parametrize("moved", [["videos"], ["videos", "data"], ["videos", "data", "meta"]])
+@pytest.mark.parametrize(
+    "moved",
+    [
+        ["videos"],
+        pytest.param(["videos", "data"], marks=pytest.mark.slow),
+        ["videos", "data", "meta"],
+    ],
+)
 def test_killed_while_moving_it_resumes(
     moved: list[str], filmed: Path, tmp_path: Path, stopped: Path
 ) -> None:

@@ -9,24 +9,16 @@ import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from multiprocessing import get_context
+from multiprocessing import forkserver, get_context
 from pathlib import Path
 from typing import Any
 
-MODULES = {
-    "check-submission": "check_submission",
-    "compare": "labutopia_lerobot.cli.compare",
-    "convert": "labutopia_lerobot.cli.convert",
-    "evaluate": "labutopia_lerobot.cli.evaluate",
-    "publish": "labutopia_lerobot.cli.publish",
-    "recipe": "labutopia_lerobot.cli.recipe",
-    "record": "labutopia_lerobot.cli.record",
-    "render": "labutopia_lerobot.cli.render",
-    "replay": "labutopia_lerobot.cli.replay",
-    "report": "labutopia_lerobot.cli.report",
-    "scene": "labutopia_lerobot.cli.scene",
-    "verify": "labutopia_lerobot.cli.verify",
-    "view": "labutopia_lerobot.cli.view",
+from labutopia_lerobot.cli import launch
+
+MODULES = {"check-submission": "check_submission"} | {
+    program: f"labutopia_lerobot.cli.{program}"
+    for program in launch.PROGRAMS
+    if program not in ("bench", "check")  # they open no files, and play for minutes
 }
 """Program -> the module whose `main` it is."""
 
@@ -87,6 +79,8 @@ def run(program: str, *arguments: object, folder: Path, limit_s: float = LIMIT_S
     if _context is None:
         sys.path.append(str(Path(__file__).parents[2] / "eval"))  # where the processes find it too
         _context = get_context("forkserver")
+        # Another test may have started this process's only fork server, which imports less.
+        forkserver._forkserver._stop()  # type: ignore[attr-defined]
         _context.set_forkserver_preload([*MODULES.values(), "torch", "lerobot.policies"])
     told = folder / ".told"
     told.mkdir(exist_ok=True)

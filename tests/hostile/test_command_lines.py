@@ -5,22 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hostile.programs import run
+from hostile.programs import MODULES, run
 
-PROGRAMS = (
-    "compare",
-    "convert",
-    "evaluate",
-    "publish",
-    "recipe",
-    "record",
-    "render",
-    "replay",
-    "report",
-    "scene",
-    "verify",
-    "view",
-)
+PROGRAMS = [program for program in MODULES if program != "check-submission"]
 WORDS = (
     "",
     "-",

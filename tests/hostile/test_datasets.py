@@ -2,7 +2,6 @@
 
 import json
 import os
-import socket
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -239,4 +238,3 @@ def test_a_place_that_cannot_be_is_told_in_a_line(
 def test_no_connection_goes_unnoticed(tmp_path: Path) -> None:
     ended = run("evaluate", "task=level1/press", "policy.path=me/nothing", folder=tmp_path)
     assert ended.connections
-    assert socket.getdefaulttimeout() is None

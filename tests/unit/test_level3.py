@@ -30,7 +30,13 @@ OWN = {
     "level3/press": {"color", "position"},
     "level3/transport_beaker": {"color", "position", "liquid"},
 }
-PAIRS = [(task, axis) for task in TASKS for axis in sorted({*OWN[task], *AXES})]
+OF_ONE_TASK = {axis: task for task in reversed(TASKS) for axis in (*OWN[task], *AXES)}
+"""Axis -> the first task that has it: `make test` draws its values there."""
+PAIRS = [
+    pytest.param(task, axis, marks=[] if OF_ONE_TASK[axis] == task else [pytest.mark.slow])
+    for task in TASKS
+    for axis in sorted({*OWN[task], *AXES})
+]
 SEEDS = range(30)
 
 

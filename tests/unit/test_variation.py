@@ -106,8 +106,16 @@ def test_distractors_find_a_place_beside_an_open_door():
         assert len(place_distractors(pieces, layout, workspace, 0.0, rng)) == len(pieces) > 1
 
 
-@pytest.mark.parametrize("axes", [("all",), ("robot_start",)])
-@pytest.mark.parametrize("split", ["id", "ood"])
+@pytest.mark.parametrize(
+    ("split", "axes"),
+    [
+        ("ood", ("all",)),
+        *(
+            pytest.param(*case, marks=pytest.mark.slow)
+            for case in [("id", ("all",)), ("id", ("robot_start",)), ("ood", ("robot_start",))]
+        ),
+    ],
+)
 def test_the_expert_copes(split, axes):
     env = begun(PICK, split=split, axes=axes)
     outcomes = [play(env, seed=seed)["outcome"] for seed in range(5)]
