@@ -66,11 +66,11 @@ def judged(env: LabEnv, play: Play, seed: int) -> str:
 
 
 def check_failure(env: LabEnv, play: Play, seed: int) -> None:
-    """Check that a play is not won, and that a ram into the bench is told as what it is."""
-    told = judged(env, play, seed)
-    assert told != "success"
+    """Check that a play is not won, and that a ram into the bench is reported as what it is."""
+    reported = judged(env, play, seed)
+    assert reported != "success"
     if play is ram_the_bench:
-        assert told not in {"running", "timeout", "interrupted"}
+        assert reported not in {"running", "timeout", "interrupted"}
 
 
 @pytest.mark.parametrize("play", FAILING, ids=lambda play: play.__name__)

@@ -91,7 +91,7 @@ def test_each_picture_shows_the_state_of_its_row(filmed: Path) -> None:
     assert distance[moving] < 0.02
 
 
-def test_a_full_disk_is_told_before_anything_is_played(tmp_path: Path) -> None:
+def test_a_full_disk_is_reported_before_anything_is_played(tmp_path: Path) -> None:
     root, watch = tmp_path / "dataset", Watch()
     with pytest.raises(NoSpaceError, match=r"takes about \d+\.\d GB, but .* GB free"):
         recording(root, "task=level1/pick", "episodes=100000000", watch=watch)
@@ -129,7 +129,7 @@ def test_one_step_is_recorded_from_where_the_expert_comes_to_it(tmp_path: Path) 
         recording(tmp_path / "other", *overrides, "step=shut")
 
 
-def test_every_frame_tells_what_came_of_it_and_what_was_being_done(picked: Path) -> None:
+def test_every_frame_says_what_came_of_it_and_what_was_being_done(picked: Path) -> None:
     frames, (row, *_) = read_frames(picked), read_episodes(picked)
     last = row["length"] - 1
     for key in ("next.reward", "next.done", "next.success"):

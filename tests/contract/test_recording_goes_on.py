@@ -151,8 +151,8 @@ def test_other_code_does_not_go_on_with_a_recording(tmp_path: Path) -> None:
         with pytest.raises(RecordingFolderError, match=rf"{part}\.{name}: 'of yesterday' there"):
             recording(root, *overrides)
     manifest.write_text(json.dumps(began))
-    told = read_recording(recording(root, *overrides))
-    assert {part: told[part] for part in began} == began
+    reported = read_recording(recording(root, *overrides))
+    assert {part: reported[part] for part in began} == began
 
 
 def test_a_foreign_folder_is_refused_and_left_alone(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Five hundred command lines that make no sense: each is told in a sentence."""
+"""Five hundred command lines that make no sense: each is reported in a sentence."""
 
 from pathlib import Path
 
@@ -68,7 +68,7 @@ LINES = lines(500)
         for number in range(len(LINES))
     ],
 )
-def test_a_line_that_makes_no_sense_is_told_clearly(number: int, tmp_path: Path) -> None:
+def test_a_line_that_makes_no_sense_is_reported_clearly(number: int, tmp_path: Path) -> None:
     program, *words = LINES[number]
     ended = run(program, *words, folder=tmp_path, limit_s=60.0)
     assert ended.status in (0, 1, 2), (program, words, ended)

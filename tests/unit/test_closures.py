@@ -246,7 +246,7 @@ def test_what_is_tightly_closed_is_turned_over_and_loses_nothing(kind, size):
     assert liquid.take_account().counts[0, 0] == 300
 
 
-def test_what_does_not_fit_is_told():
+def test_what_does_not_fit_is_reported():
     bung = ware("rubber_bung", "49 mm")
     assert isinstance(bung, Closure)
     with pytest.raises(UserError, match="rubber_bung does not close tube: it needs a mouth of"):

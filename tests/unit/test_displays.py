@@ -68,7 +68,7 @@ def test_a_balance_shows_the_mass_on_its_pan(kind, grams, digits):
         ("laminar_flow_bench", "fan", "0.00 m/s", "0.45 m/s"),
     ],
 )
-def test_a_display_tells_what_was_opened_or_switched_on(kind, part, shut, moved):
+def test_a_display_says_what_was_opened_or_switched_on(kind, part, shut, moved):
     model, data, display = beside_a_weight(kind, 0.0)
     assert display.reading.text(model, data) == shut
     mechanism = getattr(instrument(kind), part)

@@ -16,7 +16,7 @@ import pytest
 from labutopia_lerobot.cli import launch
 
 ROOT = Path(__file__).parents[2]
-TOLD = "Interrupted. What was finished before is intact.\n"
+REPORTED = "Interrupted. What was finished before is intact.\n"
 
 IMPORTING = """
 import time
@@ -69,7 +69,7 @@ def ended(program: Path, send: Callable[[int], None]) -> tuple[int, str]:
     assert process.stdout.readline() == "ready\n"
     send(process.pid)
     try:
-        _, told = process.communicate(timeout=30)
+        _, reported = process.communicate(timeout=30)
         deadline = time.monotonic() + 10
         while running(process.pid):
             assert time.monotonic() < deadline, "a worker is left"
@@ -77,11 +77,11 @@ def ended(program: Path, send: Callable[[int], None]) -> tuple[int, str]:
     finally:
         with suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGKILL)
-    return process.returncode, told
+    return process.returncode, reported
 
 
 def running(group: int) -> bool:
-    """Tell whether a process of a group runs; what nobody has asked for its end does not."""
+    """Return whether a process of a group runs; what nobody has asked for its end does not."""
     for file in Path("/proc").glob("[0-9]*/stat"):
         with suppress(OSError):
             state, _, its_group = file.read_text().rpartition(")")[2].split()[:3]
@@ -106,10 +106,10 @@ def terminate(pid: int) -> None:
     ids=["importing", "workers_importing", "working"],
 )
 @pytest.mark.parametrize(("send", "status"), [(interrupt, 130), (terminate, 143)])
-def test_a_program_that_is_told_to_end_says_one_line(tmp_path, text, send, status):
+def test_a_program_that_is_asked_to_end_says_one_line(tmp_path, text, send, status):
     program = tmp_path / "program.py"
     program.write_text(text)
-    assert ended(program, send) == (status, TOLD)
+    assert ended(program, send) == (status, REPORTED)
 
 
 def test_every_installed_program_is_started_by_the_launcher():
