@@ -59,7 +59,7 @@ class Beside(WhereItStood):
 def begun(task: str, **options: Any) -> LabEnv:
     """Return an environment in which an episode has begun.
 
-    It makes no pictures and, unless told otherwise, has a third of the usual particles.
+    It makes no pictures and, unless set otherwise, has a third of the usual particles.
     """
     env = LabEnv(Setting(task, obs="state", **({"particles": 300} | options)))
     env.reset(seed=0)

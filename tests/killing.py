@@ -30,14 +30,16 @@ def killed_at_any_moment(
             command, cwd=folder, start_new_session=True, stderr=subprocess.PIPE, text=True
         )
         try:
-            told = process.communicate(timeout=rng.uniform(0, within) if kills < times else None)[1]
+            reported = process.communicate(
+                timeout=rng.uniform(0, within) if kills < times else None
+            )[1]
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.communicate()
             kills += 1
             continue
         # A kill may come between the last byte and the end of the process.
-        assert process.returncode == 0 or "already holds" in told, told
+        assert process.returncode == 0 or "already holds" in reported, reported
         yield
         if kills == times:
             return

@@ -172,7 +172,7 @@ class Handler(BaseHTTPRequestHandler):
 
     def refs(self, kind: str, name: str) -> None:
         repo = self.server.repo(kind, name)
-        told = {"branches": (repo.refs, "heads"), "tags": (repo.tags, "tags")}
+        reported = {"branches": (repo.refs, "heads"), "tags": (repo.tags, "tags")}
         self._json(
             {"converts": []}
             | {
@@ -180,7 +180,7 @@ class Handler(BaseHTTPRequestHandler):
                     {"name": name, "ref": f"refs/{folder}/{name}", "targetCommit": commit}
                     for name, commit in refs.items()
                 ]
-                for group, (refs, folder) in told.items()
+                for group, (refs, folder) in reported.items()
             }
         )
 

@@ -241,7 +241,7 @@ def turned(pose: Pose, axis: int, angle: float) -> Pose:
 
 
 def _held(env: LabEnv) -> bool:
-    """Tell whether both pads touch one thing."""
+    """Return whether both pads touch one thing."""
     world = env.workcell.world
     return bool(world.touched_by(LEFT_PAD) & world.touched_by(RIGHT_PAD))
 

@@ -101,7 +101,7 @@ def on_before_it_is_loaded(env: LabEnv) -> Actions:
 
 
 def off_again(env: LabEnv) -> Actions:
-    """Heat a beaker as told, and switch the plate off with a second press."""
+    """Heat a beaker as asked, and switch the plate off with a second press."""
     yield from until_phase(env, "press/leave")
     arm = Arm(env)
     inside = arm.pose
@@ -155,12 +155,12 @@ PASSING = (
 )
 
 
-@pytest.mark.parametrize(("task", "play", "told"), FAILING)
+@pytest.mark.parametrize(("task", "play", "reported"), FAILING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_a_person_would_call_a_failure_is_called_by_its_name(
-    task: str, play: Play, told: str, seed: int
+    task: str, play: Play, reported: str, seed: int
 ):
-    assert outcome(begun(task), play, seed)["outcome"] == told
+    assert outcome(begun(task), play, seed)["outcome"] == reported
 
 
 @pytest.mark.parametrize(("task", "play", "last"), UNDONE)

@@ -52,7 +52,7 @@ def let_go(arm: Arm) -> Actions:
 
 
 def fling_on(by: float, speed: float) -> Play:
-    """Open by the handle as told, then fling it on in the same grip."""
+    """Open by the handle as asked, then fling it on in the same grip."""
 
     def play(env: LabEnv) -> Actions:
         opens = env.workcell.task.skills[0].to - (0.02 if by < 0.3 else math.radians(3))
@@ -105,7 +105,7 @@ def shove_and_let_run(env: LabEnv) -> Actions:
 
 
 def push_back_with_the_fist(env: LabEnv) -> Actions:
-    """Open a drawer as told, let go, and push it half shut again with the fist."""
+    """Open a drawer as asked, let go, and push it half shut again with the fist."""
     yield from until_phase(env, "open/leave")
     arm = Arm(env)
     yield from arm.go(arm.pose.advanced(-0.06), speed=0.25)
@@ -116,7 +116,7 @@ def push_back_with_the_fist(env: LabEnv) -> Actions:
 
 
 def push_back_in_the_grip(env: LabEnv) -> Actions:
-    """Open a door as told, swing it half shut again and leave it so."""
+    """Open a door as asked, swing it half shut again and leave it so."""
     yield from until_phase(env, "open/release")
     arm = Arm(env)
     yield from chain(swing(env, arm, -math.radians(25), 0.5), arm.stay(0.3))
@@ -211,12 +211,12 @@ PASSING = (
 )
 
 
-@pytest.mark.parametrize(("task", "play", "told"), FAILING)
+@pytest.mark.parametrize(("task", "play", "reported"), FAILING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_a_person_would_call_a_failure_is_called_by_its_name(
-    task: str, play: Play, told: str, seed: int
+    task: str, play: Play, reported: str, seed: int
 ):
-    assert outcome(begun(task), play, seed)["outcome"] == told
+    assert outcome(begun(task), play, seed)["outcome"] == reported
 
 
 @pytest.mark.parametrize("task", ["level1/open_drawer", "level1/open_door"])

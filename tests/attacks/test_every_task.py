@@ -1,7 +1,7 @@
 """Attacks on every registered task, without liquid, which is much faster, and with.
 
-The levels above are made of the steps of level 1: `make test-slow` plays them, and more seeds, and
-all that has liquid once more with it.
+`make test` attacks a few, `make test-slow` all of them, with more seeds, and all that has liquid
+once more with it.
 """
 
 import pytest
@@ -20,10 +20,9 @@ from attacks.plays import (
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
 
-DRY = [
-    pytest.param(task, marks=[] if task.startswith("level1") else [pytest.mark.slow])
-    for task in task_files()
-]
+FEW = ("level1/open_drawer", "level1/pick", "level1/press")
+"""A mechanism, a thing that is taken, a button: what the other tasks are made of."""
+DRY = [pytest.param(task, marks=[] if task in FEW else [pytest.mark.slow]) for task in task_files()]
 WET = [
     pytest.param(task, marks=[] if task == "level1/pour" else [pytest.mark.slow])
     for task in task_files()
@@ -67,11 +66,11 @@ def judged(env: LabEnv, play: Play, seed: int) -> str:
 
 
 def check_failure(env: LabEnv, play: Play, seed: int) -> None:
-    """Check that a play is not won, and that a ram into the bench is told as what it is."""
-    told = judged(env, play, seed)
-    assert told != "success"
+    """Check that a play is not won, and that a ram into the bench is reported as what it is."""
+    reported = judged(env, play, seed)
+    assert reported != "success"
     if play is ram_the_bench:
-        assert told not in {"running", "timeout", "interrupted"}
+        assert reported not in {"running", "timeout", "interrupted"}
 
 
 @pytest.mark.parametrize("play", FAILING, ids=lambda play: play.__name__)

@@ -49,7 +49,7 @@ def piece(env: LabEnv, name: str):
 
 
 def into(step: str, wrong: str) -> Play:
-    """Do as told up to a pour, and pour into another vessel than the one asked for."""
+    """Do as asked up to a pour, and pour into another vessel than the one asked for."""
 
     def play(env: LabEnv) -> Actions:
         steps = [one.name for one in env.workcell.task.steps]
@@ -82,7 +82,7 @@ def rest_into_the_next(env: LabEnv) -> Actions:
 
 
 def put_elsewhere(step: str, ahead: float) -> Play:
-    """Set a vessel down some way ahead of where it stood [m], and do the rest as told."""
+    """Set a vessel down some way ahead of where it stood [m], and do the rest as asked."""
 
     def play(env: LabEnv) -> Actions:
         steps = env.workcell.task.steps
@@ -107,7 +107,7 @@ def no_shake(env: LabEnv) -> Actions:
 
 
 def slam_the_oven(env: LabEnv) -> Actions:
-    """Load the oven as told, and slam its door."""
+    """Load the oven as asked, and slam its door."""
     yield from until_phase(env, "close/move")
     door, world, arm = env.workcell.task.skills[-1].part, env.workcell.world, Arm(env)
     hand = arm.pose
@@ -133,7 +133,7 @@ def start_it_empty(env: LabEnv) -> Actions:
 
 
 def with_rests(env: LabEnv) -> Actions:
-    """Do as told, and rest for two seconds after each action."""
+    """Do as asked, and rest for two seconds after each action."""
     for skill in env.workcell.task.skills:
         yield from skilled(env, skill)
         yield from Arm(env).stay(2.0)
@@ -165,12 +165,12 @@ PASSING = (
 )
 
 
-@pytest.mark.parametrize(("task", "play", "liquid", "told"), FAILING)
+@pytest.mark.parametrize(("task", "play", "liquid", "reported"), FAILING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_a_person_would_call_a_failure_is_called_by_its_name(
-    task: str, play: Play, liquid: str, told: str, seed: int
+    task: str, play: Play, liquid: str, reported: str, seed: int
 ):
-    assert outcome(begun(task, liquid), play, seed)["outcome"] in told.split(" or ")
+    assert outcome(begun(task, liquid), play, seed)["outcome"] in reported.split(" or ")
 
 
 @pytest.mark.parametrize(("task", "play", "liquid"), PASSING)

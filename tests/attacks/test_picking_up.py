@@ -53,7 +53,7 @@ def put_it_down_again(env: LabEnv) -> Actions:
 
 
 def lifted_by(height: float) -> Play:
-    """Do as told, but lift less than the 20 cm that were asked for [m]."""
+    """Do as asked, but lift less than the 20 cm that were asked for [m]."""
 
     def play(env: LabEnv) -> Actions:
         pick, *others = env.workcell.task.skills
@@ -140,12 +140,12 @@ PASSING = (
 )
 
 
-@pytest.mark.parametrize(("task", "play", "told"), FAILING)
+@pytest.mark.parametrize(("task", "play", "reported"), FAILING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_a_person_would_call_a_failure_is_called_by_its_name(
-    task: str, play: Play, told: str, seed: int
+    task: str, play: Play, reported: str, seed: int
 ):
-    assert outcome(begun(task), play, seed)["outcome"] == told
+    assert outcome(begun(task), play, seed)["outcome"] == reported
 
 
 @pytest.mark.parametrize(("task", "play", "last"), UNDONE)

@@ -91,7 +91,7 @@ def on_the_rim(env: LabEnv) -> Actions:
 
 
 def knock_the_target(env: LabEnv) -> Actions:
-    """Bump into the target with the full beaker on the way, then pour as told."""
+    """Bump into the target with the full beaker on the way, then pour as asked."""
     yield from until_phase(env, "pour/start")
     world, arm, skill = env.workcell.world, Arm(env), pouring(env)
     home = arm.pose
@@ -105,7 +105,7 @@ def knock_the_target(env: LabEnv) -> Actions:
 
 
 def let_it_fall_in(env: LabEnv) -> Actions:
-    """Pour as told, then let the beaker itself fall into the target."""
+    """Pour as asked, then let the beaker itself fall into the target."""
     yield from until_phase(env, "pour/stabilise")
     arm = Arm(env)
     yield from chain(arm.stay(0.3), arm.stay(1.0, 0.08))
@@ -117,7 +117,7 @@ def from_too_high(env: LabEnv) -> Actions:
 
 
 def spill_on_the_way(env: LabEnv) -> Actions:
-    """Lean a full beaker by 80 degrees over the bench on the way, then go on as told."""
+    """Lean a full beaker by 80 degrees over the bench on the way, then go on as asked."""
     yield from until_phase(env, "place/above")
     arm = Arm(env)
     yield from chain(tilting(arm, 80.0, 60.0), arm.stay(0.5), tilting(arm, -80.0, 60.0))
@@ -169,7 +169,7 @@ def slowly(env: LabEnv) -> Actions:
 
 
 def hit_the_cap(env: LabEnv) -> Actions:
-    """Dispense as told, let go, and hit the wash bottle's cap with the fist."""
+    """Dispense as asked, let go, and hit the wash bottle's cap with the fist."""
     yield from until_phase(env, "squeeze/withdraw")
     arm = Arm(env)
     back = arm.pose.advanced(-0.12)
@@ -203,12 +203,12 @@ PASSING = (
 )
 
 
-@pytest.mark.parametrize(("task", "play", "liquid", "told"), FAILING)
+@pytest.mark.parametrize(("task", "play", "liquid", "reported"), FAILING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_a_person_would_call_a_failure_is_called_by_its_name(
-    task: str, play: Play, liquid: str, told: str, seed: int
+    task: str, play: Play, liquid: str, reported: str, seed: int
 ):
-    assert outcome(begun(task, liquid), play, seed)["outcome"] in told.split(" or ")
+    assert outcome(begun(task, liquid), play, seed)["outcome"] in reported.split(" or ")
 
 
 @pytest.mark.parametrize("seed", SEEDS)

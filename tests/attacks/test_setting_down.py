@@ -105,7 +105,7 @@ def push_it_over(env: LabEnv) -> Actions:
 
 
 def drag_it_off(env: LabEnv) -> Actions:
-    """Set a beaker down as told, and drag it 6 cm aside in the same grip before letting go."""
+    """Set a beaker down as asked, and drag it 6 cm aside in the same grip before letting go."""
     yield from until_phase(env, "place/open")
     arm = Arm(env)
     yield from arm.go(arm.pose.moved(y=-0.06), speed=0.1)
@@ -134,7 +134,7 @@ def let_go_on_the_move(env: LabEnv) -> Actions:
 
 
 def put_elsewhere(ahead: float) -> Play:
-    """Do all as told, but set the vessel down this far ahead of where it stood [m]."""
+    """Do all as asked, but set the vessel down this far ahead of where it stood [m]."""
 
     def play(env: LabEnv) -> Actions:
         skill = placing(env)
@@ -215,12 +215,12 @@ PASSING = (
 )
 
 
-@pytest.mark.parametrize(("task", "play", "told"), FAILING)
+@pytest.mark.parametrize(("task", "play", "reported"), FAILING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_a_person_would_call_a_failure_is_called_by_its_name(
-    task: str, play: Play, told: str, seed: int
+    task: str, play: Play, reported: str, seed: int
 ):
-    assert outcome(begun(task), play, seed)["outcome"] in told.split(" or ")
+    assert outcome(begun(task), play, seed)["outcome"] in reported.split(" or ")
 
 
 @pytest.mark.parametrize(("task", "play", "last"), UNDONE)

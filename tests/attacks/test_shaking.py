@@ -71,7 +71,7 @@ def low(env: LabEnv) -> Actions:
 
 
 def beside_the_middle(env: LabEnv) -> Actions:
-    """Shake as told, but all the while 15 cm to the left of the middle of the workspace."""
+    """Shake as asked, but all the while 15 cm to the left of the middle of the workspace."""
     (skill,) = env.workcell.task.skills
     yield from skilled(env, replace(skill, at=replace(skill.at, left=0.15)))
 
@@ -102,12 +102,12 @@ PASSING = (
 )
 
 
-@pytest.mark.parametrize(("task", "play", "liquid", "told"), FAILING)
+@pytest.mark.parametrize(("task", "play", "liquid", "reported"), FAILING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_a_person_would_call_a_failure_is_called_by_its_name(
-    task: str, play: Play, liquid: str, told: str, seed: int
+    task: str, play: Play, liquid: str, reported: str, seed: int
 ):
-    assert outcome(begun(task, liquid), play, seed)["outcome"] == told
+    assert outcome(begun(task, liquid), play, seed)["outcome"] == reported
 
 
 @pytest.mark.parametrize(("task", "play", "liquid", "last"), UNDONE)

@@ -105,7 +105,7 @@ def grind(env: LabEnv) -> Actions:
 
 
 def drag(env: LabEnv) -> Actions:
-    """Stir as told, then pull the rod out slantwise so that it drags the beaker along."""
+    """Stir as asked, then pull the rod out slantwise so that it drags the beaker along."""
     yield from until_phase(env, "stir/retract")
     arm = Arm(env)
     middle = arm.pose
@@ -114,7 +114,7 @@ def drag(env: LabEnv) -> Actions:
 
 
 def hit_the_rim(env: LabEnv) -> Actions:
-    """Come down on the rim of the beaker with the rod, then do all as told."""
+    """Come down on the rim of the beaker with the rod, then do all as asked."""
     yield from until_phase(env, "stir/insert")
     arm = Arm(env)
     above = arm.pose
@@ -128,7 +128,7 @@ def hit_the_rim(env: LabEnv) -> Actions:
 
 
 def brush_the_wall(env: LabEnv) -> Actions:
-    """Stir as told, but bulge out to the wall at one place, so that the rod brushes it."""
+    """Stir as asked, but bulge out to the wall at one place, so that the rod brushes it."""
     world, skill = env.workcell.world, env.workcell.task.skills[-1]
     way = []
     for x, y in arc(5.2, turn_s=4.0):
@@ -188,21 +188,21 @@ PASSING = (
 )
 
 
-@pytest.mark.parametrize(("task", "play", "liquid", "told"), FAILING)
+@pytest.mark.parametrize(("task", "play", "liquid", "reported"), FAILING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_a_person_would_call_a_failure_is_called_by_its_name(
-    task: str, play: Play, liquid: str, told: str, seed: int
+    task: str, play: Play, liquid: str, reported: str, seed: int
 ):
-    assert outcome(begun(task, liquid), play, seed)["outcome"] in told.split(" or ")
+    assert outcome(begun(task, liquid), play, seed)["outcome"] in reported.split(" or ")
 
 
-@pytest.mark.parametrize(("task", "play", "liquid", "told"), UNDONE)
+@pytest.mark.parametrize(("task", "play", "liquid", "reported"), UNDONE)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_goes_round_too_little_is_not_stirred(
-    task: str, play: Play, liquid: str, told: str, seed: int
+    task: str, play: Play, liquid: str, reported: str, seed: int
 ):
     info = outcome(begun(task, liquid), play, seed)
-    assert info["outcome"] in told.split(" or ")
+    assert info["outcome"] in reported.split(" or ")
     assert "stirred" not in reached(info)
 
 

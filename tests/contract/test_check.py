@@ -66,19 +66,19 @@ def checked(monkeypatch, capsys, *arguments: str) -> tuple[int, list[str]]:
     return ended.value.code, (out + err).splitlines()
 
 
-def test_what_is_wrong_with_a_task_is_told_check_by_check(monkeypatch, capsys, folder):
+def test_what_is_wrong_with_a_task_is_reported_check_by_check(monkeypatch, capsys, folder):
     status, lines = checked(monkeypatch, capsys, str(folder), "--task", "level1/lazy")
     assert status == 1
     assert len(lines) == len(CHECKS) + 2  # that it can be made, and the sum
-    told = "\n".join(lines)
-    assert "pass  level1/lazy  every element of the model has a name" in told
-    assert "FAIL  level1/lazy  the goal is false at the start" in told
-    assert "the whole goal holds at the start, and these have latched: stood" in told
-    assert "FAIL  level1/lazy  doing nothing does not succeed (" in told
+    reported = "\n".join(lines)
+    assert "pass  level1/lazy  every element of the model has a name" in reported
+    assert "FAIL  level1/lazy  the goal is false at the start" in reported
+    assert "the whole goal holds at the start, and these have latched: stood" in reported
+    assert "FAIL  level1/lazy  doing nothing does not succeed (" in reported
     assert lines[-1].startswith("1 task checked; ")
 
 
-def test_a_task_that_cannot_be_made_is_told_and_does_not_keep_others_from_being_checked(
+def test_a_task_that_cannot_be_made_is_reported_and_does_not_keep_others_from_being_checked(
     monkeypatch, capsys, folder
 ):
     monkeypatch.setattr(check, "CHECKS", CHECKS[:1])
@@ -90,7 +90,7 @@ def test_a_task_that_cannot_be_made_is_told_and_does_not_keep_others_from_being_
     assert lines[-1] == "3 tasks checked; 1 check failed"
 
 
-def test_what_fails_in_the_same_way_with_ten_seeds_is_told_once(monkeypatch, capsys, folder):
+def test_what_fails_in_the_same_way_with_ten_seeds_is_reported_once(monkeypatch, capsys, folder):
     (folder / "level1" / "hasty.py").write_text(HASTY)
     only = [each for each in CHECKS if each.__name__ == "the_expert_wins_at_least_nine_of_ten"]
     monkeypatch.setattr(check, "CHECKS", only)
@@ -145,10 +145,12 @@ def test_a_bare_word_is_a_task_or_a_folder(monkeypatch, capsys, folder, line, ta
         assert lines[0].startswith(f"Error: {tasks}")
     else:
         assert status == 0
-        assert [told.split()[1] for told in lines[:-1]] == tasks
+        assert [line.split()[1] for line in lines[:-1]] == tasks
 
 
-def test_a_folder_without_tasks_and_a_task_of_another_folder_are_told(monkeypatch, capsys, folder):
+def test_a_folder_without_tasks_and_a_task_of_another_folder_are_reported(
+    monkeypatch, capsys, folder
+):
     status, lines = checked(monkeypatch, capsys, str(folder.parent))
     assert status == 2
     assert "holds no task: put one at" in lines[0]

@@ -20,12 +20,12 @@ CAMERAS = ("camera_1_rgb", "camera_2_rgb", "camera_3_rgb")
 
 def poses(frames: int) -> np.ndarray:
     """Element e of frame t is t + e / 10, the finger at t / 10,000."""
-    told = np.arange(frames)[:, None] + np.arange(8) / 10
-    told[:, 7] = np.arange(frames) / 10_000
-    return told.astype(np.float32)
+    reported = np.arange(frames)[:, None] + np.arange(8) / 10
+    reported[:, 7] = np.arange(frames) / 10_000
+    return reported.astype(np.float32)
 
 
-def fill(group: "h5py.Group", frames: int = FRAMES, told: str = "Pick up the beaker") -> None:
+def fill(group: "h5py.Group", frames: int = FRAMES, reported: str = "Pick up the beaker") -> None:
     """Write an episode as the original's collector does."""
     for number, camera in enumerate(CAMERAS):
         pictures = np.zeros((frames, 3, 32, 48), np.uint8)
@@ -35,7 +35,7 @@ def fill(group: "h5py.Group", frames: int = FRAMES, told: str = "Pick up the bea
         )
     group["agent_pose"] = poses(frames)
     group["actions"] = poses(frames + 1)[1:]
-    group["language_instruction"] = told
+    group["language_instruction"] = reported
 
 
 @pytest.fixture
@@ -79,10 +79,10 @@ def test_it_is_intact_not_replayable_and_marked(original: Path, tmp_path: Path) 
     verdict = verify(tmp_path / "out")
     assert verdict.faults == []
     assert any("replay" in text for text in verdict.unchecked)
-    told = json.loads((tmp_path / "out" / CONVERSION).read_text())
-    assert told["licence"] == "CC-BY-NC-4.0"
-    assert told["replayable"] is False
-    assert told["files"].keys() == {"episode_0000.h5", "episode_0001.h5"}
+    reported = json.loads((tmp_path / "out" / CONVERSION).read_text())
+    assert reported["licence"] == "CC-BY-NC-4.0"
+    assert reported["replayable"] is False
+    assert reported["files"].keys() == {"episode_0000.h5", "episode_0001.h5"}
 
 
 def test_a_merged_file_holds_an_episode_per_group(tmp_path: Path) -> None:

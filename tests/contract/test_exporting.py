@@ -38,10 +38,10 @@ every_piece = pytest.mark.parametrize(
 FRESH = """
 import json, sys
 import mujoco
-told = {}
+found = {}
 for path in sys.argv[1:]:
     model = mujoco.MjModel.from_xml_path(path)
-    told[path] = {
+    found[path] = {
         "mass": float(model.body_mass.sum()),
         "range": {model.joint(j).name: model.jnt_range[j].tolist() for j in range(model.njnt)},
         "triangles": int(model.nmeshface),
@@ -49,7 +49,7 @@ for path in sys.argv[1:]:
         "geoms": model.ngeom,
     }
 assert not any(name.startswith("labutopia") for name in sys.modules)
-print(json.dumps(told))
+print(json.dumps(found))
 """
 
 
@@ -69,8 +69,8 @@ def opened(tmp_path_factory) -> dict[str, tuple[mujoco.MjModel, dict]]:
     files = {kind: folder / f"{kind}.xml" for kind in subjects}
     for kind, subject in subjects.items():
         export(subject, files[kind])
-    told = in_a_fresh_process(*files.values())
-    return {k: (subjects[k].model, told[str(file)]) for k, file in files.items()}
+    reported = in_a_fresh_process(*files.values())
+    return {k: (subjects[k].model, reported[str(file)]) for k, file in files.items()}
 
 
 @every_piece
@@ -238,9 +238,9 @@ def test_a_door_stays_where_the_world_is_turned_about_it(usd, tmp_path):
     require_joints_where_they_are(stage)
 
 
-def test_what_is_heavier_larger_or_opens_further_is_told():
-    told = Summary(2, 3, 4, ((0.0, 1.0),), (0.5, 0.7), (0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
-    assert told.differences(replace(told, masses=(0.5, 0.701))) == []
+def test_what_is_heavier_larger_or_opens_further_is_reported():
+    reported = Summary(2, 3, 4, ((0.0, 1.0),), (0.5, 0.7), (0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
+    assert reported.differences(replace(reported, masses=(0.5, 0.701))) == []
     wrong = {
         "masses": (0.5, 0.71),
         "limits": ((0.0, 1.01),),
@@ -248,15 +248,15 @@ def test_what_is_heavier_larger_or_opens_further_is_told():
         "moving": 1,
     }
     for name, value in wrong.items():
-        (line,) = told.differences(replace(told, **{name: value}))
+        (line,) = reported.differences(replace(reported, **{name: value}))
         assert line.startswith(name)
 
 
-def test_what_does_not_exist_is_told_with_what_is_called_like_it():
-    with pytest.raises(UnknownSubjectError, match="Did you mean 'centrifuge'") as told:
+def test_what_does_not_exist_is_reported_with_what_is_called_like_it():
+    with pytest.raises(UnknownSubjectError, match="Did you mean 'centrifuge'") as reported:
         find_subject("centrifuuge")
-    assert "instruments alcohol_lamp" in str(told.value)
-    assert "rooms laboratory, " in str(told.value)
+    assert "instruments alcohol_lamp" in str(reported.value)
+    assert "rooms laboratory, " in str(reported.value)
     with pytest.raises(UnknownSubjectError, match="'level1/pick'"):
         find_subject("level1/pik")
 
@@ -268,7 +268,7 @@ def test_ware_of_several_sizes_needs_one_and_nothing_else_has_any():
         find_subject("centrifuge", "250 ml")
 
 
-def test_a_file_that_cannot_be_written_is_told_before_anything_is_built(tmp_path, monkeypatch):
+def test_a_file_that_cannot_be_written_is_reported_before_anything_is_built(tmp_path, monkeypatch):
     with pytest.raises(ExportError, match=r"none of \.xml, \.usda, \.usdc"):
         require_writable(tmp_path / "centrifuge.stl")
     (tmp_path / "folder.xml").mkdir()
@@ -297,7 +297,7 @@ def test_the_program_writes_and_tells(tmp_path, monkeypatch, capsys):
 def test_a_furnished_room_is_the_same_elsewhere(tmp_path, suffix):
     if suffix == "usdc":
         pytest.importorskip("pxr", reason="an extra")
-    told = export(find_subject("organic_7"), tmp_path / f"organic_7.{suffix}")
-    assert told.moving > 50
-    assert len(told.limits) > 50
-    assert told.high[2] < 3.5
+    reported = export(find_subject("organic_7"), tmp_path / f"organic_7.{suffix}")
+    assert reported.moving > 50
+    assert len(reported.limits) > 50
+    assert reported.high[2] < 3.5

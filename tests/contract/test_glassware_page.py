@@ -5,8 +5,8 @@ from labutopia_lerobot.labware.glass.catalogue import catalogue
 
 
 def test_the_page_is_what_the_script_writes():
-    told = "run: python scripts/make_glassware.py"
-    assert make_glassware.page() == make_glassware.PAGE.read_text(), told
+    reported = "run: python scripts/make_glassware.py"
+    assert make_glassware.page() == make_glassware.PAGE.read_text(), reported
 
 
 def test_every_kind_has_a_small_picture():

@@ -54,13 +54,13 @@ def test_help_of_the_evaluator_explains_every_option_and_lists_the_policies():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "reported"),
     [(["policy=actt"], "policy=actt is unknown. Did you mean 'act'?"), ([], "Name a policy")],
 )
-def test_a_policy_that_is_none_is_told_with_the_choices(arguments, told):
+def test_a_policy_that_is_none_is_reported_with_the_choices(arguments, reported):
     done = evaluate("task=level1/pick", *arguments)
     assert done.returncode == 2
-    assert told in done.stderr
+    assert reported in done.stderr
     assert "Policies: act, diffusion, expert" in done.stderr
     assert len(done.stderr.splitlines()) == 1
 
@@ -96,10 +96,10 @@ def test_help_of_the_other_programs_explains_every_option(monkeypatch, capsys, p
     monkeypatch.setenv("COLUMNS", "200")
     with pytest.raises(SystemExit, match="0"):
         import_module(f"labutopia_lerobot.cli.{program}").main()
-    told = capsys.readouterr().out
-    assert ABOUT in told
+    reported = capsys.readouterr().out
+    assert ABOUT in reported
     for option in options:
-        assert re.search(rf"^  {option}\b.* \S+", told, re.MULTILINE), option
+        assert re.search(rf"^  {option}\b.* \S+", reported, re.MULTILINE), option
 
 
 def test_replaying_no_episode_is_a_mistake(monkeypatch, capsys, tmp_path):
@@ -110,7 +110,7 @@ def test_replaying_no_episode_is_a_mistake(monkeypatch, capsys, tmp_path):
     assert "--episodes 0 is too small: at least 1" in capsys.readouterr().err
 
 
-def test_the_benchmark_tells_of_every_measurement_before_it_begins(monkeypatch, capsys):
+def test_the_benchmark_announces_every_measurement_before_it_begins(monkeypatch, capsys):
     for measurement in ("_fps", "_solver_speed", "_record", "renderer_name"):
         monkeypatch.setattr(speed, measurement, lambda *arguments: 1)
     monkeypatch.setattr(sys, "argv", ["labutopia-bench", "level1/pick", "--json"])

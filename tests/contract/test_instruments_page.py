@@ -5,8 +5,8 @@ from labutopia_lerobot.labware.instrument_catalogue import catalogue
 
 
 def test_the_page_is_what_the_script_writes():
-    told = "run: python scripts/make_instruments.py"
-    assert make_instruments.page() == make_instruments.PAGE.read_text(), told
+    reported = "run: python scripts/make_instruments.py"
+    assert make_instruments.page() == make_instruments.PAGE.read_text(), reported
 
 
 def test_every_instrument_has_a_small_picture():

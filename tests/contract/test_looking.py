@@ -36,7 +36,7 @@ def test_an_episode_is_shown_as_a_film(picked: Path, tmp_path: Path, monkeypatch
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told_so"),
+    ("arguments", "reported"),
     [
         (["--episode", "3"], "has 0 to 2"),
         (["--episode", "0", "--out", "film.gif"], "neither FILE.mp4 nor FILE.rrd"),
@@ -44,14 +44,14 @@ def test_an_episode_is_shown_as_a_film(picked: Path, tmp_path: Path, monkeypatch
         (["--episode", "0", "--out", "a.mp4", "--cameras", "side"], "front, top, wrist"),
     ],
 )
-def test_what_cannot_be_shown_is_told(
-    picked: Path, monkeypatch, capsys, arguments: list[str], told_so: str
+def test_what_cannot_be_shown_is_reported(
+    picked: Path, monkeypatch, capsys, arguments: list[str], reported: str
 ) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     with pytest.raises(SystemExit, match="2"):
         show(monkeypatch, picked, *arguments)
-    assert told_so in capsys.readouterr().err
+    assert reported in capsys.readouterr().err
 
 
 def test_an_episode_is_written_for_rerun(picked: Path, tmp_path: Path, monkeypatch, capsys) -> None:

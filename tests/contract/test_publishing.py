@@ -1,4 +1,4 @@
-"""Publishing: what arrives on the Hub, what readers make of it, what is told when it does not."""
+"""Publishing: what arrives on the Hub, what readers make of it, what is said when it does not."""
 
 import os
 import subprocess
@@ -66,10 +66,10 @@ for index in (0, len(here) // 2, len(here) - 1):
         assert same, key
 table = datasets.load_dataset("me/pick", split="train")
 assert table.num_rows == len(here) and table[0]["action"] == here[0]["action"].tolist()
-told = LeRobotDataset("me/told")  # LeRobot needs FFmpeg's libraries to stream pictures
-streamed = next(iter(StreamingLeRobotDataset("me/told", shuffle=False)))
+sent = LeRobotDataset("me/sent")  # LeRobot needs FFmpeg's libraries to stream pictures
+streamed = next(iter(StreamingLeRobotDataset("me/sent", shuffle=False)))
 assert torch.equal(streamed["observation.environment_state"],
-                   told[int(streamed["index"])]["observation.environment_state"])
+                   sent[int(streamed["index"])]["observation.environment_state"])
 """
 
 
@@ -92,7 +92,7 @@ def test_a_published_dataset_is_read_back_from_the_hub(
     assert repo.tags == {"v3.0": repo.refs["main"]}
     assert not repo.private
     program.publish(
-        dataset_repository(picked, "me/told", ()), "me/told", private=True, replace=False
+        dataset_repository(picked, "me/sent", ()), "me/sent", private=True, replace=False
     )
     read = run(hub, tmp_path, "-c", READ_BACK, str(filmed))
     assert read.returncode == 0, read.stderr
@@ -117,7 +117,7 @@ def test_a_dry_run_lists_every_file_and_asks_nothing(
     arguments = ["labutopia-publish", str(filmed), "--repo-id", ME, "--private", "--dry-run"]
     monkeypatch.setattr(sys, "argv", [*arguments, "--card", str(card)])
     program.main()
-    *files, told = capsys.readouterr().out.splitlines()
+    *files, reported = capsys.readouterr().out.splitlines()
     sizes = {line.split()[1]: int(line.split()[0].replace(",", "")) for line in files}
     for file in filmed.rglob("*"):
         if file.is_file():
@@ -125,8 +125,8 @@ def test_a_dry_run_lists_every_file_and_asks_nothing(
     assert sizes.keys() == {CARD, "assets/strip.jpg"}
     assert sizes[CARD] == card.stat().st_size
     assert "# LabUtopia level1/pick" in card.read_text()
-    assert f"{len(files)} files" in told
-    assert f"dataset {ME} (private), tag v3.0. Nothing was sent" in told
+    assert f"{len(files)} files" in reported
+    assert f"dataset {ME} (private), tag v3.0. Nothing was sent" in reported
     assert not hub.requests
 
 
@@ -153,7 +153,7 @@ def test_something_else_is_replaced_only_when_asked(hub: LoopbackHub) -> None:
 
 
 @pytest.mark.parametrize(
-    ("pattern", "status", "told"),
+    ("pattern", "status", "reported"),
     [
         ("create", 401, "does not accept the token.*hf auth login"),
         ("create", 403, "may not write to me/thing.*another --repo-id"),
@@ -164,17 +164,17 @@ def test_something_else_is_replaced_only_when_asked(hub: LoopbackHub) -> None:
         ("commit", None, "does not answer.*what has arrived is not sent again"),
     ],
 )
-def test_a_refusal_of_the_hub_is_told_with_its_cure(
-    hub: LoopbackHub, pattern: str, status: int | None, told: str
+def test_a_refusal_of_the_hub_is_reported_with_its_cure(
+    hub: LoopbackHub, pattern: str, status: int | None, reported: str
 ) -> None:
     hub.faults = [Fault(pattern, status)]
-    with pytest.raises(HubError, match=f"(?s){told}"):
+    with pytest.raises(HubError, match=f"(?s){reported}"):
         send()
     send()
     assert hub.repos["models", ME].files.keys() > SMALL.files.keys()
 
 
-def test_an_upload_that_fails_is_told_as_what_it_is(hub: LoopbackHub) -> None:
+def test_an_upload_that_fails_is_reported_as_what_it_is(hub: LoopbackHub) -> None:
     hub.faults = [Fault("PUT /lfs", 403)]
     with pytest.raises(HubError, match="may not write"):
         send()
@@ -216,7 +216,7 @@ def test_without_a_token_nothing_is_asked(
     assert not hub.requests
 
 
-def test_no_network_is_told(hub: LoopbackHub, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_network_is_reported(hub: LoopbackHub, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(constants, "ENDPOINT", "http://127.0.0.1:9")
     with pytest.raises(HubError, match=r"127\.0\.0\.1:9 does not answer"):
         send()

@@ -16,7 +16,7 @@ from labutopia_lerobot.setting import CAMERAS
 
 @pytest.fixture
 def dataset(tmp_path: Path) -> Path:
-    """What a dataset of twenty episodes, 100 to 119 frames long, tells of itself."""
+    """What a dataset of twenty episodes, 100 to 119 frames long, says of itself."""
     root = tmp_path / "level1" / "pick"
     (root / "meta" / "episodes").mkdir(parents=True)
     features = {"observation.images.front": {"dtype": "video"}}
@@ -81,7 +81,7 @@ def test_the_folder_of_a_training_is_that_of_the_task_wherever_the_dataset_lies(
         assert option(command, "output_dir") == f"outputs/train/act/{place}"
 
 
-def test_the_folder_above_datasets_is_told_with_those_in_it(dataset: Path) -> None:
+def test_the_folder_above_datasets_is_reported_with_those_in_it(dataset: Path) -> None:
     for folder in (dataset.parent, dataset.parents[1]):
         with pytest.raises(NoDatasetError, match=f"In it are: {dataset}$"):
             training_command("act", folder, None, None, None)
@@ -92,7 +92,7 @@ def test_the_folder_above_datasets_is_told_with_those_in_it(dataset: Path) -> No
     assert dataset_folder(str(dataset)) == dataset
 
 
-def test_mistakes_are_told(dataset: Path, tmp_path: Path) -> None:
+def test_mistakes_are_reported(dataset: Path, tmp_path: Path) -> None:
     with pytest.raises(RecipeError, match="Recipes: act, diffusion, pi0, smolvla"):
         training_command("pick", dataset, None, None, None)
     with pytest.raises(NoDatasetError, match="is no LeRobotDataset"):

@@ -74,7 +74,14 @@ def test_stopped_while_assembling_it_resumes(filmed: Path, tmp_path: Path) -> No
     assert_same_dataset(filmed, recording(root, *FILM))
 
 
-@pytest.mark.parametrize("moved", [["videos"], ["videos", "data"], ["videos", "data", "meta"]])
+@pytest.mark.parametrize(
+    "moved",
+    [
+        ["videos"],
+        pytest.param(["videos", "data"], marks=pytest.mark.slow),
+        ["videos", "data", "meta"],
+    ],
+)
 def test_killed_while_moving_it_resumes(
     moved: list[str], filmed: Path, tmp_path: Path, stopped: Path
 ) -> None:
@@ -144,8 +151,8 @@ def test_other_code_does_not_go_on_with_a_recording(tmp_path: Path) -> None:
         with pytest.raises(RecordingFolderError, match=rf"{part}\.{name}: 'of yesterday' there"):
             recording(root, *overrides)
     manifest.write_text(json.dumps(began))
-    told = read_recording(recording(root, *overrides))
-    assert {part: told[part] for part in began} == began
+    reported = read_recording(recording(root, *overrides))
+    assert {part: reported[part] for part in began} == began
 
 
 def test_a_foreign_folder_is_refused_and_left_alone(tmp_path: Path) -> None:

@@ -78,15 +78,15 @@ def test_lerobot_finds_it_by_its_type() -> None:
 
 
 @pytest.mark.parametrize(
-    ("option", "told"),
+    ("option", "reported"),
     [
         ({"task": "level1/pik"}, "Did you mean 'level1/pick'"),
         ({"obs": "state"}, "a robot has cameras"),
         ({"width": 0}, "from 1 to"),
     ],
 )
-def test_a_wrong_flag_is_told(option: dict[str, Any], told: str) -> None:
-    with pytest.raises(InvalidRobotError, match=told):
+def test_a_wrong_flag_is_reported(option: dict[str, Any], reported: str) -> None:
+    with pytest.raises(InvalidRobotError, match=reported):
         LabUtopiaRobotConfig(**option)
 
 
@@ -94,9 +94,9 @@ def test_it_does_what_the_environment_does(robot: LabUtopiaRobot, solution) -> N
     env = LabEnv(Setting("level1/pick", split="train", **SMALL))
     seen, _ = env.reset(seed=0)
     for command in solution[:5]:
-        told = robot.get_observation()
-        assert [told[name] for name in robot.action_features] == seen["agent_pos"].tolist()
-        assert np.array_equal(told["front"], seen["pixels"]["front"])
+        reported = robot.get_observation()
+        assert [reported[name] for name in robot.action_features] == seen["agent_pos"].tolist()
+        assert np.array_equal(reported["front"], seen["pixels"]["front"])
         seen, *_, info = env.step(command)
         acted = robot.send_action(dict(zip(robot.action_features, command, strict=True)))
         assert list(acted.values()) == info["applied_action"].tolist()

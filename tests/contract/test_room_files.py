@@ -88,9 +88,9 @@ def test_a_dataset_holds_no_path_and_is_replayed_with_the_file(
     monkeypatch.setattr("sys.argv", ["labutopia-replay", str(dataset)])
     with pytest.raises(SystemExit, match="2"):
         replay.main()
-    told = capsys.readouterr().err
-    assert f"room='{label}' is a room of somebody's own" in told
-    assert "--room FILE.json" in told
+    reported = capsys.readouterr().err
+    assert f"room='{label}' is a room of somebody's own" in reported
+    assert "--room FILE.json" in reported
     monkeypatch.setattr("sys.argv", ["labutopia-replay", str(dataset), f"room={file}"])
     with pytest.raises(SystemExit, match="False"):
         replay.main()
@@ -109,7 +109,7 @@ def test_a_dataset_in_a_room_of_ones_own_is_not_published(
     assert "was recorded in a room of your own, mine@" in capsys.readouterr().err
 
 
-def test_what_is_no_room_is_told(tmp_path: Path) -> None:
+def test_what_is_no_room_is_reported(tmp_path: Path) -> None:
     with pytest.raises(UnknownRoomError, match=r"A room of your own: room=FILE\.json"):
         load_room("organic_42")
     with pytest.raises(PlanError, match=r"none\.json cannot be read"):

@@ -109,7 +109,7 @@ def test_occupancy_writes_data_and_a_picture(scene, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "reported"),
     [
         (("generate", "--family", "organik", "--out", "x"), "Did you mean 'organic'?"),
         (("check", "organic"), "Room 'organic' is unknown. Did you mean"),
@@ -123,8 +123,8 @@ def test_occupancy_writes_data_and_a_picture(scene, tmp_path):
         ),
     ],
 )
-def test_a_mistake_is_told_in_one_message(scene, words, told):
+def test_a_mistake_is_reported_in_one_message(scene, words, reported):
     status, _, err = scene(*words)
     assert status == 2
-    assert told in err
+    assert reported in err
     assert "Traceback" not in err

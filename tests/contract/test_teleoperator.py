@@ -92,9 +92,9 @@ def test_a_key_that_stays_down_asks_for_one_next_episode_from_its_start(
     start = person.commanded(of_keys(""))
     for _ in range(SECOND):
         person.commanded(of_keys("w"))
-    told = [person.commanded(of_keys(keys)) for keys in ("n", "n", "", "n")]
-    assert [NEXT_EPISODE in action for action in told] == [True, False, False, True]
-    assert {name: told[0][name] for name in PANDA.names} == start
+    reported = [person.commanded(of_keys(keys)) for keys in ("n", "n", "", "n")]
+    assert [NEXT_EPISODE in action for action in reported] == [True, False, False, True]
+    assert {name: reported[0][name] for name in PANDA.names} == start
 
 
 def test_a_stick_moves_as_a_key_does() -> None:
@@ -111,7 +111,7 @@ def test_a_wrong_flag_lists_the_choices(option: dict[str, str]) -> None:
 
 
 @pytest.mark.parametrize("device", ["keyboard", "gamepad"])
-def test_a_device_that_is_not_there_is_told_with_the_cure(device: str) -> None:
+def test_a_device_that_is_not_there_is_reported_with_the_cure(device: str) -> None:
     person = LabUtopiaTeleoperator(LabUtopiaTeleoperatorConfig(device=device))
     with pytest.raises(ConnectionError, match="pip install"):
         person.connect()

@@ -57,9 +57,9 @@ def test_the_evaluator_plays_it_from_the_command_line(tasks_dir, tmp_path):
     assert (out / "result.json").is_file()
 
 
-def test_a_misspelt_task_of_ones_own_is_told_with_those_in_the_folder(tasks_dir):
-    told = rf"Did you mean 'level1/raise_flask'\?.* In {tasks_dir}: level1/raise_flask$"
-    with pytest.raises(UnknownTaskError, match=told):
+def test_a_misspelled_task_of_ones_own_is_reported_with_those_in_the_folder(tasks_dir):
+    reported = rf"Did you mean 'level1/raise_flask'\?.* In {tasks_dir}: level1/raise_flask$"
+    with pytest.raises(UnknownTaskError, match=reported):
         Setting("level1/raise_flsk", tasks_dir=str(tasks_dir))
 
 
@@ -80,7 +80,7 @@ def test_a_task_that_exists_twice_is_an_error(tasks_dir):
         task_files(tasks_dir)
 
 
-def test_a_package_that_is_not_there_is_told_and_the_other_tasks_stay(monkeypatch):
+def test_a_package_that_is_not_there_is_reported_and_the_other_tasks_stay(monkeypatch):
     broken = importlib.metadata.EntryPoint("lab", "nowhere.lab_tasks", "labutopia.tasks")
     monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [broken])
     with pytest.warns(UserWarning, match=r"'nowhere\.lab_tasks' for tasks, which cannot be found"):
@@ -97,7 +97,7 @@ def test_tasks_that_clash_do_not_break_the_import(tasks_dir, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("right", "wrong", "line", "told"),
+    ("right", "wrong", "line", "reported"),
     [
         ("import falling, gripped", "import falling, is_gripped", 5, "Did you mean 'gripped'?"),
         ("(gripped(glass),))", "(griped(glass),))", 13, "Did you mean 'gripped'?"),
@@ -116,22 +116,24 @@ def test_tasks_that_clash_do_not_break_the_import(tasks_dir, monkeypatch):
         ("    glass =", "    {}['a']\n    glass =", 12, "KeyError: 'a'"),
     ],
 )
-def test_a_mistake_in_ones_own_file_is_told_with_its_line(tasks_dir, right, wrong, line, told):
+def test_a_mistake_in_ones_own_file_is_reported_with_its_line(
+    tasks_dir, right, wrong, line, reported
+):
     file = tasks_dir / "level1" / "raise_flask.py"
     assert right in file.read_text()
     file.write_text(file.read_text().replace(right, wrong))
     with pytest.raises(UserError) as raised:
         task_function("level1/raise_flask", str(tasks_dir))
     assert str(raised.value).startswith(f"{file}, line {line}: ")
-    assert told in str(raised.value)
+    assert reported in str(raised.value)
     assert len(str(raised.value).splitlines()) == 1
 
 
-def test_a_file_below_the_working_directory_is_told_as_it_is_typed(tasks_dir, monkeypatch):
+def test_a_file_below_the_working_directory_is_reported_as_it_is_typed(tasks_dir, monkeypatch):
     (tasks_dir / "level1" / "raise_flask.py").write_text("import nothing_of_this_name")
     monkeypatch.chdir(tasks_dir.parent)
-    told = "^my_tasks/level1/raise_flask.py, line 1: ModuleNotFoundError"
-    with pytest.raises(UserError, match=told):
+    reported = "^my_tasks/level1/raise_flask.py, line 1: ModuleNotFoundError"
+    with pytest.raises(UserError, match=reported):
         task_function("level1/raise_flask", "my_tasks")
 
 

@@ -201,7 +201,7 @@ def test_an_edited_draw_is_found(copied: Path) -> None:
     assert "episode 1: labutopia/drawn is {'light': 1.1}" in fault
 
 
-def test_on_another_build_it_is_told_how_far_the_states_are_off(copied: Path) -> None:
+def test_on_another_build_it_is_reported_how_far_the_states_are_off(copied: Path) -> None:
     recording = read_recording(copied)
     recording["versions"]["mujoco"] = "of yesterday"
     (copied / RECORDING).write_text(json.dumps(recording))
@@ -214,9 +214,9 @@ def test_on_another_build_it_is_told_how_far_the_states_are_off(copied: Path) ->
     edit_table(copied, "data", "privileged.environment_state", shift)
     verdict = verify(copied, 0)
     assert not [fault for fault in verdict.faults if "replayed" in fault]
-    (told,) = verdict.unchecked
-    assert "versions.mujoco: 'of yesterday' there" in told
-    assert "first in privileged.environment_state; by at most" in told
+    (reported,) = verdict.unchecked
+    assert "versions.mujoco: 'of yesterday' there" in reported
+    assert "first in privileged.environment_state; by at most" in reported
 
 
 def test_what_lerobot_deletes_splits_or_recomputes_is_read(copied: Path, tmp_path: Path) -> None:

@@ -38,7 +38,7 @@ def hasty(tmp_path: Path) -> Path:
     return tmp_path / "tasks"
 
 
-def test_a_success_is_told_in_a_line_and_leaves_a_picture_and_a_film(tmp_path):
+def test_a_success_is_reported_in_a_line_and_leaves_a_picture_and_a_film(tmp_path):
     done = view("level1/pick", *SMALL, "--out", str(tmp_path / "here"))
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("level1/pick, seed 0: success. Wrote ")
@@ -49,7 +49,7 @@ def test_a_success_is_told_in_a_line_and_leaves_a_picture_and_a_film(tmp_path):
         assert sum(1 for _ in film.decode(video=0)) > 100
 
 
-def test_a_failure_is_told_with_step_phase_substeps_and_what_did_not_hold(tmp_path, hasty):
+def test_a_failure_is_reported_with_step_phase_substeps_and_what_did_not_hold(tmp_path, hasty):
     out = ("--out", str(tmp_path), "--tasks-dir", str(hasty))
     done = view("level1/hasty", *SMALL, *out)
     assert done.returncode == 0, done.stderr
@@ -69,7 +69,7 @@ def test_a_failure_is_told_with_step_phase_substeps_and_what_did_not_hold(tmp_pa
         ((), {"MUJOCO_GL": "bla"}, "MUJOCO_GL=bla is unknown. Choose from: egl, osmesa, glfw"),
     ],
 )
-def test_a_mistake_is_told_in_one_line(tmp_path, arguments, environment, cure):
+def test_a_mistake_is_reported_in_one_line(tmp_path, arguments, environment, cure):
     done = view("level1/pick", *SMALL, "--out", str(tmp_path), *arguments, **environment)
     assert done.returncode == 2
     assert cure in done.stderr

@@ -134,8 +134,8 @@ def test_a_lora_adapter_is_played_on_the_base_model_that_it_names(
     workshop: Workshop, tiny_hub: Path
 ) -> None:
     adapter = workshop.train("smolvla", "lora", "--peft.method_type=LORA", "--peft.r=16")
-    told = json.loads((adapter / "adapter_config.json").read_text())
-    assert (told["base_model_name_or_path"], told["r"]) == (tiny_vla.SMOLVLA, 16)
+    reported = json.loads((adapter / "adapter_config.json").read_text())
+    assert (reported["base_model_name_or_path"], reported["r"]) == (tiny_vla.SMOLVLA, 16)
     assert not (adapter / "model.safetensors").exists()
     (row,) = workshop.play(adapter, "played-lora")
     assert_played(row)

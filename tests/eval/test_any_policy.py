@@ -78,7 +78,7 @@ def test_vqbet_is_played(tmp_path: Path) -> None:
     assert np.isfinite(first_action(checkpoint)).all()
 
 
-def test_an_unknown_type_is_told(save_checkpoint: Saver) -> None:
+def test_an_unknown_type_is_reported(save_checkpoint: Saver) -> None:
     folder = save_checkpoint()
     edit(folder / "config.json", type="oracle")
     from labutopia_lerobot.evaluation.learned_policy import UnusableWeightsError

@@ -1,4 +1,4 @@
-"""Why an episode failed, told of rows made by hand."""
+"""Why an episode failed, of rows made by hand."""
 
 from dataclasses import replace
 

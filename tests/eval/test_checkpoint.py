@@ -92,17 +92,17 @@ def test_a_step_does_not_walk_through_the_network_to_say_that_nobody_trains(
     env = LabEnv(SETTING)
     observation, _ = env.reset(seed=0)
     policy = LearnedPolicy(save_checkpoint(), "cpu")
-    told: list[Module] = []
+    reported: list[Module] = []
     tell = Module.train
 
     def train(module: Module, mode: bool = True) -> Module:
-        told.append(module)
+        reported.append(module)
         return tell(module, mode)
 
     monkeypatch.setattr(Module, "train", train)
     policy.start(env, 0)
     action = policy.act(observation)
-    assert not told
+    assert not reported
     policy._policy.train()  # a policy that does this by itself is brought back by its next step
     policy.start(env, 0)
     assert (policy.act(observation) == action).all()

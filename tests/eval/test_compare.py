@@ -138,7 +138,7 @@ def test_two_policies_or_results_on_one_side_are_refused() -> None:
             compare(first, of(WORSE))
 
 
-def test_of_a_run_that_could_stop_early_only_what_is_valid_anytime_is_told() -> None:
+def test_of_a_run_that_could_stop_early_only_what_is_valid_anytime_is_reported() -> None:
     fixed = compared(BETTER, WORSE)
     found = compare(of(BETTER, **UNTIL), of(WORSE))
     assert [line.task for line in found] == ["level1/pick", "level2/pour_liquid"]  # not pooled
@@ -210,7 +210,7 @@ def test_of_runs_of_fixed_length_no_more_false_alarms_are_printed_than_stated(ra
 
 
 @pytest.mark.parametrize("rate", [0.5, 0.9])
-def test_of_runs_that_stop_when_told_apart_no_more_false_alarms_are_printed_than_stated(
+def test_of_runs_that_stop_when_distinguished_no_more_false_alarms_are_printed_than_stated(
     rate: float,
 ) -> None:
     """Each stops when its interval is narrow enough, or it seems better or worse than its rival."""
@@ -218,8 +218,8 @@ def test_of_runs_that_stop_when_told_apart_no_more_false_alarms_are_printed_than
     wins, better, worse = equal_policies(rate, most)
     rule, counts = StoppingRule(0.05), np.arange(most + 1)
     narrow = rule.enough(np.minimum(counts[:, None], counts), counts)  # by successes and episodes
-    told_apart = rule.enough(0, 1, counts[:, None], counts)
-    done = narrow[wins, np.arange(1, most + 1)] | told_apart[better, worse]
+    distinguished = rule.enough(0, 1, counts[:, None], counts)
+    done = narrow[wins, np.arange(1, most + 1)] | distinguished[better, worse]
     last = np.where(done.any(axis=1), done.argmax(axis=1), most - 1)
     at_end = (np.arange(RUNS), last)
     p_values = printed(better[at_end], worse[at_end], last + 1, sequential=True)
@@ -245,19 +245,19 @@ def test_over_several_tasks_no_more_runs_have_a_false_alarm_than_stated(sequenti
     assert alarms / runs <= ALARM + 3 * np.sqrt(ALARM * (1 - ALARM) / runs)
 
 
-def test_the_program_tells_p_values_as_json_and_a_table(tmp_path: Path) -> None:
+def test_the_program_says_p_values_as_json_and_a_table(tmp_path: Path) -> None:
     folders = [str(keep(tmp_path / name, rows)) for name, rows in (("act", BETTER), ("dp", WORSE))]
     line = [sys.executable, str(COMPARE), *folders]
     done = subprocess.run([*line, "--json"], capture_output=True, text=True, check=True)
-    told = json.loads(done.stdout)["comparisons"]
-    assert [line["task"] for line in told] == ["level1/pick", "level2/pour_liquid", POOLED]
-    for entry in told:
+    reported = json.loads(done.stdout)["comparisons"]
+    assert [line["task"] for line in reported] == ["level1/pick", "level2/pour_liquid", POOLED]
+    for entry in reported:
         assert 0.0 <= entry["p_value"] <= entry["p_value_holm"] <= 1.0
         assert entry["difference95"][0] < entry["difference"] < entry["difference95"][1]
-    assert told[0]["condition"]["room"] == "laboratory"
+    assert reported[0]["condition"]["room"] == "laboratory"
 
 
-def test_folders_of_one_name_are_told_apart_without_breaking_their_paths(tmp_path: Path) -> None:
+def test_folders_of_one_name_are_distinguished_without_breaking_their_paths(tmp_path: Path) -> None:
     kept = [(tmp_path / "a" / "long" / "run", BETTER), (tmp_path / "b" / "long" / "run", WORSE)]
     folders = [str(keep(folder, rows)) for folder, rows in kept]
     line = [sys.executable, str(COMPARE), *folders, "tables=markdown"]

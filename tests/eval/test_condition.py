@@ -37,7 +37,7 @@ def pour(**columns: object) -> Row:
     return replace(row, **columns)  # type: ignore[arg-type]
 
 
-def test_every_column_that_decides_an_episode_tells_conditions_apart() -> None:
+def test_every_column_that_decides_an_episode_separates_conditions() -> None:
     assert OTHER.keys() == {field.name for field in fields(Condition)}
     plain = pour()
     assert plain.condition == POUR
@@ -47,7 +47,7 @@ def test_every_column_that_decides_an_episode_tells_conditions_apart() -> None:
         assert len(summarise([plain, other])) == 2, name
 
 
-def test_what_decides_nothing_tells_no_conditions_apart() -> None:
+def test_what_decides_nothing_separates_no_conditions() -> None:
     assert pour(axes=["wall", "light"]).condition == pour(axes=["light", "wall"]).condition
     assert pour(axes=["all", "light"]).condition == pour(axes=["all"]).condition
     assert pour(liquid="off", particles=9).condition == pour(liquid="off").condition

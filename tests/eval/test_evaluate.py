@@ -127,7 +127,7 @@ def moody(tmp_path: Path) -> Callable[[str, float], EvaluationJob]:
     return make
 
 
-def test_a_row_tells_which_phase_the_expert_could_not_finish(
+def test_a_row_says_which_phase_the_expert_could_not_finish(
     moody: Callable[[str, float], EvaluationJob],
 ) -> None:
     job = moody("steps=(replace(step, skills=(Sulk(),)),), time_limit_s=1.0", -1.0)

@@ -17,7 +17,10 @@ def test_an_evaluation_is_measured_against_its_parts(tmp_path: Path) -> None:
         [sys.executable, str(SCRIPT), *options], cwd=tmp_path, capture_output=True, text=True
     )
     assert done.returncode == 0, done.stderr
-    told = json.loads(done.stdout)
-    assert (told["episodes"], told["steps"]) == (2, 800)  # nothing happens until the time is up
-    assert told["evaluation_s"] > told["simulation_s"] > told["policy_s"]
+    reported = json.loads(done.stdout)
+    assert (reported["episodes"], reported["steps"]) == (
+        2,
+        800,
+    )  # nothing happens until the time is up
+    assert reported["evaluation_s"] > reported["simulation_s"] > reported["policy_s"]
     assert not list(tmp_path.iterdir())

@@ -33,7 +33,7 @@ def test_keys_are_renamed_on_the_command_line() -> None:
         parse(["policy.path=x", "policy.rename=[a,b]"]).check()
 
 
-def test_a_policy_elsewhere_is_asked_by_one_worker_unless_told_otherwise() -> None:
+def test_a_policy_elsewhere_is_asked_by_one_worker_unless_set_otherwise() -> None:
     remote = ["policy=remote", "policy.address=there:8000"]
     config = parse(remote)
     assert (config.policy.name, config.policy.protocol, config.workers) == ("remote", "lerobot", 1)
@@ -56,7 +56,7 @@ def lines(monkeypatch: pytest.MonkeyPatch) -> StringIO:
     return StringIO()
 
 
-def test_a_log_file_tells_rate_time_left_and_running_success(lines: StringIO) -> None:
+def test_a_log_file_says_rate_time_left_and_running_success(lines: StringIO) -> None:
     jobs = make_jobs(EvaluationConfig(policy=PolicyConfig("still"), task="level1/pick"))
     console = Console(file=lines, width=200)
     with LiveProgress(jobs, 4, console) as progress:

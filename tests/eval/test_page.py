@@ -45,20 +45,20 @@ addEventListener("load", () => setTimeout(() => {{
     return range.getClientRects().length;
   }};
   const cells = [...frame.querySelectorAll("th, td")].filter(cell => cell.offsetParent);
-  const told = cell => `${{cell.dataset.label}}: ${{cell.textContent.trim().slice(0, 40)}}`;
+  const named = cell => `${{cell.dataset.label}}: ${{cell.textContent.trim().slice(0, 40)}}`;
   const found = {{
     width: frame.documentElement.scrollWidth,
     paper: frame.defaultView.getComputedStyle(frame.body).backgroundColor,
     outside: cells.filter(cell => {{
       const box = cell.getBoundingClientRect();
       return box.left < 0 || box.right > {width} || !box.width;
-    }}).map(told),
+    }}).map(named),
     clipped: [...frame.querySelectorAll("th, td, li, li span, h1, h2, h3, p, a, figcaption, dd")]
       .filter(element => element.scrollWidth > element.clientWidth + 1 && element.clientWidth)
-      .map(told),
+      .map(named),
     broken: [...frame.querySelectorAll("tbody th, td.words")]
       .filter(cell => !/[ /]/.test(cell.textContent) && cell.offsetParent && whole(cell) > 1)
-      .map(told),
+      .map(named),
     labels: [...new Set(cells.map(cell => cell.dataset.label || ""))],
     films: [...frame.querySelectorAll("video")].map(film => [film.readyState, film.duration]),
   }};
@@ -81,8 +81,8 @@ def measured(page: Path, folder: Path, width: int) -> dict[str, Any]:
     done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
     title = re.search("<title>(.*?)</title>", done.stdout, re.DOTALL)
     assert title is not None
-    told: dict[str, Any] = json.loads(html.unescape(title[1]))
-    return told
+    reported: dict[str, Any] = json.loads(html.unescape(title[1]))
+    return reported
 
 
 @pytest.fixture(scope="module")
@@ -116,9 +116,9 @@ class Tags(HTMLParser):
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         if tag not in ("meta", "br", "wbr"):
             self.open.append(tag)
-        told = dict(attrs)
-        self.addresses += [value for name in ("src", "href") if (value := told.get(name))]
-        self.ids += [value for name in ("id",) if (value := told.get(name))]
+        reported = dict(attrs)
+        self.addresses += [value for name in ("src", "href") if (value := reported.get(name))]
+        self.ids += [value for name in ("id",) if (value := reported.get(name))]
 
     def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         pass
@@ -197,12 +197,12 @@ def test_the_same_results_give_the_same_page(tmp_path: Path) -> None:
 def test_a_browser_shows_every_column_whole_without_scrolling_aside(
     written_page: Path, tmp_path: Path, width: int
 ) -> None:
-    told = measured(written_page, tmp_path, width)
-    assert told["width"] <= width
-    assert (told["outside"], told["clipped"], told["broken"]) == ([], [], [])
-    assert told["paper"].startswith("rgb(")
+    reported = measured(written_page, tmp_path, width)
+    assert reported["width"] <= width
+    assert (reported["outside"], reported["clipped"], reported["broken"]) == ([], [], [])
+    assert reported["paper"].startswith("rgb(")
     columns = {"SP", "1 pick", "7 place", "10 press", "6 close", "OOD", "paper ACT", "Condition"}
-    assert columns <= set(told["labels"])
+    assert columns <= set(reported["labels"])
 
 
 @needs_browser

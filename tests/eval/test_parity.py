@@ -58,8 +58,8 @@ def test_success_and_length_equal_those_of_lerobot_eval_seed_by_seed(brief, tmp_
         *("--eval.batch_size=1", f"--eval.n_episodes={EPISODES}", f"--seed={SEED}"),
         f"--output_dir={tmp_path}",
     )
-    told = json.loads((tmp_path / "eval_info.json").read_text())["per_task"][0]["metrics"]
-    assert told["successes"] == [row["success"] for row in rows]
+    reported = json.loads((tmp_path / "eval_info.json").read_text())["per_task"][0]["metrics"]
+    assert reported["successes"] == [row["success"] for row in rows]
     # A film shows the state before every step that was played, and nothing after the last one.
     films = [tmp_path / "videos" / "level1_pick" / f"eval_episode_{i}.mp4" for i in range(EPISODES)]
     assert [video_size_and_frames(film)[2] for film in films] == [row["steps"] for row in rows]

@@ -28,9 +28,11 @@ from .written_rows import written
 def played(folder: Path, *rows: Row, finished: bool = True, step: str = "") -> LoadedResult:
     """Return a result that the weights in a folder played, or those of a step of its task."""
     hashes, _ = weight_hashes(folder, None)
-    told = {"folder": str(folder), "type": "act", "step": 700, "sha256": hashes}
+    reported = {"folder": str(folder), "type": "act", "step": 700, "sha256": hashes}
     name = "/".join(filter(None, (rows[0].task, step)))
-    return LoadedResult(Path("out"), finished, rows, {"checkpoints": {name: told}, "config": {}})
+    return LoadedResult(
+        Path("out"), finished, rows, {"checkpoints": {name: reported}, "config": {}}
+    )
 
 
 def won(policy: str = "act", **columns: object) -> list[Row]:
@@ -58,12 +60,12 @@ def test_a_policy_is_sent_without_what_only_training_needs(save_checkpoint):
     assert "optimizer.pt" not in names
 
 
-def test_its_card_tells_what_it_achieved_to_people_and_to_the_hub(save_checkpoint):
+def test_its_card_says_what_it_achieved_to_people_and_to_the_hub(save_checkpoint):
     folder = save_checkpoint()
-    told = card(policy_repository(folder, "me/pick", [played(folder, *won())]))
-    assert "| `level1/pick` | ID, state | 40 of 50 (95 %: 67 to 89 %) | 6.2 |" in told.text
-    assert "confidence sequence" not in told.text
-    (result,) = told.data.eval_results
+    reported = card(policy_repository(folder, "me/pick", [played(folder, *won())]))
+    assert "| `level1/pick` | ID, state | 40 of 50 (95 %: 67 to 89 %) | 6.2 |" in reported.text
+    assert "confidence sequence" not in reported.text
+    (result,) = reported.data.eval_results
     assert (result.metric_type, result.metric_value) == ("success_rate", 0.8)
     assert result.dataset_name == "LabUtopia level1/pick, state"
     assert result.metric_config == (
@@ -80,8 +82,8 @@ def test_results_under_several_conditions_are_several_results(save_checkpoint):
     result.provenance["checkpoints"]["level1/pick/pick"] = result.provenance["checkpoints"][
         "level1/pick"
     ]
-    told = card(policy_repository(folder, "me/pick", [result]))
-    of = {each.dataset_name: each.metric_config for each in told.data.eval_results}
+    reported = card(policy_repository(folder, "me/pick", [result]))
+    of = {each.dataset_name: each.metric_config for each in reported.data.eval_results}
     assert of.keys() == {
         "LabUtopia level1/pick, state",
         "LabUtopia level1/pick, OOD light, state",
@@ -95,9 +97,9 @@ def test_a_run_that_could_stop_early_shows_its_confidence_sequence(save_checkpoi
     folder = save_checkpoint()
     result = played(folder, *won())
     result.provenance["config"]["until"] = 0.05
-    told = card(policy_repository(folder, "me/pick", [result])).text
-    assert "40 of 50 (95 %: 67 to 89 %)" not in told
-    assert "confidence sequences" in told
+    reported = card(policy_repository(folder, "me/pick", [result])).text
+    assert "40 of 50 (95 %: 67 to 89 %)" not in reported
+    assert "confidence sequences" in reported
 
 
 def test_what_other_weights_achieved_is_left_out_or_refused(save_checkpoint, tmp_path: Path):
@@ -108,8 +110,8 @@ def test_what_other_weights_achieved_is_left_out_or_refused(save_checkpoint, tmp
     with (others / "model.safetensors").open("ab") as weights:
         weights.write(b" ")
     theirs = played(others, *won())
-    told = card(policy_repository(folder, "me/pick", [theirs, own, expert]))
-    assert len(told.data.eval_results) == 1
+    reported = card(policy_repository(folder, "me/pick", [theirs, own, expert]))
+    assert len(reported.data.eval_results) == 1
     staged = played(folder, *(replace(row, play="staged") for row in won()))
     with pytest.raises(UnpublishablePolicyError, match=r"nothing that the weights .* \(out: act;"):
         policy_repository(folder, "me/pick", [theirs, staged, expert])

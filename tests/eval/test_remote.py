@@ -142,9 +142,9 @@ def test_a_policy_that_raises_elsewhere_stops_the_run_and_the_episode_is_named(
     openpi: OpenPi,
 ) -> None:
     openpi.answer = lambda _: "Traceback: ZeroDivisionError"
-    with pytest.raises(PolicyServerError, match="ZeroDivisionError") as told:
+    with pytest.raises(PolicyServerError, match="ZeroDivisionError") as reported:
         play(EvaluationJob(STATE, "remote", reached(openpi)), 100_001)
-    assert told.value.__notes__ == [
+    assert reported.value.__notes__ == [
         "In the episode of level1/pick, split id, seed 100001, played by remote, single"
     ]
 
@@ -157,7 +157,7 @@ def test_a_policy_that_raises_elsewhere_stops_the_run_and_the_episode_is_named(
         (b"\xc1", "does not answer as openpi's do"),
     ],
 )
-def test_other_answers_than_actions_are_told(
+def test_other_answers_than_actions_are_reported(
     openpi: OpenPi, env: LabEnv, answer: bytes, message: str
 ) -> None:
     openpi.answer = lambda _: answer
@@ -177,13 +177,13 @@ def test_other_answers_than_actions_are_told(
         ({"protocol": "lerobot", "path": "x"}, "obs=state cannot be played"),
     ],
 )
-def test_impossible_options_are_told(options: dict[str, Any], message: str) -> None:
+def test_impossible_options_are_reported(options: dict[str, Any], message: str) -> None:
     policy = PolicyConfig("remote", **{"address": "127.0.0.1:9", "protocol": "openpi"} | options)
     with pytest.raises(EvaluationOptionError, match=message):
         open_server(policy, STATE, workers=1)
 
 
-def test_a_server_that_is_not_there_is_told_before_anything_is_played() -> None:
+def test_a_server_that_is_not_there_is_reported_before_anything_is_played() -> None:
     policy = PolicyConfig("remote", address="127.0.0.1:9", protocol="openpi")
     with pytest.raises(
         PolicyServerError, match=r"Nobody listens at policy\.address=127\.0\.0\.1:9"
@@ -265,7 +265,7 @@ def test_a_lerobot_server_that_is_slow_and_then_stops(
         act_often(policy, observation)
 
 
-def test_what_lerobots_server_cannot_load_is_told(lerobot_server: Start) -> None:
+def test_what_lerobots_server_cannot_load_is_reported(lerobot_server: Start) -> None:
     remote = over_lerobot(lerobot_server()[0], Path("/nowhere/at/all"), type="act")
     policy, observation = started(remote, LabEnv(PIXELS))
     with pytest.raises(PolicyServerError, match="refuses"):

@@ -50,13 +50,13 @@ def test_an_unfinished_result_is_shown_as_one(tmp_path: Path) -> None:
     assert (tmp_path / "report.html").read_text().startswith("<!doctype html>")
 
 
-def test_an_evaluation_without_a_finished_episode_is_told_in_one_line(tmp_path: Path) -> None:
+def test_an_evaluation_without_a_finished_episode_is_reported_in_one_line(tmp_path: Path) -> None:
     write(tmp_path / "a", finished=False, rows=[])
     line = [sys.executable, str(REPORT), str(tmp_path)]
     done = subprocess.run(line, capture_output=True, text=True, check=False)
     assert done.returncode == 2
-    (told,) = done.stderr.splitlines()
-    assert f"No episode is finished yet in {tmp_path / 'a'}." in told
+    (reported,) = done.stderr.splitlines()
+    assert f"No episode is finished yet in {tmp_path / 'a'}." in reported
     assert not (tmp_path / "report.html").exists()
     write(tmp_path / "b", finished=True, rows=[asdict(line) for line in ROWS])
     done = subprocess.run(line, capture_output=True, text=True, check=True)
@@ -85,7 +85,7 @@ def test_the_rows_that_the_repository_keeps_are_results() -> None:
     assert one.provenance["config"]["seed"] == one.rows[0].seed
 
 
-def test_what_is_no_result_is_told(tmp_path: Path) -> None:
+def test_what_is_no_result_is_reported(tmp_path: Path) -> None:
     with pytest.raises(UnreadableResultError, match=r"python eval/run\.py"):
         load_results(tmp_path)
     write(tmp_path / "a", finished=False, rows=[{"task": "level1/pick"}])

@@ -112,10 +112,10 @@ def test_interrupted_it_says_the_command_that_goes_on(tmp_path: Path) -> None:
     process = start(tmp_path, *command)
     wait_until(lambda: any(rows_in(file.parent) >= 1 for file in tmp_path.rglob("rows.jsonl")))
     os.killpg(process.pid, signal.SIGINT)
-    told = process.communicate()[1]
-    assert process.returncode == 130, told
-    assert "Traceback" not in told
-    going_on = told.partition("Go on: python ")[2].split("\n")[0].split()
+    reported = process.communicate()[1]
+    assert process.returncode == 130, reported
+    assert "Traceback" not in reported
+    going_on = reported.partition("Go on: python ")[2].split("\n")[0].split()
     assert going_on[1:-1] == command
     (out,) = {file.parent for file in tmp_path.rglob("rows.jsonl")}
     assert tmp_path / going_on[-1].removeprefix("out=") == out
@@ -127,8 +127,8 @@ def test_where_interrupts_are_ignored_it_plays_on(tmp_path: Path) -> None:
     process = start(tmp_path, *command, interrupt=signal.SIG_IGN)
     wait_until(lambda: any(rows_in(file.parent) >= 1 for file in tmp_path.rglob("rows.jsonl")))
     os.killpg(process.pid, signal.SIGINT)
-    told = process.communicate()[1]
-    assert process.returncode == 0, told
+    reported = process.communicate()[1]
+    assert process.returncode == 0, reported
 
 
 def test_only_missing_episodes_are_played(unfinished: Path) -> None:
@@ -149,7 +149,7 @@ def test_half_a_row_is_dropped_and_played_again(unfinished: Path) -> None:
     assert len(rows) == 2
 
 
-def test_a_damaged_row_is_told_by_its_line(unfinished: Path) -> None:
+def test_a_damaged_row_is_reported_by_its_line(unfinished: Path) -> None:
     file = unfinished / "rows.jsonl"
     file.write_text("{half\n" + file.read_text())
     with pytest.raises(UnreadableResultError, match="Line 1 of"):
@@ -194,9 +194,9 @@ def test_a_result_is_traced_to_its_weights_and_others_do_not_go_on_with_it(
     folder.parent.symlink_to("000700")
     policy = PolicyConfig("act", str(folder.parents[2]), "cpu")
     result = evaluate_into(tmp_path / "out", policy=policy)
-    told = result["provenance"]["checkpoints"]["level1/pick"]
-    assert (told["folder"], told["step"]) == (str(saved / "pretrained_model"), 700)
-    assert {"model.safetensors", "config.json"} <= told["sha256"].keys()
+    reported = result["provenance"]["checkpoints"]["level1/pick"]
+    assert (reported["folder"], reported["step"]) == (str(saved / "pretrained_model"), 700)
+    assert {"model.safetensors", "config.json"} <= reported["sha256"].keys()
     assert result["provenance"]["device"] == "cpu"
 
     (tmp_path / "out" / "result.json").unlink()
@@ -248,7 +248,7 @@ def test_the_actions_of_an_earlier_run_are_kept_and_filmed(
     assert (tmp_path / "film.mp4").stat().st_size > 1000
 
 
-def test_rows_without_their_actions_are_told(unfinished: Path) -> None:
+def test_rows_without_their_actions_are_reported(unfinished: Path) -> None:
     (unfinished / "actions.jsonl").unlink()
     with pytest.raises(UnreadableResultError, match=r"actions\.jsonl lacks actions of a row"):
         evaluate_into(unfinished)

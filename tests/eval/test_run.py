@@ -39,7 +39,7 @@ from .conftest import Program, Saver
         ),
     ],
 )
-def test_a_mistake_is_told_in_one_message_and_leaves_nothing(
+def test_a_mistake_is_reported_in_one_message_and_leaves_nothing(
     overrides: list[str],
     names: list[str],
     tmp_path: Path,
@@ -50,9 +50,9 @@ def test_a_mistake_is_told_in_one_message_and_leaves_nothing(
     monkeypatch.setattr(sys, "argv", ["labutopia-eval", *overrides])
     with pytest.raises(SystemExit, match="2"):
         main()
-    told = capsys.readouterr().err
+    reported = capsys.readouterr().err
     for name in names:
-        assert name in told
+        assert name in reported
     assert not list(tmp_path.iterdir())
 
 
@@ -137,7 +137,7 @@ def test_a_bug_in_a_worker_stops_the_run_with_its_traceback(
 
 
 @pytest.mark.slow
-def test_level_4_is_told_step_by_step_on_one_screen(
+def test_level_4_is_reported_step_by_step_on_one_screen(
     evaluate_program: Program, tmp_path: Path
 ) -> None:
     options = ["level=4", "play=both", "policy=expert", "episodes=1", "liquid=off"]

@@ -48,10 +48,10 @@ def config(out: Path = Path(), **options: object) -> EvaluationConfig:
 
 
 def evaluated(out: Path, **options: object) -> tuple[dict, str]:
-    told = StringIO()
-    file = run(config(out, **options), Console(file=told, width=160))
+    reported = StringIO()
+    file = run(config(out, **options), Console(file=reported, width=160))
     assert file is not None
-    return json.loads(file.read_text()), told.getvalue()
+    return json.loads(file.read_text()), reported.getvalue()
 
 
 @pytest.fixture(scope="module")
@@ -84,11 +84,11 @@ def test_the_steps_stand_in_the_tables_and_in_the_terminal(both: tuple[Path, dic
     assert [line[1] for line in by_step.lines] == [
         *("S", "S given the one before", "A", "A given the one before"),
     ]
-    told = both[2].splitlines()
-    (heading,) = (line for line in told if line.startswith("operate_drawer: 2/2 [34, 100], "))
+    reported = both[2].splitlines()
+    (heading,) = (line for line in reported if line.startswith("operate_drawer: 2/2 [34, 100], "))
     assert "; staged 2/2 [34, 100], " in heading
-    start = told.index(heading)
-    assert [line.split() for line in told[start + 1 : start + 4]] == [
+    start = reported.index(heading)
+    assert [line.split() for line in reported[start + 1 : start + 4]] == [
         ["SP", "1", "open", "2", "close"],
         ["S", "100.0", "100.0", "100.0"],
         ["A", "100.0", "100.0"],
@@ -162,13 +162,13 @@ def test_who_opens_nothing_comes_to_no_second_step() -> None:
     assert (row.play, row.success, row.step_times["close"]) == ("staged", False, None)
 
 
-def test_what_cannot_be_staged_is_told() -> None:
-    for options, told in (
+def test_what_cannot_be_staged_is_reported() -> None:
+    for options, reported in (
         ({"task": "level1/pick"}, "of level1/pick only pick is played"),
         ({"step": "open"}, "only open is played"),
         ({"policy": PolicyConfig("remote")}, "needs a policy per step"),
     ):
-        with pytest.raises(EvaluationOptionError, match=told):
+        with pytest.raises(EvaluationOptionError, match=reported):
             make_jobs(config(**({"play": "staged"} | options)))
     with pytest.raises(TaskError, match=r"no step 'shut'\. Steps of this task: open, close"):
         make_jobs(config(step="shut"))

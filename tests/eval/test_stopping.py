@@ -71,7 +71,7 @@ def test_without_a_rule_every_episode_is_played() -> None:
     assert all(monitor.counts(row) for row in ROWS)
 
 
-def test_a_rival_on_the_same_seeds_is_told_apart_from() -> None:
+def test_a_rival_on_the_same_seeds_is_distinguished() -> None:
     rival = written("level1/pick", "diffusion", 0.3, n=400, luck=1)
     played = played_episodes([LoadedResult(Path("dp"), True, tuple(rival), {})])
     monitor = SequentialMonitor(StoppingRule(0.02), 100_000, played)
@@ -95,7 +95,7 @@ def test_every_episode_is_looked_at_once() -> None:
     assert looked == list(range(1, len(ROWS) + 1))
 
 
-def test_what_a_policy_sees_of_a_scene_does_not_keep_it_from_being_told_apart() -> None:
+def test_what_a_policy_sees_of_a_scene_does_not_keep_it_from_being_distinguished() -> None:
     lost = [replace(row, policy="dp", obs="state", success=False) for row in ROWS]
     rival = played_episodes([LoadedResult(Path("dp"), True, tuple(lost), {})])
     monitor = SequentialMonitor(StoppingRule(0.01), 100_000, rival)
@@ -131,9 +131,9 @@ def test_a_rival_that_played_otherwise_is_refused_before_anything_is_played(
     place = keep(tmp_path / "dp", rows)
     with pytest.raises(NoCommonEpisodesError) as refusal:
         run(config(tmp_path / "out", until=0.1, versus=str(place)), Console(quiet=True))
-    told = str(refusal.value)
-    assert f"versus={place} has no episode of level1/pick ID, seeds 100000 to 100029" in told
-    assert f"It holds: {rows[0].condition.scene.description}, seed {rows[0].seed}." in told
+    reported = str(refusal.value)
+    assert f"versus={place} has no episode of level1/pick ID, seeds 100000 to 100029" in reported
+    assert f"It holds: {rows[0].condition.scene.description}, seed {rows[0].seed}." in reported
     assert not (tmp_path / "out").exists()
 
 
@@ -181,12 +181,12 @@ def test_a_run_stops_by_itself_whatever_the_number_of_workers(tmp_path: Path) ->
     assert len(found[0]) == first_enough(StoppingRule(0.2), [False] * 30)
 
 
-def test_the_cost_of_a_precision_is_told_and_nothing_is_played(tmp_path: Path) -> None:
+def test_the_cost_of_a_precision_is_reported_and_nothing_is_played(tmp_path: Path) -> None:
     console = Console(record=True, width=120, quiet=False)
     assert run(config(tmp_path / "out", episodes_for=0.05), console) is None
-    told = console.export_text()
-    assert "381" in told
-    assert "plus or minus 5 points" in told
+    reported = console.export_text()
+    assert "381" in reported
+    assert "plus or minus 5 points" in reported
     assert not (tmp_path / "out").exists()
 
 

@@ -64,14 +64,14 @@ def hundred(submission: Path) -> dict[str, Any]:
     return content
 
 
-def told(content: dict[str, Any], folder: Path) -> Path:
+def submitted(content: dict[str, Any], folder: Path) -> Path:
     """Write a submission whose summary follows from its rows, whatever these are."""
     config = content["provenance"]["config"]
     rows = [from_columns(Row, row, folder) for row in content["rows"]]
     summaries = summarise(rows, sequential=config["until"] is not None)
     content["summary"] = [summary.columns for summary in summaries]
     content["actions"] = content["actions"][:1] * len(rows)
-    file = folder / "told.json"
+    file = folder / "submission.json"
     file.write_text(json.dumps(content))
     return file
 
@@ -107,7 +107,7 @@ def test_one_episode_under_a_hundred_seeds_does_not_come_out_the_same(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    file = told(hundred, tmp_path)
+    file = submitted(hundred, tmp_path)
     read(file)
     with pytest.raises(SystemExit, match="1"):
         check(monkeypatch, file)
@@ -136,13 +136,13 @@ def test_other_seeds_than_the_published_ones_are_refused(
 ) -> None:
     seeds(hundred, *chosen)
     with pytest.raises(SubmissionError, match=refusal):
-        read(told(hundred, tmp_path))
+        read(submitted(hundred, tmp_path))
 
 
 def test_what_was_left_out_is_noticed(hundred: dict[str, Any], tmp_path: Path) -> None:
     hundred["provenance"]["config"]["episodes"] = 300
     with pytest.raises(SubmissionError, match=r"holds 100 episodes .* and was to play 300"):
-        read(told(hundred, tmp_path))
+        read(submitted(hundred, tmp_path))
 
 
 @pytest.mark.parametrize(
@@ -161,7 +161,7 @@ def test_another_setting_than_the_published_one_is_refused(
 ) -> None:
     hundred["provenance"]["config"][name] = value
     with pytest.raises(SubmissionError, match=f"played with {name}={value}; published is"):
-        read(told(hundred, tmp_path))
+        read(submitted(hundred, tmp_path))
 
 
 @pytest.mark.parametrize(
@@ -181,7 +181,7 @@ def test_rows_of_another_setting_are_refused_whatever_the_options_say(
 ) -> None:
     hundred["rows"] = [row | columns for row in hundred["rows"]]
     with pytest.raises(SubmissionError, match="in the default setting"):
-        read(told(hundred, tmp_path))
+        read(submitted(hundred, tmp_path))
 
 
 def test_other_conditions_that_are_published_are_accepted(
@@ -193,7 +193,7 @@ def test_other_conditions_that_are_published_are_accepted(
         {"step": "press", "after": "approach"},
     ):
         hundred["rows"] += [row | columns for row in hundred["rows"][:100]]
-    assert len(read(told(hundred, tmp_path)).result.summaries) == 4
+    assert len(read(submitted(hundred, tmp_path)).result.summaries) == 4
 
 
 def test_the_same_episodes_by_two_policies_are_refused(
@@ -201,7 +201,7 @@ def test_the_same_episodes_by_two_policies_are_refused(
 ) -> None:
     hundred["rows"] += [row | {"policy": "act", "obs": "pixels"} for row in hundred["rows"]]
     with pytest.raises(SubmissionError, match="the same episodes are there by another policy"):
-        read(told(hundred, tmp_path))
+        read(submitted(hundred, tmp_path))
 
 
 @pytest.mark.parametrize("schema", [None, 0, 99, "1"])
@@ -210,11 +210,11 @@ def test_a_submission_of_another_schema_is_refused(
 ) -> None:
     hundred["schema"] = schema
     with pytest.raises(SubmissionError, match="no schema 1"):
-        read(told(hundred, tmp_path))
+        read(submitted(hundred, tmp_path))
 
 
 def test_damaged_content_is_refused_in_one_line(hundred: dict[str, Any], tmp_path: Path) -> None:
-    file = told(hundred, tmp_path)
+    file = submitted(hundred, tmp_path)
     for damage in (
         {"rows": [None] * 100},
         {"rows": [row | {"substeps": [1]} for row in hundred["rows"]]},
@@ -231,10 +231,10 @@ def test_damaged_content_is_refused_in_one_line(hundred: dict[str, Any], tmp_pat
         read(file)
 
 
-def test_actions_of_another_robot_are_told(hundred: dict[str, Any], tmp_path: Path) -> None:
+def test_actions_of_another_robot_are_reported(hundred: dict[str, Any], tmp_path: Path) -> None:
     hundred["actions"] = [encode(np.zeros((3, 100), np.float32))]
     with pytest.raises(SubmissionError, match="100 elements, and not of 8"):
-        list(replayed(read(told(hundred, tmp_path)), [0]))
+        list(replayed(read(submitted(hundred, tmp_path)), [0]))
 
 
 def test_a_row_that_says_more_than_its_actions_did_is_found(
@@ -281,7 +281,7 @@ def test_what_is_not_played_as_published_is_not_packed(played: Path, tmp_path: P
     assert not (tmp_path / "submission.json").exists()
 
 
-def test_a_result_tells_its_schema_and_one_of_a_later_version_is_refused(
+def test_a_result_says_its_schema_and_one_of_a_later_version_is_refused(
     played: Path, tmp_path: Path
 ) -> None:
     content = json.loads((played / "result.json").read_text())

@@ -175,7 +175,7 @@ def test_the_numbers_of_episodes_are_those_that_the_fractions_imply() -> None:
             assert (percent in printable) == (line["fraction_of_n"] == "yes"), line
 
 
-def test_two_checkpoints_of_one_kind_are_told_apart(tmp_path: Path) -> None:
+def test_two_checkpoints_of_one_kind_are_distinguished(tmp_path: Path) -> None:
     folders = [
         keep(tmp_path / name, written("level1/pick", "act", 0.9, n=6, luck=luck))
         for luck, name in enumerate(("early", "late"))
@@ -184,7 +184,7 @@ def test_two_checkpoints_of_one_kind_are_told_apart(tmp_path: Path) -> None:
     assert [entry.label for entry in found] == ["act (early)", "act (late)"]
 
 
-def test_what_is_unusual_about_a_policy_is_told() -> None:
+def test_what_is_unusual_about_a_policy_is_reported() -> None:
     rows = written("level1/pick", "act", 0.9, n=3, obs="state")
     assert [entry.label for entry in report_entries([result(*rows)])] == ["act, state"]
 
@@ -192,8 +192,10 @@ def test_what_is_unusual_about_a_policy_is_told() -> None:
 def test_who_saw_filaments_pictures_is_never_in_one_line_with_who_saw_others() -> None:
     classic = written("level1/pick", "act", 0.9, n=3)
     filament = [replace(row, seed=row.seed + 9, renderer="Filament on llvmpipe") for row in classic]
-    told = {entry.label: len(entry.rows) for entry in report_entries([result(*classic, *filament)])}
-    assert told == {"act": 3, "act, renderer=filament": 3}
+    reported = {
+        entry.label: len(entry.rows) for entry in report_entries([result(*classic, *filament)])
+    }
+    assert reported == {"act": 3, "act, renderer=filament": 3}
 
 
 TABLE = Table(
@@ -227,10 +229,10 @@ def test_a_table_in_markdown_has_a_line_per_line() -> None:
 
 
 def test_a_table_in_latex_is_escaped() -> None:
-    told = as_latex(TABLE)
-    assert r"\caption{A \& B. 100 \% of it}" in told
-    assert r"paper\_ACT" in told
-    assert told.count(r"\\") == 3
+    reported = as_latex(TABLE)
+    assert r"\caption{A \& B. 100 \% of it}" in reported
+    assert r"paper\_ACT" in reported
+    assert reported.count(r"\\") == 3
 
 
 def test_every_table_can_be_written_in_every_format(results: list[LoadedResult]) -> None:
@@ -264,10 +266,10 @@ def test_in_a_terminal_every_word_and_number_is_whole(
         words = " ".join(lines).split()
         for name in table.head:
             assert set(name.split()) <= set(words), (table.title, name)
-        told = Counter(words)
+        reported = Counter(words)
         rates = [cell for line in table.lines for cell in line if isinstance(cell, Rate)]
         counts = Counter(f"{rate.count}/{rate.n}" for rate in rates)
-        assert all(told[word] >= count for word, count in counts.items())
+        assert all(reported[word] >= count for word, count in counts.items())
 
 
 @pytest.mark.parametrize("width", [80, 100, 160])
@@ -283,7 +285,7 @@ def test_level_4_prints_sp_and_every_step_by_its_name_on_one_screen(
         for row in written(task, policy, 0.93, n=100, play=play, luck=len(play))
     ]
     lines = ran(rows, width)
-    assert len(lines) < 30  # and one more tells where the result is
+    assert len(lines) < 30  # and one more says where the result is
     assert max(map(len, lines)) <= width
     assert lines[0] == f"{policy}, ID, liquid=off"
     blocks = [i for i, line in enumerate(lines) if re.match(r"[a-z_]+: \d+/100 \[", line)]
@@ -351,7 +353,7 @@ def test_every_failure_is_counted_once(results: list[LoadedResult]) -> None:
     assert sum(rate.count for rate in counted if isinstance(rate, Rate)) == failed
 
 
-def test_precision_is_told_for_successes_and_for_all() -> None:
+def test_precision_is_reported_for_successes_and_for_all() -> None:
     act = written("level2/pour_liquid", "act", 0.7, n=40)
     expert = written("level2/pour_liquid", "expert", 1.0, n=40)
     table = precision_table(report_entries([result(*act, *expert)]))

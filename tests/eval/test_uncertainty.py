@@ -164,7 +164,7 @@ def test_the_ends_of_a_confidence_sequence_are_where_the_evidence_reaches_its_bo
 
 
 @pytest.mark.parametrize("discordant", [0.1, 0.5])
-def test_equal_policies_are_told_apart_in_no_more_runs_than_stated(discordant):
+def test_equal_policies_are_distinguished_in_no_more_runs_than_stated(discordant):
     draws = np.random.default_rng(2).random((RUNS, 300))
     better = (draws < discordant / 2).cumsum(axis=1)
     worse = (draws > 1 - discordant / 2).cumsum(axis=1)
@@ -209,12 +209,12 @@ def test_a_run_stops_when_its_interval_is_narrow_enough():
     assert not narrow[0]
 
 
-def test_a_run_stops_when_two_policies_are_told_apart():
+def test_a_run_stops_when_two_policies_are_distinguished():
     rule, better = StoppingRule(0.01), np.arange(50)
-    told_apart = [anytime.p_value(count, 0) <= 0.05 for count in range(50)]
-    assert rule.enough(better, better, better).tolist() == told_apart
-    assert rule.enough(better, better, 0, better).tolist() == told_apart
-    assert any(told_apart)
+    distinguished = [anytime.p_value(count, 0) <= 0.05 for count in range(50)]
+    assert rule.enough(better, better, better).tolist() == distinguished
+    assert rule.enough(better, better, 0, better).tolist() == distinguished
+    assert any(distinguished)
     assert not rule.enough(50, 50, 0, 0)
 
 
@@ -240,7 +240,7 @@ def test_a_precision_that_nobody_can_pay_for_is_refused(half_width):
         anytime_episodes_for(half_width)
 
 
-def test_a_precision_that_some_rates_can_have_is_told_for_these():
+def test_a_precision_that_some_rates_can_have_is_reported_for_these():
     lines = cost_table(0.002, settings=2).lines
     half, *_, most = lines
     assert half[2] == half[4] == "> 1,000,000"

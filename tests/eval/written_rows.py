@@ -142,7 +142,7 @@ def in_drawn_order(done: Sequence[int], policy: str = "act") -> list[Row]:
         order = DRAWN_ORDERS[index % len(DRAWN_ORDERS)]
         times = {name: 2.0 * k if k < count else None for k, name in enumerate(order)}
         success = count == len(order)
-        told = {
+        reported = {
             "task": "level4/open_transport_pour",
             "drawn": {"order": ", ".join(order)},
             "success": success,
@@ -151,7 +151,7 @@ def in_drawn_order(done: Sequence[int], policy: str = "act") -> list[Row]:
             "substeps": {f"{name}/done": time for name, time in times.items()},
             "step_times": times,
         }
-        rows.append(replace(row, **told))
+        rows.append(replace(row, **reported))
     return rows
 
 

@@ -9,24 +9,16 @@ import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from multiprocessing import get_context
+from multiprocessing import forkserver, get_context
 from pathlib import Path
 from typing import Any
 
-MODULES = {
-    "check-submission": "check_submission",
-    "compare": "labutopia_lerobot.cli.compare",
-    "convert": "labutopia_lerobot.cli.convert",
-    "evaluate": "labutopia_lerobot.cli.evaluate",
-    "publish": "labutopia_lerobot.cli.publish",
-    "recipe": "labutopia_lerobot.cli.recipe",
-    "record": "labutopia_lerobot.cli.record",
-    "render": "labutopia_lerobot.cli.render",
-    "replay": "labutopia_lerobot.cli.replay",
-    "report": "labutopia_lerobot.cli.report",
-    "scene": "labutopia_lerobot.cli.scene",
-    "verify": "labutopia_lerobot.cli.verify",
-    "view": "labutopia_lerobot.cli.view",
+from labutopia_lerobot.cli import launch
+
+MODULES = {"check-submission": "check_submission"} | {
+    program: f"labutopia_lerobot.cli.{program}"
+    for program in launch.PROGRAMS
+    if program not in ("bench", "check")  # they open no files, and play for minutes
 }
 """Program -> the module whose `main` it is."""
 
@@ -87,13 +79,16 @@ def run(program: str, *arguments: object, folder: Path, limit_s: float = LIMIT_S
     if _context is None:
         sys.path.append(str(Path(__file__).parents[2] / "eval"))  # where the processes find it too
         _context = get_context("forkserver")
+        # Another test may have started this process's only fork server, which imports less.
+        forkserver._forkserver._stop()  # type: ignore[attr-defined]
         _context.set_forkserver_preload([*MODULES.values(), "torch", "lerobot.policies"])
-    told = folder / ".told"
-    told.mkdir(exist_ok=True)
-    for file in told.iterdir():
+    notes = folder / ".notes"
+    notes.mkdir(exist_ok=True)
+    for file in notes.iterdir():
         file.unlink()
     process = _context.Process(
-        target=_call, args=(MODULES[program], [str(a) for a in arguments], str(folder), str(told))
+        target=_call,
+        args=(MODULES[program], [str(a) for a in arguments], str(folder), str(notes)),
     )
     before = time.monotonic()
     process.start()
@@ -104,12 +99,12 @@ def run(program: str, *arguments: object, folder: Path, limit_s: float = LIMIT_S
         status = None
     else:
         status = process.exitcode
-    output = "".join((told / name).read_text(errors="replace") for name in ("out", "err"))
+    output = "".join((notes / name).read_text(errors="replace") for name in ("out", "err"))
     return Ended(
         status,
         output,
-        _lines(told / "connections"),
-        _lines(told / "written"),
+        _lines(notes / "connections"),
+        _lines(notes / "written"),
         time.monotonic() - before,
     )
 
@@ -118,14 +113,14 @@ def _lines(file: Path) -> list[str]:
     return file.read_text().splitlines() if file.exists() else []
 
 
-def _call(module: str, arguments: Sequence[str], folder: str, told: str) -> None:
+def _call(module: str, arguments: Sequence[str], folder: str, notes: str) -> None:
     os.chdir(folder)
     for number, name in ((1, "out"), (2, "err")):
-        os.dup2(os.open(f"{told}/{name}", os.O_WRONLY | os.O_CREAT), number)
+        os.dup2(os.open(f"{notes}/{name}", os.O_WRONLY | os.O_CREAT), number)
     with contextlib.suppress(ValueError):
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     tempfile.gettempdir()  # it finds out by writing
-    sys.addaudithook(_Watch(folder, told))
+    sys.addaudithook(_Watch(folder, notes))
     sys.argv = [module, *arguments]
     importlib.import_module(module).main()
 
@@ -133,8 +128,8 @@ def _call(module: str, arguments: Sequence[str], folder: str, told: str) -> None
 class _Watch:
     """Notes where a process connects to, which it may not, and what it writes elsewhere."""
 
-    def __init__(self, folder: str, told: str) -> None:
-        self._folder, self._told = os.path.realpath(folder), told
+    def __init__(self, folder: str, notes: str) -> None:
+        self._folder, self._notes = os.path.realpath(folder), notes
         self._busy = False
 
     def __call__(self, event: str, arguments: tuple[Any, ...]) -> None:
@@ -164,5 +159,5 @@ class _Watch:
             self._note("written", place)
 
     def _note(self, name: str, text: str) -> None:
-        with open(f"{self._told}/{name}", "a") as notes:
-            notes.write(text + "\n")
+        with open(f"{self._notes}/{name}", "a") as file:
+            file.write(text + "\n")

@@ -21,7 +21,7 @@ LFS = b"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 5\n"
 
 def config(**changes: Any) -> Damage:
     """Change entries of the configuration."""
-    return lambda folder: edit(folder / CONFIG, lambda told: told | changes)
+    return lambda folder: edit(folder / CONFIG, lambda reported: reported | changes)
 
 
 def edit(file: Path, change: Callable[[Any], Any]) -> None:
@@ -34,16 +34,16 @@ def content(name: str, data: bytes) -> Damage:
     return lambda folder: (folder / name).write_bytes(data)
 
 
-def step(**told: Any) -> Damage:
+def step(**reported: Any) -> Damage:
     """Put a step before those of the processor."""
-    return lambda folder: edit(folder / BEFORE, lambda said: said | {"steps": [told]})
+    return lambda folder: edit(folder / BEFORE, lambda said: said | {"steps": [reported]})
 
 
-def adapter(**told: Any) -> Damage:
+def adapter(**reported: Any) -> Damage:
     """Say that it is an adapter."""
 
     def change(folder: Path) -> None:
-        said = {"peft_type": "LORA", "base_model_name_or_path": str(folder)} | told
+        said = {"peft_type": "LORA", "base_model_name_or_path": str(folder)} | reported
         (folder / ADAPTER).write_text(json.dumps(said))
         (folder / "adapter_model.safetensors").write_bytes(b"")
 
@@ -137,12 +137,12 @@ def test_nothing_else_that_lies_there_is_sent(folder: Path, tmp_path: Path) -> N
     assert "train_config.json" in ended.output
 
 
-def test_a_published_policy_tells_no_folder_of_the_machine(folder: Path) -> None:
+def test_a_published_policy_names_no_folder_of_the_machine(folder: Path) -> None:
     from labutopia_lerobot.hub.policy import policy_repository
 
     training = {"output_dir": "/home/me/out", "steps": 5, "dataset": {"root": "/home/me"}}
     (folder / "train_config.json").write_text(json.dumps(training))
     sent = policy_repository(folder, "me/it", []).files["train_config.json"]
     assert isinstance(sent, bytes)
-    told = {"output_dir": None, "steps": 5, "dataset": {"root": None}}
-    assert json.loads(sent) == told
+    reported = {"output_dir": None, "steps": 5, "dataset": {"root": None}}
+    assert json.loads(sent) == reported

@@ -2,7 +2,6 @@
 
 import json
 import os
-import socket
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -27,15 +26,15 @@ OWNED = "import pathlib; pathlib.Path('owned').write_text('')\ndef {}(): ...\n"
 
 def info(**changes: Any) -> Damage:
     """Change entries of the description."""
-    return lambda root: edit(root / INFO, lambda told: told | changes)
+    return lambda root: edit(root / INFO, lambda reported: reported | changes)
 
 
 def feature(name: str, **changes: Any) -> Damage:
     """Change what is said of a feature."""
 
-    def change(told: dict[str, Any]) -> dict[str, Any]:
-        told["features"][name] = told["features"].get(name, {}) | changes
-        return told
+    def change(reported: dict[str, Any]) -> dict[str, Any]:
+        reported["features"][name] = reported["features"].get(name, {}) | changes
+        return reported
 
     return lambda root: edit(root / INFO, change)
 
@@ -175,18 +174,20 @@ def test_a_damaged_dataset_is_refused(
 
 
 @pytest.mark.parametrize("program", PROGRAMS)
-@pytest.mark.parametrize("told", ["setting", "recording"])
-def test_a_dataset_runs_no_python(told: str, program: str, dataset: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("reported", ["setting", "recording"])
+def test_a_dataset_runs_no_python(
+    reported: str, program: str, dataset: Path, tmp_path: Path
+) -> None:
     task = dataset / "tasks/level1/pwn.py"
     task.parent.mkdir(parents=True)
     task.write_text(OWNED.format("pwn"))
     places = {"tasks_dir": "dataset/tasks", "task": "level1/pwn"}
-    if told == "setting":
+    if reported == "setting":
         setting(**places)(dataset)
     edit(dataset / RECORDING, lambda said: said | {"config": said["config"] | places})
     ended = run(program, *PROGRAMS[program], folder=tmp_path)
     assert not (tmp_path / "owned").exists()
-    if told == "recording" and program in ("verify", "replay"):
+    if reported == "recording" and program in ("verify", "replay"):
         return  # these go by the episodes
     assert "--tasks-dir" in ended.output or "tasks_dir" in ended.output, ended
     assert "intact" not in ended.output
@@ -228,7 +229,7 @@ def test_a_damaged_film_is_a_fault(pictured: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("place", ["/dataset/nowhere", "dataset/meta/info.json/x", "x" * 300])
-def test_a_place_that_cannot_be_is_told_in_a_line(
+def test_a_place_that_cannot_be_is_reported_in_a_line(
     place: str, dataset: Path, tmp_path: Path
 ) -> None:
     for program in PROGRAMS:
@@ -239,4 +240,3 @@ def test_a_place_that_cannot_be_is_told_in_a_line(
 def test_no_connection_goes_unnoticed(tmp_path: Path) -> None:
     ended = run("evaluate", "task=level1/press", "policy.path=me/nothing", folder=tmp_path)
     assert ended.connections
-    assert socket.getdefaulttimeout() is None

@@ -70,7 +70,7 @@ def change(file: Path, rng: np.random.Generator) -> None:
 
 
 @pytest.mark.parametrize("seed", range(MUTATIONS))
-def test_a_mutated_dataset_is_told_clearly(seed: int, dataset: Path, tmp_path: Path) -> None:
+def test_a_mutated_dataset_is_reported_clearly(seed: int, dataset: Path, tmp_path: Path) -> None:
     rng = np.random.default_rng(seed)
     files = sorted(file for file in dataset.rglob("*") if file.is_file())
     change(files[rng.integers(len(files))], rng)
@@ -78,7 +78,7 @@ def test_a_mutated_dataset_is_told_clearly(seed: int, dataset: Path, tmp_path: P
 
 
 @pytest.mark.parametrize("seed", range(MUTATIONS))
-def test_a_mutated_checkpoint_is_told_clearly(seed: int, policy: Path, tmp_path: Path) -> None:
+def test_a_mutated_checkpoint_is_reported_clearly(seed: int, policy: Path, tmp_path: Path) -> None:
     rng = np.random.default_rng(seed)
     folder = Path(shutil.copytree(policy, tmp_path / "policy"))
     files = sorted(folder.iterdir())
@@ -88,7 +88,7 @@ def test_a_mutated_checkpoint_is_told_clearly(seed: int, policy: Path, tmp_path:
 
 
 @pytest.mark.parametrize("seed", range(MUTATIONS))
-def test_a_mutated_result_is_told_clearly(seed: int, tmp_path: Path) -> None:
+def test_a_mutated_result_is_reported_clearly(seed: int, tmp_path: Path) -> None:
     rng = np.random.default_rng(seed)
     content = mutated(result() | {"actions": [{}] * 3}, rng)
     (tmp_path / "result").mkdir()
@@ -98,7 +98,7 @@ def test_a_mutated_result_is_told_clearly(seed: int, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("seed", range(MUTATIONS))
-def test_a_mutated_room_is_told_clearly(seed: int, tmp_path: Path) -> None:
+def test_a_mutated_room_is_reported_clearly(seed: int, tmp_path: Path) -> None:
     rng = np.random.default_rng(seed)
     plan = json.loads((FOLDER / "organic_7.json").read_text())
     (tmp_path / "room.json").write_text(json.dumps(mutated(plan, rng)))

@@ -79,10 +79,10 @@ def test_an_answer_without_end_is_refused() -> None:
 
 
 def test_words_of_a_server_are_no_codes_of_the_terminal() -> None:
-    told = refusal("it failed \x1b]0;owned\x07 \x1b[31mred")
-    assert "it failed" in told
-    assert "\x1b" not in told
-    assert "\x07" not in told
+    reported = refusal("it failed \x1b]0;owned\x07 \x1b[31mred")
+    assert "it failed" in reported
+    assert "\x1b" not in reported
+    assert "\x07" not in reported
 
 
 def tensor(size: tuple[int, ...], stride: tuple[int, ...], offset: int = 0) -> bytes:

@@ -3,20 +3,12 @@
 import pytest
 
 from labutopia_lerobot.checks import CHECKS, Check
-from labutopia_lerobot.checks.experts import the_expert_wins_at_least_nine_of_ten
-from labutopia_lerobot.checks.motions import the_expert_does_so_in_ten_episodes
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import require_task, task_files
 from labutopia_lerobot.scenes.views import FIXED_CAMERAS
 
-SLOW = {the_expert_wins_at_least_nine_of_ten, the_expert_does_so_in_ten_episodes}
-"""Ten whole episodes each: `make test-slow`."""
 
-
-@pytest.mark.parametrize(
-    "check",
-    [pytest.param(c, marks=[pytest.mark.slow] if c in SLOW else [], id=c.__name__) for c in CHECKS],
-)
+@pytest.mark.parametrize("check", CHECKS, ids=[check.__name__ for check in CHECKS])
 def test_it_is_so_that(env: LabEnv, check: Check):
     check(env)
 

@@ -1,4 +1,4 @@
-"""Instruments are found by their files; what is wrong with a name or a file is told."""
+"""Instruments are found by their files; what is wrong with a name or a file is reported."""
 
 from types import ModuleType
 
@@ -17,14 +17,14 @@ def test_an_instrument_is_found_by_the_name_of_its_file():
     assert instrument("cabinet") == Cabinet("cabinet")
 
 
-def test_an_unknown_one_is_told_with_the_nearest_and_all_others():
-    with pytest.raises(UserError, match="Did you mean 'muffle_furnace'\\?") as told:
+def test_an_unknown_one_is_reported_with_the_nearest_and_all_others():
+    with pytest.raises(UserError, match="Did you mean 'muffle_furnace'\\?") as reported:
         instrument("mufle_furnace")
-    assert all(kind in str(told.value) for kind in catalogue())
+    assert all(kind in str(reported.value) for kind in catalogue())
 
 
 @pytest.mark.parametrize("members", [{}, {"A": Cabinet, "B": MuffleFurnace}, {"A": object}])
-def test_a_module_that_does_not_define_one_instrument_is_told(members):
+def test_a_module_that_does_not_define_one_instrument_is_reported(members):
     module = ModuleType("some.module")
     for name, kind in members.items():
         vars(module)[name] = type(name, (kind,), {"__module__": "some.module"})

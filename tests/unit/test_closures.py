@@ -19,8 +19,20 @@ CLOSED = [(kind, size) for kind, one in vessels().items() if one.closure for siz
 KINDS = [
     (kind, list(one.sizes)[len(one.sizes) // 2]) for kind, one in vessels().items() if one.closure
 ]
+_BY_CLOSURE = {vessels()[kind].closure: kind for kind, _ in KINDS}
 every = pytest.mark.parametrize(("kind", "size"), smallest_and_largest(CLOSED))
-every_kind = pytest.mark.parametrize(("kind", "size"), KINDS, ids=[kind for kind, _ in KINDS])
+every_kind = pytest.mark.parametrize(  # of the vessels of a closure `make test` takes one
+    ("kind", "size"),
+    [
+        pytest.param(
+            kind,
+            size,
+            marks=[] if kind in _BY_CLOSURE.values() else [pytest.mark.slow],
+            id=kind,
+        )
+        for kind, size in KINDS
+    ],
+)
 
 
 _LETS_GO = 0.005
@@ -234,7 +246,7 @@ def test_what_is_tightly_closed_is_turned_over_and_loses_nothing(kind, size):
     assert liquid.take_account().counts[0, 0] == 300
 
 
-def test_what_does_not_fit_is_told():
+def test_what_does_not_fit_is_reported():
     bung = ware("rubber_bung", "49 mm")
     assert isinstance(bung, Closure)
     with pytest.raises(UserError, match="rubber_bung does not close tube: it needs a mouth of"):

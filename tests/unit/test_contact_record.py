@@ -20,7 +20,7 @@ def let_fall(env: LabEnv, height: float) -> dict[str, float]:
     (flask,) = env.workcell.task.start
     simulation, world = env.workcell.simulation, env.workcell.world
     simulation.data.joint(f"{flask.name}_free").qpos[2] += height
-    told = {"fall": 0.0, "speed": 0.0, "force": 0.0, "broken": 0.0, "falling": 0.0}
+    reported = {"fall": 0.0, "speed": 0.0, "force": 0.0, "broken": 0.0, "falling": 0.0}
     for _ in range(30):
         simulation.step(simulation.command)
         now = {
@@ -30,16 +30,16 @@ def let_fall(env: LabEnv, height: float) -> dict[str, float]:
             "broken": broken().holds(world),
             "falling": falling(flask, faster_than=0.4).holds(world),
         }
-        told = {name: max(value, now[name]) for name, value in told.items()}
-    return told
+        reported = {name: max(value, now[name]) for name, value in reported.items()}
+    return reported
 
 
 @pytest.mark.parametrize("height", [0.001, 0.010, 0.050])
 def test_a_fall_and_a_knock_have_the_speed_of_free_fall(env, height):
-    told, speed = let_fall(env, height), np.sqrt(2 * 9.81 * height)
+    reported, speed = let_fall(env, height), np.sqrt(2 * 9.81 * height)
     one_step = 9.81 / 300
-    assert abs(told["fall"] - speed) < 1.5 * one_step
-    assert abs(told["speed"] - speed) < 1.5 * one_step
+    assert abs(reported["fall"] - speed) < 1.5 * one_step
+    assert abs(reported["speed"] - speed) < 1.5 * one_step
 
 
 def test_at_rest_the_bench_carries_the_weight_and_nothing_falls(env):

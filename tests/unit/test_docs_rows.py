@@ -18,7 +18,7 @@ PLACES = ("total", "poured", "retained", "spilled", "clinging", "in_flight")
 
 
 def row(task: str, seed: int, **columns: object) -> dict:
-    told = {
+    reported = {
         "task": task,
         "split": "id",
         "axes": [],
@@ -42,7 +42,7 @@ def row(task: str, seed: int, **columns: object) -> dict:
         "history": {"x": {"first": 0.0, "last": 5.0, "times": 1}},
         "setup_failures": 1,
     }
-    return told | columns
+    return reported | columns
 
 
 def result(folder: Path, rows: list[dict], **options: object) -> Path:
@@ -76,7 +76,7 @@ def test_rows_are_kept_with_their_origin_and_read_again(kept):
 
 
 @pytest.mark.parametrize(
-    ("columns", "told"),
+    ("columns", "reported"),
     [
         ({"policy": "random"}, "policy=random"),
         ({"split": "train"}, "split=train"),
@@ -84,16 +84,16 @@ def test_rows_are_kept_with_their_origin_and_read_again(kept):
         ({"axes": ["light"]}, "axes="),
     ],
 )
-def test_rows_that_are_not_the_expert_as_published_are_refused(kept, tmp_path, columns, told):
+def test_rows_that_are_not_the_expert_as_published_are_refused(kept, tmp_path, columns, reported):
     rows = rows_of("level1/pick")
     other = result(tmp_path / "other", [*rows[:2], rows[2] | columns])
-    with pytest.raises(OtherRowsError, match=told):
+    with pytest.raises(OtherRowsError, match=reported):
         expert_rows.keep(other, kept)
     file = kept / "level1-pick.json"
     content = json.loads(file.read_text())
     content["rows"][1] |= columns
     file.write_text(json.dumps(content))
-    with pytest.raises(OtherRowsError, match=told):
+    with pytest.raises(OtherRowsError, match=reported):
         expert_rows.read(kept)
 
 
@@ -126,8 +126,8 @@ def test_an_unfinished_result_is_refused(tmp_path):
 def test_the_kept_rows_and_so_all_tables_of_the_documentation_are_of_one_build():
     builds: dict[str, list[str]] = {}
     for result in load_results(expert_rows.RESULTS):
-        told = {name: result.provenance[name] for name in ("sources", "versions")}
-        builds.setdefault(json.dumps(told, sort_keys=True), []).append(result.place.name)
+        reported = {name: result.provenance[name] for name in ("sources", "versions")}
+        builds.setdefault(json.dumps(reported, sort_keys=True), []).append(result.place.name)
     assert len(builds) == 1, list(builds.values())
 
 

@@ -8,6 +8,7 @@ import time
 import tomllib
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,7 @@ import pytest
 from labutopia_lerobot.cli import launch
 
 ROOT = Path(__file__).parents[2]
-TOLD = "Interrupted. What was finished before is intact.\n"
+REPORTED = "Interrupted. What was finished before is intact.\n"
 
 IMPORTING = """
 import time
@@ -89,12 +90,14 @@ def ended(program: Path, send: Callable[[int], None]) -> tuple[int, str]:
         start_new_session=True,
         preexec_fn=obey_interrupts,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
+        # What a shell runs in the background would else be deaf to Ctrl-C.
+        preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),
     )
     assert process.stdout is not None
     assert process.stdout.readline() == "ready\n"
     send(process.pid)
     try:
-        _, told = process.communicate(timeout=30)
+        _, reported = process.communicate(timeout=30)
         deadline = time.monotonic() + 10
         while running(process.pid):
             assert time.monotonic() < deadline, "a worker is left"
@@ -102,7 +105,7 @@ def ended(program: Path, send: Callable[[int], None]) -> tuple[int, str]:
     finally:
         with suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGKILL)
-    return process.returncode, told
+    return process.returncode, reported
 
 
 def obey_interrupts() -> None:
@@ -111,7 +114,7 @@ def obey_interrupts() -> None:
 
 
 def running(group: int) -> bool:
-    """Tell whether a process of a group runs; what nobody has asked for its end does not."""
+    """Return whether a process of a group runs; what nobody has asked for its end does not."""
     for file in Path("/proc").glob("[0-9]*/stat"):
         with suppress(OSError):
             state, _, its_group = file.read_text().rpartition(")")[2].split()[:3]
@@ -136,10 +139,10 @@ def terminate(pid: int) -> None:
     ids=["importing", "swallowing", "workers_importing", "working"],
 )
 @pytest.mark.parametrize(("send", "status"), [(interrupt, 130), (terminate, 143)])
-def test_a_program_that_is_told_to_end_says_one_line(tmp_path, text, send, status):
+def test_a_program_that_is_asked_to_end_says_one_line(tmp_path, text, send, status):
     program = tmp_path / "program.py"
     program.write_text(text)
-    assert ended(program, send) == (status, TOLD)
+    assert ended(program, send) == (status, REPORTED)
 
 
 def test_ctrl_c_in_the_import_of_the_package_says_one_line(tmp_path):

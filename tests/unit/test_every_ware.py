@@ -51,13 +51,13 @@ def test_a_row_is_found_by_kind_and_size():
     assert ware("stirring_bar", "25 x 8 mm").name == "stirring_bar"
 
 
-def test_what_does_not_exist_is_told_with_what_does():
-    with pytest.raises(UserError, match="Did you mean 'beaker_low'\\?") as told:
+def test_what_does_not_exist_is_reported_with_what_does():
+    with pytest.raises(UserError, match="Did you mean 'beaker_low'\\?") as reported:
         glassware("beker_low", "250 ml")
-    assert all(kind in str(told.value) for kind in vessels())
-    with pytest.raises(UserError, match="No beaker_low of size '3 gallons'") as told:
+    assert all(kind in str(reported.value) for kind in vessels())
+    with pytest.raises(UserError, match="No beaker_low of size '3 gallons'") as reported:
         glassware("beaker_low", "3 gallons")
-    assert all(size in str(told.value) for size in catalogue()["beaker_low"].sizes)
+    assert all(size in str(reported.value) for size in catalogue()["beaker_low"].sizes)
 
 
 @every_kind
@@ -74,16 +74,19 @@ def test_sizes_grow_from_row_to_row_in_what_they_are_called_after(kind):
 @every
 def test_it_is_built_as_large_as_its_size_and_row_say(kind, size):
     """The compiled mesh is measured, and compared with the numbers of the table alone."""
-    model, told = bench(ware(kind, size, "piece")).compile(), numbers_of(catalogue()[kind], size)
+    model, reported = (
+        bench(ware(kind, size, "piece")).compile(),
+        numbers_of(catalogue()[kind], size),
+    )
     if kind in vessels():
         low, high = extent(model, model.geom("piece_outside").id)
         across, _, tall = 1e3 * (high - low)
-        assert tall == pytest.approx(told[1], rel=1e-3)
-        assert told[0] - 0.01 < across < 1.4 * told[0]  # a lip or a socket is wider
+        assert tall == pytest.approx(reported[1], rel=1e-3)
+        assert reported[0] - 0.01 < across < 1.4 * reported[0]  # a lip or a socket is wider
         if nominal(size) is None:
             named = re.fullmatch(r"([\d.]+) x ([\d.]+) mm", size)
             assert named
-            assert told[:2] == (float(named[1]), float(named[2]))
+            assert reported[:2] == (float(named[1]), float(named[2]))
         return
     seen = [g for g in range(model.ngeom) if model.geom_group[g] <= 2 and model.geom_bodyid[g]]
     low = np.min([extent(model, geom)[0] for geom in seen], axis=0)
@@ -93,7 +96,7 @@ def test_it_is_built_as_large_as_its_size_and_row_say(kind, size):
     if size.endswith("mm") and len(named) > 1:
         for number in named:
             assert any(side == pytest.approx(float(number), rel=0.2, abs=0.6) for side in sides)
-    assert sides[-1] < 1.6 * sum(sorted(told)[-2:])
+    assert sides[-1] < 1.6 * sum(sorted(reported)[-2:])
 
 
 def extent(model: mujoco.MjModel, geom: int) -> tuple[np.ndarray, np.ndarray]:

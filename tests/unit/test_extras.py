@@ -106,7 +106,7 @@ def test_depth_is_the_distance_along_the_axis_to_a_flask(env):
     assert np.ptp(depth[rows, columns]) > 0.05
 
 
-def test_what_is_further_than_lerobot_holds_is_told_as_the_farthest():
+def test_what_is_further_than_lerobot_holds_is_reported_as_the_farthest():
     env = LabEnv(Setting("level1/open_door", extras=("depth",), width=64, height=64))
     observation, _ = env.reset(seed=3)
     assert env.depth("front").max() > FARTHEST_M

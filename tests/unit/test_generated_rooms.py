@@ -116,12 +116,12 @@ def test_what_was_placed_is_taken_back_where_the_next_finds_no_place(monkeypatch
 def test_a_room_too_small_names_what_does_not_fit_and_the_room_it_needs():
     with pytest.raises(RoomTooSmallError, match=r"3 x 3 m there is no place for work_bench.*3\.6"):
         generate(family("organic"), 7, size=(3.0, 3.0))
-    told = r"no place for tall_cupboard \(\d+ of 12\).*0\.90 m of wall, 0\.50 m deep"
-    with pytest.raises(RoomTooSmallError, match=told):
+    reported = r"no place for tall_cupboard \(\d+ of 12\).*0\.90 m of wall, 0\.50 m deep"
+    with pytest.raises(RoomTooSmallError, match=reported):
         generate(store(2.9, 2.9, cupboards(12)), 0)
 
 
-def test_sizes_that_cannot_be_and_families_that_do_not_exist_are_told():
+def test_sizes_that_cannot_be_and_families_that_do_not_exist_are_reported():
     with pytest.raises(UserError, match="corridor has 3 rooms: its size is drawn"):
         generate(family("corridor"), 0, size=(9.0, 9.0))
     with pytest.raises(UserError, match=r"at least 1\.5 x 1\.5 m"):

@@ -117,15 +117,15 @@ def test_one_value_stays_one_and_what_takes_several_becomes_a_list():
 
 
 @pytest.mark.parametrize(
-    ("line", "told"),
+    ("line", "reported"),
     [
         ("level1/pick --episode 3", r"'--episode' is no option. Did you mean 'episodes='\?"),
         ("level1/pick episode=3", r"'episode=3' is no option. Did you mean 'episodes='\?"),
         ("level1/pick --episodes", "--episodes needs a value: --episodes VALUE or episodes=VALUE"),
     ],
 )
-def test_a_word_that_is_no_option_is_told_with_the_nearest(line, told):
-    with pytest.raises(OverrideError, match=told):
+def test_a_word_that_is_no_option_is_reported_with_the_nearest(line, reported):
+    with pytest.raises(OverrideError, match=reported):
         recorded(line.split())
-    with pytest.raises(EvaluationOptionError, match=told):
-        evaluated([*line.split(), "policy=expert"] if "VALUE" not in told else line.split())
+    with pytest.raises(EvaluationOptionError, match=reported):
+        evaluated([*line.split(), "policy=expert"] if "VALUE" not in reported else line.split())

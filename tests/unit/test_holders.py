@@ -34,7 +34,7 @@ def test_a_place_off_the_middle_turns_with_the_holder():
 
 
 @pytest.mark.parametrize("holder_comes", ["later", "never"])
-def test_a_thing_in_a_holder_that_is_not_there_yet_is_told(holder_comes):
+def test_a_thing_in_a_holder_that_is_not_there_yet_is_reported(holder_comes):
     rack, rod = racks.TestTubeRack("rack"), GlassRod("rod")
     start = {rod: Inside(rack, at=rack.middle)}
     if holder_comes == "later":

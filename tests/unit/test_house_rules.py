@@ -162,10 +162,10 @@ def test_no_two_modules_have_one_name():
     assert [name for name, count in named.items() if count > 1] == []
 
 
-def test_the_evaluation_tells_of_all_its_modules():
+def test_the_evaluation_lists_all_its_modules():
     for init in (PACKAGE / "evaluation").rglob("__init__.py"):
-        told = ast.get_docstring(ast.parse(init.read_text())) or ""
-        listed = re.findall(r"[\w]+", told)
+        reported = ast.get_docstring(ast.parse(init.read_text())) or ""
+        listed = re.findall(r"[\w]+", reported)
         for path in init.parent.glob("*.py"):
             assert path == init or path.stem in listed, path
 
@@ -186,11 +186,11 @@ def test_no_file_that_git_ignores_is_tracked():
     assert not tracked.stdout.split()
 
 
-def test_what_is_told_to_whoever_works_here_exists():
-    told = (ROOT / "AGENTS.md").read_text()
-    assert (ROOT / "CLAUDE.md").read_text() == told
-    assert len(told.splitlines()) <= 60
-    named = {word for span in re.findall(r"`([^`\n]+)`", told) for word in span.split()}
+def test_what_is_written_for_those_who_work_here_exists():
+    guide = (ROOT / "AGENTS.md").read_text()
+    assert (ROOT / "CLAUDE.md").read_text() == guide
+    assert len(guide.splitlines()) <= 60
+    named = {word for span in re.findall(r"`([^`\n]+)`", guide) for word in span.split()}
     paths = {word for word in named if re.fullmatch(r"[\w./-]*(/|\.py|\.md)", word)}
     places = [ROOT, PACKAGE, *PACKAGE.iterdir(), ROOT / "tests", ROOT / "scripts", ROOT / "docs"]
     example = {"name.py", "name_model.py", "tasks/levelN/name.py"}

@@ -1,4 +1,4 @@
-"""Where things start: never one in another, and told at once where that cannot be."""
+"""Where things start: never one in another, and reported at once where that cannot be."""
 
 import math
 

@@ -86,7 +86,7 @@ def test_the_parts_add_up_to_the_total_at_every_step_of_a_wild_pour() -> None:
     assert account.inside["lower"] == account.counts[:, 1].sum() * liquid.volume
 
 
-def test_a_transfer_is_told_in_the_step_in_which_it_arrives_and_only_then() -> None:
+def test_a_transfer_is_reported_in_the_step_in_which_it_arrives_and_only_then() -> None:
     _, _, liquid = filled(150)
     assert liquid.take_account().transfers == {}
     drop = np.flatnonzero(liquid.origins == 0)[:3]
@@ -129,6 +129,27 @@ def test_spilled_is_a_share_of_what_the_vessel_held() -> None:
     assert account.spilled_from("upper") == account.spilled == 3 * liquid.volume
     assert fact.holds(Seen(account))
     assert not other.holds(Seen(account))
+
+
+INNER = glassware("beaker", "150 ml", "inner")
+
+
+@pytest.mark.parametrize(
+    "vessels", [(LOWER, INNER), (INNER, LOWER)], ids=["outer_first", "inner_first"]
+)
+def test_in_whatever_order_they_are_listed_liquid_is_in_the_inner_of_two_vessels(vessels) -> None:
+    model, data = world(*vessels)
+    for index, vessel in enumerate(vessels):
+        above = 0.006 if vessel is INNER else 0.0
+        data.qpos[7 * index : 7 * index + 7] = (0.0, 0.0, above, 1.0, 0.0, 0.0, 0.0)
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    liquid = Liquid(model, data, list(vessels), [Filling(30.0)], 150)
+    liquid.fill({INNER: Filling(30.0)}, np.random.default_rng(0))
+    account = liquid.take_account()
+    assert account.from_in("inner", "inner") == account.retained == account.total > 0.0
+    assert account.inside["lower"] == account.poured == 0.0
+    assert not poured(INNER, LOWER, share=0.0, origin=INNER).holds(Seen(account))
 
 
 def test_what_the_account_does_not_know_is_refused_with_what_it_knows() -> None:

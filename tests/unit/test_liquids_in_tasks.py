@@ -1,4 +1,4 @@
-"""Liquid in an episode: what can be put into vessels, what is told of it, and what may go wrong."""
+"""Liquid in an episode: what can be put into vessels, what is said of it, and what may go wrong."""
 
 from dataclasses import dataclass, replace
 
@@ -121,7 +121,7 @@ def test_the_vessel_in_the_hand_is_full_and_at_rest_when_the_episode_begins(env)
     assert np.linalg.norm(env.workcell.simulation.liquid.velocities, axis=1).mean() < 0.03
 
 
-def test_the_privileged_state_tells_how_full_vessels_are(env):
+def test_the_privileged_state_says_how_full_vessels_are(env):
     names = list(environment_state_names(env.workcell.task))
     observation, _ = env.reset(seed=2)
     vessel, target = env.workcell.task.start
@@ -132,7 +132,7 @@ def test_the_privileged_state_tells_how_full_vessels_are(env):
     assert target.profile.depth(0.0) == 0
 
 
-def test_without_liquid_nothing_is_told_of_it():
+def test_without_liquid_nothing_is_reported_of_it():
     env = LabEnv(Setting("level1/pour", obs="state", liquid="off"))
     _, info = env.reset(seed=2)
     assert not any(name.startswith("ml_") for name in info)
@@ -147,7 +147,7 @@ def test_the_weight_of_the_contents_is_on_the_hand(env):
 
 
 @pytest.mark.parametrize("poison", [np.nan, 1e6])
-def test_a_solver_that_diverges_ends_the_episode_and_tells_no_nonsense(env, poison):
+def test_a_solver_that_diverges_ends_the_episode_and_reports_no_nonsense(env, poison):
     env.reset(seed=2)
     env.workcell.simulation.liquid.velocities[7] = poison
     observation, _, terminated, _, info = env.step(

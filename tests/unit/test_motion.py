@@ -1,4 +1,4 @@
-"""The reactive motion keeps clear of what stands in its way, and hits it when told that it may."""
+"""The reactive motion keeps clear of what stands in its way, and hits it where it may."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -142,7 +142,7 @@ def test_the_hand_points_to_the_right_of_the_bearing_and_down_by_default_or_as_o
         assert pose.y_axis[2] == pytest.approx(0.0), "the fingers are level"
 
 
-def test_what_the_hand_is_kept_from_is_told_with_its_cure_and_not_what_is_far():
+def test_what_the_hand_is_kept_from_is_reported_with_its_cure_and_not_what_is_far():
     simulation = Simulation(compile_scene([OBSTACLE], PANDA, LABORATORY, VESSEL_VIEW))
     world = SimulatedWorld(simulation)
     simulation.reset({OBSTACLE: Placement(0.3, 0.0, 0.0)})

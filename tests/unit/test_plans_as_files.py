@@ -1,4 +1,4 @@
-"""A plan is a small readable file; what is wrong in one is told by its place."""
+"""A plan is a small readable file; what is wrong in one is reported by its place."""
 
 import json
 import re
@@ -43,7 +43,7 @@ PIECE = {"kind": "stool", "name": "seat", "x": 1.0, "y": 1.0, "heading": 0}
 
 
 @pytest.mark.parametrize(
-    ("changes", "told"),
+    ("changes", "reported"),
     [
         ({"colour": "red"}, "unknown key 'colour'. Keys: name, family"),
         ({"size": None}, "'size' is missing"),
@@ -60,12 +60,12 @@ PIECE = {"kind": "stool", "name": "seat", "x": 1.0, "y": 1.0, "heading": 0}
         ({"openings": []}, "the first of openings must be the door"),
     ],
 )
-def test_what_is_wrong_in_a_file_is_named(changes, told):
-    with pytest.raises(PlanError, match=rf"room\.json.*{re.escape(told)}"):
+def test_what_is_wrong_in_a_file_is_named(changes, reported):
+    with pytest.raises(PlanError, match=rf"room\.json.*{re.escape(reported)}"):
         plan_from(said(**changes), "room.json")
 
 
-def test_what_is_no_file_or_no_json_is_told(tmp_path):
+def test_what_is_no_file_or_no_json_is_reported(tmp_path):
     with pytest.raises(PlanError, match=r"none\.json cannot be read"):
         read_plan(tmp_path / "none.json")
     (tmp_path / "broken.json").write_text("{")

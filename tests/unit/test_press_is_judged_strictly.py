@@ -118,11 +118,11 @@ def test_the_order_of_the_colours_is_drawn_from_the_seed(env):
     assert max(orders.values()) < 20  # the 99.9 % quantile of a sixth of 60 is 19
 
 
-def test_the_state_tells_where_each_colour_is(env):
+def test_the_state_says_where_each_colour_is(env):
     observation, _ = env.reset(seed=9)
     names = environment_state_names(env.workcell.task)
     state = dict(zip(names, observation["environment_state"], strict=True))
     for button in buttons(env):
         expected = env.workcell.world.robot_base.inverse() @ env.workcell.world.frame(button.name)
-        told = [state[f"{button.name}.{axis}"] for axis in "xyz"]
-        assert np.allclose(told, expected.position_w, atol=1e-6)
+        reported = [state[f"{button.name}.{axis}"] for axis in "xyz"]
+        assert np.allclose(reported, expected.position_w, atol=1e-6)

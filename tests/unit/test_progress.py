@@ -1,4 +1,4 @@
-"""The judge: latching, holding, breaching; told through a world that says what the test wants."""
+"""The judge: latching, holding, breaching; in a world that says what the test wants."""
 
 from dataclasses import replace
 

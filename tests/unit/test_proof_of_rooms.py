@@ -97,8 +97,8 @@ def test_the_room_without_a_fault_is_proven():
 
 @pytest.mark.parametrize("planted", PLANTED)
 def test_a_planted_fault_is_named(planted):
-    plan, told = PLANTED[planted]
-    assert [fault for fault in faults(plan) if fault.startswith(told)], faults(plan)
+    plan, reported = PLANTED[planted]
+    assert [fault for fault in faults(plan) if fault.startswith(reported)], faults(plan)
 
 
 def test_what_is_low_may_be_in_the_view():

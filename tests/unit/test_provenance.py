@@ -1,4 +1,4 @@
-"""What a number comes from, told the same in a repository and out of a wheel."""
+"""What a number comes from, the same in a repository and out of a wheel."""
 
 import json
 import shutil
@@ -20,8 +20,8 @@ TELL = (
 )
 
 
-def told(folder: Path, *before: str) -> dict:
-    """Return what the package in a folder tells of itself."""
+def reported(folder: Path, *before: str) -> dict:
+    """Return what the package in a folder says of itself."""
     for command in before:
         subprocess.run(command, shell=True, cwd=folder, check=True, capture_output=True)
     done = subprocess.run(
@@ -42,43 +42,43 @@ def copy(tmp_path) -> Path:
 COMMIT = "git -c user.name=n -c user.email=n@n commit -qam x"
 
 
-def test_without_a_repository_the_sources_tell_which_code_it_is(copy):
-    whole = told(copy)
+def test_without_a_repository_the_sources_say_which_code_it_is(copy):
+    whole = reported(copy)
     assert whole["commit"] is None
     assert whole["uncommitted_changes"] is None
-    assert told(copy) == whole
-    changed = told(copy, "echo '# faster' >> labutopia_lerobot/skills/pick.py")
+    assert reported(copy) == whole
+    changed = reported(copy, "echo '# faster' >> labutopia_lerobot/skills/pick.py")
     assert changed["sources"] != whole["sources"]
     assert changed["tasks"] == whole["tasks"]
-    task = told(copy, "echo '# harder' >> labutopia_lerobot/tasks/level1/pick.py")
+    task = reported(copy, "echo '# harder' >> labutopia_lerobot/tasks/level1/pick.py")
     assert task["tasks"] != whole["tasks"]
 
 
 def test_a_wheel_has_the_sources_of_the_checkout_it_is_built_of(copy):
-    checkout = told(copy)
+    checkout = reported(copy)
     for folder in ("configs", "policies", "eval"):  # a wheel carries these inside the package
         shutil.copytree(PACKAGE.parent / folder, copy / "labutopia_lerobot" / folder)
-    assert told(copy)["sources"] == checkout["sources"]
+    assert reported(copy)["sources"] == checkout["sources"]
 
 
-def test_in_a_repository_the_commit_and_its_changes_are_told(copy):
-    clean = told(copy, "git init -q", "git add .", COMMIT)
+def test_in_a_repository_the_commit_and_its_changes_are_reported(copy):
+    clean = reported(copy, "git init -q", "git add .", COMMIT)
     assert len(clean["commit"]) == 40
     assert clean["uncommitted_changes"] is False
-    assert told(copy, "mkdir out", "touch out/rows.jsonl") == clean
-    edited = told(copy, "echo '# x' >> labutopia_lerobot/env.py")
+    assert reported(copy, "mkdir out", "touch out/rows.jsonl") == clean
+    edited = reported(copy, "echo '# x' >> labutopia_lerobot/env.py")
     assert edited["uncommitted_changes"] is True
     assert edited["sources"] != clean["sources"]
-    assert told(copy, COMMIT)["commit"] != clean["commit"]
+    assert reported(copy, COMMIT)["commit"] != clean["commit"]
 
 
 def test_the_repository_of_somebody_else_is_not_ours(copy):
-    assert told(copy, "git init -q")["commit"] is None
+    assert reported(copy, "git init -q")["commit"] is None
 
 
 def test_everything_that_computes_has_its_version(copy):
     assert {"python", "scipy", "mujoco", "torch", "numba"} <= {
-        k for k, v in told(copy).items() if v
+        k for k, v in reported(copy).items() if v
     }
 
 

@@ -1,4 +1,4 @@
-"""Robots and rooms are values: nothing counts to seven, and names that do not exist are told."""
+"""Robots and rooms are values: nothing counts to seven, and unknown names are reported."""
 
 import re
 import subprocess
@@ -140,7 +140,7 @@ def test_robots_and_rooms_are_found_by_their_names():
         (lambda name: LabEnv(Setting("level1/pick", robot=name)), "robot='ur5' is unknown"),
     ],
 )
-def test_an_unknown_robot_or_room_is_told_with_the_choices(load, message):
+def test_an_unknown_robot_or_room_is_reported_with_the_choices(load, message):
     with pytest.raises(UserError, match=message):
         load("ur5")
 

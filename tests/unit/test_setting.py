@@ -65,7 +65,7 @@ def test_an_unknown_task_is_refused_with_the_nearest():
         ("zebra", "`labutopia-record --help` lists all"),
     ],
 )
-def test_an_unknown_task_is_told_in_a_short_line_with_the_lowest_level_first(typed, meant):
+def test_an_unknown_task_is_reported_in_a_short_line_with_the_lowest_level_first(typed, meant):
     with pytest.raises(UnknownTaskError) as raised:
         Setting(typed)
     assert meant in str(raised.value)
@@ -73,7 +73,7 @@ def test_an_unknown_task_is_told_in_a_short_line_with_the_lowest_level_first(typ
     assert str(raised.value).count("level") <= 3
 
 
-def test_a_misspelt_option_is_refused_with_the_nearest():
+def test_a_misspelled_option_is_refused_with_the_nearest():
     with pytest.raises(UnknownOptionError, match=r"'camera' is no option\. Did you mean 'cameras'"):
         setting_from({"task": PICK, "camera": "front"})
 

@@ -71,19 +71,19 @@ def test_reserved_outcomes_are_refused(outcome):
         Step("hold", (), (HELD,), never={outcome: gripped(SMALL)})
 
 
-def test_a_forgotten_comma_is_told():
+def test_a_forgotten_comma_is_reported():
     with pytest.raises(TaskError, match="is a comma missing"):
         Substep("held", (gripped(SMALL)))  # type: ignore[arg-type]
     with pytest.raises(TaskError, match="is a comma missing"):
         replace(TASK, steps=(Step("hold", (), (HELD,))))  # type: ignore[arg-type]
 
 
-def test_what_is_no_predicate_is_told():
+def test_what_is_no_predicate_is_reported():
     with pytest.raises(TaskError, match=r"`goal` of the task holds .*which is no Predicate"):
         replace(TASK, goal=(gripped,))  # type: ignore[arg-type]
 
 
-def test_a_step_that_nothing_tells_is_done_is_refused():
+def test_a_step_that_nothing_says_is_done_is_refused():
     with pytest.raises(TaskError, match="no substep"):
         Step("hold", (), ())
 

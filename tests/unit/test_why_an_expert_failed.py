@@ -1,4 +1,4 @@
-"""Why an episode was no success, told from who judged it and who played it."""
+"""Why an episode was no success, by who judged it and who played it."""
 
 import re
 from dataclasses import replace
@@ -22,7 +22,7 @@ def env():
     return begun("level1/pick")
 
 
-def told(env, **changes) -> str:
+def reported(env, **changes) -> str:
     """Judge a changed task once in the present world; return why its expert has failed."""
     task = replace(env.workcell.task, never={}, **changes)
     progress = Progress(task)
@@ -34,22 +34,22 @@ def told(env, **changes) -> str:
     return "\n".join(why_failed(task, progress, expert, env.workcell.world))
 
 
-def test_a_breach_is_told_with_its_fact(env):
+def test_a_breach_is_reported_with_its_fact(env):
     step = Step("do", (), (Substep("done", (NO,)),), never={"bad": YES})
-    why = told(env, steps=(step,), goal=(NO,))
+    why = reported(env, steps=(step,), goal=(NO,))
     assert "Ended in step 'do': bad (yes)" in why
     assert "Substeps not reached: done" in why
     assert "Did not hold at the end, for 'done': no" in why
 
 
-def test_what_makes_a_breach_hold_is_told_and_by_how_much_a_fact_is_missed(env):
+def test_what_makes_a_breach_hold_is_reported_and_by_how_much_a_fact_is_missed(env):
     step = Step("do", (), (Substep("done", (NEARLY,)),), never={"bad": KNOWN})
-    why = told(env, steps=(step,), goal=(NO,))
+    why = reported(env, steps=(step,), goal=(NO,))
     assert "Ended in step 'do': bad (bad): jar met bench\n" in why
     assert "Did not hold at the end, for 'done': nearly (off by 3.14 mm, 2 deg)" in why
 
 
-def test_a_push_that_no_step_allows_is_told_with_who_what_how_hard_and_the_cure():
+def test_a_push_that_no_step_allows_is_reported_with_who_what_how_hard_and_the_cure():
     env = begun("level1/pick")
     task = replace(
         env.workcell.task, steps=tuple(replace(s, touches=()) for s in env.workcell.task.steps)
@@ -60,29 +60,29 @@ def test_a_push_that_no_step_allows_is_told_with_who_what_how_hard_and_the_cure(
         env.step(expert.act())
         progress.update(env.workcell.world)
     (ending, *_) = why_failed(task, progress, expert, env.workcell.world)
-    told = re.search(r"collided \(.*\): (\w+) pushed flask with ([\d.]+) N", ending)
-    assert told is not None, ending
-    assert told[1] in ("left_pad", "right_pad", "hand")
-    assert float(told[2]) >= 2.0
+    reported = re.search(r"collided \(.*\): (\w+) pushed flask with ([\d.]+) N", ending)
+    assert reported is not None, ending
+    assert reported[1] in ("left_pad", "right_pad", "hand")
+    assert float(reported[2]) >= 2.0
     assert "name it in `touches` of the step" in ending
 
 
-def test_what_was_not_kept_is_told(env):
+def test_what_was_not_kept_is_reported(env):
     substep = Substep("done", (YES,), via=(YES,), keeping=(NO,))
-    why = told(env, steps=(Step("do", (), (substep,)),), goal=(YES,))
+    why = reported(env, steps=(Step("do", (), (substep,)),), goal=(YES,))
     assert "what a substep must keep ceased to hold" in why
     assert "for 'done': no" in why
 
 
-def test_a_goal_that_did_not_hold_long_enough_is_told(env):
+def test_a_goal_that_did_not_hold_long_enough_is_reported(env):
     step = Step("do", (), (Substep("done", (YES,)),))
-    why = told(env, steps=(step,), goal=(YES,), time_limit_s=0.05)
+    why = reported(env, steps=(step,), goal=(YES,), time_limit_s=0.05)
     assert "Ended in the goal: the time limit of 0.05 s ran out" in why
     assert "Substeps not reached: none" in why
     assert "All held at the end, for the goal, but not for long enough" in why
 
 
-def test_a_phase_that_was_given_up_and_touches_that_no_phase_lists_are_told(env):
+def test_a_phase_that_was_given_up_and_touches_that_no_phase_lists_are_reported(env):
     task = env.workcell.task
     progress, expert = Progress(task), env.workcell.expert()
     progress.end("diverged")
