@@ -11,8 +11,8 @@ from scipy.spatial.transform import Rotation
 from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mounting import Fixed
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_look, add_part
+from labutopia_lerobot.labware.soft.displacement import Squeezing
 from labutopia_lerobot.labware.soft.elastic_shell import OWN_CONTYPE, SKIN, Elastic, Shell
-from labutopia_lerobot.labware.soft.squeezing import Squeezing
 from labutopia_lerobot.processes import Process
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, VISUAL_GROUP
 
