@@ -7,14 +7,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import announce_compiling
+from labutopia_lerobot.liquids import temperature
 from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
 from labutopia_lerobot.liquids.surroundings import Surroundings
+from labutopia_lerobot.processes import Warmth
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
-from labutopia_lerobot.substances.substance import Substance
+from labutopia_lerobot.substances.substance import WATER, Substance
 from labutopia_lerobot.world import FloatArray, LiquidAccount, Pose
 
 _SETTLE_STEPS = 120
@@ -49,6 +51,7 @@ class Liquid:
         velocities: Shape (n, 3), m/s, world frame.
         origins: Which of `names` held each particle at the fill, shape (n,); -1 none.
         names: Of all vessels and bottles.
+        temperatures: Of each particle, shape (n,), K.
         diverged: Whether the solver has failed; the particles then stay where they are.
     """
 
@@ -71,6 +74,7 @@ class Liquid:
         self._particles = particles
         self._waiting = {bottle.name: 0 for bottle in bottles}
         self._waiting_at_start = dict(self._waiting)
+        self._room = temperature.ROOM
         self._held = dict.fromkeys(self._waiting, self.substances[0])
         depths = [vessel.profile.depth(volume) for vessel in self.vessels]
         self._mixing = Mixing(self.substances, self.volume, max(depths, default=0.0))
@@ -110,6 +114,9 @@ class Liquid:
         self.diverged = False
         self.origins = origins
         self.amounts = amounts
+        self.temperatures: FloatArray = np.full(len(positions), self._room)
+        self._inside: NDArray[np.int64] = np.full(len(positions), -1)
+        self._speeds: FloatArray = np.zeros(len(self.names))
         self._last_held: NDArray[np.int64] = origins.copy()
         self._pressure: FloatArray = np.zeros(len(positions))
         self._touching: NDArray[np.int64] = np.full(len(positions), NOTHING)
@@ -212,6 +219,9 @@ class Liquid:
         self.amounts = np.vstack([self._amounts, amounts])
         self.origins = np.append(self.origins, np.full(count, origin))
         self._last_held = np.append(self._last_held, np.full(count, origin))
+        room = np.full(count, self._room)
+        self.temperatures = np.append(self.temperatures, room)
+        self._inside = np.append(self._inside, np.full(count, -1))
         self._pressure = np.append(self._pressure, np.zeros(count))
         self._touching = np.append(self._touching, np.full(count, NOTHING))
 
@@ -262,12 +272,47 @@ class Liquid:
         moves = transfers(count, self._last_held, inside)
         speeds = mean_speeds(count, self.velocities, inside)
         self._last_held = np.where(inside >= 0, inside, self._last_held)
+        self._inside, self._speeds = inside, speeds
         return LiquidAccount(self.names, counts, moves, speeds, self.volume)
+
+    def warmth(self, vessel: str) -> Warmth | None:
+        """Return how warm what a vessel held at the last account is; None if it held nothing."""
+        held = self._inside == self.names.index(vessel) if vessel in self.names else None
+        if held is None or not held.any():
+            return None
+        amounts, own = self._amounts[held], self.temperatures[held]
+        weight = temperature.capacities(amounts, self.substances, self.volume)
+        share = amounts.mean(axis=0)
+        boiling = share @ [substance.boiling_point for substance in self.substances]
+        water = share @ [substance == WATER for substance in self.substances]
+        total = float(weight.sum())
+        mean = float(weight @ own) / total
+        return Warmth(len(own) * self.volume, total, mean, float(boiling), float(water))
+
+    def warm(self, vessel: str, heat: float) -> None:
+        """Give what a vessel holds some heat [J], all of it alike."""
+        held = self._inside == self.names.index(vessel)
+        weight = temperature.capacities(self._amounts[held], self.substances, self.volume)
+        self.temperatures[held] += heat / weight.sum()
+
+    def warm_to(self, temperature: float) -> None:
+        """Bring all liquid to a temperature [K], and what comes later."""
+        self._room = temperature
+        self.temperatures[:] = temperature
+
+    def all_at(self, temperature: float) -> bool:
+        """Tell whether all liquid has a temperature [K]."""
+        return bool((self.temperatures == temperature).all())
+
+    def mix(self, period: float) -> None:
+        """Let what is in each vessel share its heat for a time [s]."""
+        weight = temperature.capacities(self._amounts, self.substances, self.volume)
+        temperature.mix(self.temperatures, weight, self._inside, self._speeds, period)
 
     def state(self) -> FloatArray:
         """Return all that the next step depends on beside MuJoCo's state.
 
-        Shape (2 + bottles + (10 + substances) n,).
+        Shape (2 + bottles + (11 + substances) n,).
         """
         return np.concatenate(
             [
@@ -278,6 +323,7 @@ class Liquid:
                 self._touching,
                 self.origins,
                 self._last_held,
+                self.temperatures,
                 self._amounts.ravel(),
             ]
         )
@@ -287,10 +333,11 @@ class Liquid:
         count, bottles = int(state[0]), len(self._waiting)
         waiting, rest = np.split(state[2:], [bottles])
         self._waiting = dict(zip(self._waiting, waiting.astype(int).tolist(), strict=True))
-        positions, velocities, rest, amounts = np.split(rest, [3 * count, 6 * count, 10 * count])
-        pressure, touching, origins, last_held = rest.reshape(4, -1)
+        positions, velocities, rest, amounts = np.split(rest, [3 * count, 6 * count, 11 * count])
+        pressure, touching, origins, last_held, temperatures = rest.reshape(5, -1)
         parts = amounts.reshape(-1, len(self.substances))
         self._start(positions.reshape(-1, 3).copy(), origins.astype(int), parts)
         self.velocities[:] = velocities.reshape(-1, 3)
         self._pressure[:], self._touching[:], self._last_held[:] = pressure, touching, last_held
+        self.temperatures[:] = temperatures
         self.diverged = bool(state[1])

@@ -1,11 +1,27 @@
 """Processes: things that pieces do by themselves, and the readings that they give."""
 
+from labutopia_lerobot.processes.heat import DoorGap, HeatZone, ThermalMass
+from labutopia_lerobot.processes.heat_exchange import HeatExchange
 from labutopia_lerobot.processes.process import (
     Apparatus,
     Process,
     ProcessError,
     UnknownReadingError,
+    Warmth,
     slots_of,
 )
+from labutopia_lerobot.processes.thermostat import Thermostat
 
-__all__ = ["Apparatus", "Process", "ProcessError", "UnknownReadingError", "slots_of"]
+__all__ = [
+    "Apparatus",
+    "DoorGap",
+    "HeatExchange",
+    "HeatZone",
+    "Process",
+    "ProcessError",
+    "ThermalMass",
+    "Thermostat",
+    "UnknownReadingError",
+    "Warmth",
+    "slots_of",
+]

@@ -3,7 +3,7 @@
 import difflib
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterable
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import mujoco
 import numpy as np
@@ -73,11 +73,46 @@ class UnknownReadingError(UserError, LookupError):
     """Something asks for a reading that no piece gives; the message lists those that there are."""
 
 
+class Warmth(NamedTuple):
+    """How warm the liquid in a vessel is."""
+
+    volume: float
+    """m^3."""
+    capacity: float
+    """What warms it by 1 K [J/K]."""
+    temperature: float
+    """Mean, by heat [K]."""
+    boiling: float
+    """Where it boils, mean by volume [K]."""
+    water: float
+    """Which share of it is water, by volume."""
+
+
 class LiquidHandling(Protocol):
     """What processes may do to the liquid of a scene."""
 
     def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
         """Let liquid out of a bottle; `volume` is what has left since the start [m^3]."""
+        ...
+
+    def warmth(self, vessel: str) -> Warmth | None:
+        """Return how warm what a vessel holds is; None if it holds nothing."""
+        ...
+
+    def warm(self, vessel: str, heat: float) -> None:
+        """Give what a vessel holds some heat [J]."""
+        ...
+
+    def warm_to(self, temperature: float) -> None:
+        """Bring all liquid to a temperature [K]."""
+        ...
+
+    def all_at(self, temperature: float) -> bool:
+        """Tell whether all liquid has a temperature [K]."""
+        ...
+
+    def mix(self, period: float) -> None:
+        """Let what is in each vessel share its heat for a time [s]."""
         ...
 
 
@@ -95,6 +130,7 @@ class Apparatus:
         data: Its state.
         processes: By name.
         liquid: The liquid of the scene, or None.
+        ambient: Temperature of the room [K].
         period: Time between two steps [s].
         paintings: Number of each texture that a process has painted -> how often.
 
@@ -121,6 +157,7 @@ class Apparatus:
             )
         self.processes = {process.name: process for process in order}
         self.liquid: LiquidHandling | None = None
+        self.ambient = 293.15
         self.paintings: dict[int, int] = {}
         self._painted: dict[str, Hashable] = {}
         self._memory: dict[str, FloatArray] = {}

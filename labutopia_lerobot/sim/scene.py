@@ -17,6 +17,7 @@ from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
 from labutopia_lerobot.sim import contact_shadows
 from labutopia_lerobot.sim.filament_light import light_for_filament
+from labutopia_lerobot.sim.warm_processes import warm_processes
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
 from labutopia_lerobot.world.model import PHYSICS_HZ
@@ -77,6 +78,7 @@ def compile_scene(
     spec = scene_spec(pieces, robot, room, view)
     contact_shadows.add_material(spec)
     processes = tuple(process for piece in pieces for process in piece.processes)
+    processes += warm_processes(pieces, processes, robot.gripper.body)
     # MuJoCo keeps what it is given here with its state: the commands that act, then the processes.
     spec.nuserdata = SPAN * len(robot.elements) + slots_of(processes)
     contents = contents or {}

@@ -2,7 +2,8 @@
 
 Values at 25 C and atmospheric pressure from the CRC Handbook of Chemistry and Physics (95th
 edition): densities from section 3, "Physical Constants of Organic Compounds", viscosities and
-surface tensions from section 6, "Viscosity of Liquids" and "Surface Tension of Common Liquids".
+surface tensions from section 6, "Viscosity of Liquids" and "Surface Tension of Common Liquids",
+specific heats from section 5, "Heat Capacity of Liquids", boiling points from section 3.
 """
 
 import math
@@ -28,6 +29,8 @@ class Substance:
         viscosity: Dynamic viscosity [Pa s].
         surface_tension: Against air [N/m].
         rgba: How it is drawn.
+        specific_heat: Heat that warms 1 kg by 1 K [J/kg K].
+        boiling_point: At atmospheric pressure [K].
 
     Raises:
         ValueError: A quantity is not a positive number.
@@ -38,6 +41,8 @@ class Substance:
     viscosity: float
     surface_tension: float
     rgba: Color
+    specific_heat: float = 4182.0
+    boiling_point: float = 373.15
 
     def __post_init__(self) -> None:
         for field in fields(self)[1:4]:
@@ -53,9 +58,11 @@ class Substance:
 
 # Clear liquids are tinted, as in laboratory practice with a dye, so that a camera sees them.
 WATER = Substance("water", 997.0, 0.890e-3, 0.0720, (0.20, 0.48, 0.85, 0.55))
-ETHANOL = Substance("ethanol", 785.0, 1.074e-3, 0.0220, (0.55, 0.82, 0.62, 0.45))
-ETHYLENE_GLYCOL = Substance("ethylene glycol", 1110.0, 16.1e-3, 0.0480, (0.86, 0.35, 0.62, 0.55))
-GLYCEROL = Substance("glycerol", 1258.0, 0.934, 0.0625, (0.93, 0.72, 0.30, 0.65))
+ETHANOL = Substance("ethanol", 785.0, 1.074e-3, 0.0220, (0.55, 0.82, 0.62, 0.45), 2438.0, 351.4)
+ETHYLENE_GLYCOL = Substance(
+    "ethylene glycol", 1110.0, 16.1e-3, 0.0480, (0.86, 0.35, 0.62, 0.55), 2394.0, 470.5
+)
+GLYCEROL = Substance("glycerol", 1258.0, 0.934, 0.0625, (0.93, 0.72, 0.30, 0.65), 2377.0, 563.0)
 
 SUBSTANCES: Mapping[str, Substance] = {
     s.name: s for s in (WATER, ETHANOL, ETHYLENE_GLYCOL, GLYCEROL)

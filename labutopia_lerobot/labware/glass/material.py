@@ -21,6 +21,8 @@ class Material:
         ink: Colour of what is printed on it.
         shine: Share of light that its outside mirrors, 0 to 1.
         source: Of the density.
+        specific_heat: Heat that warms 1 kg by 1 K [J/kg K]: of borosilicate glass 3.3 by Schott's
+            Duran data sheet; of others by Incropera, table A.3, or makers' tables, from memory.
     """
 
     called: str
@@ -31,6 +33,7 @@ class Material:
     ink: Color
     shine: float
     source: str
+    specific_heat: float = 830.0
 
 
 _WHITE_INK = (0.97, 0.98, 1.0, 0.95)
@@ -65,6 +68,7 @@ SODA_LIME = Material(
     ink=_WHITE_INK,
     shine=0.9,
     source="2.5 g/cm3, Schott AR-Glas data sheet; from memory",
+    specific_heat=840.0,
 )
 QUARTZ = Material(
     called="fused quartz",
@@ -75,6 +79,7 @@ QUARTZ = Material(
     ink=_WHITE_INK,
     shine=0.9,
     source="2.20 g/cm3, Heraeus HSQ data sheet; from memory",
+    specific_heat=740.0,
 )
 PORCELAIN = Material(
     called="glazed porcelain",
@@ -85,6 +90,7 @@ PORCELAIN = Material(
     ink=_BLUE_INK,
     shine=0.5,
     source="2.4 g/cm3, DIN EN 60672-3 type C 110 (2.2 at least); from memory",
+    specific_heat=800.0,
 )
 POLYPROPYLENE = Material(
     called="polypropylene",
@@ -95,6 +101,7 @@ POLYPROPYLENE = Material(
     ink=_BLUE_INK,
     shine=0.25,
     source="0.905 g/cm3, ISO 19069 homopolymers; from memory",
+    specific_heat=1900.0,
 )
 POLYETHYLENE = Material(
     called="high-density polyethylene",
@@ -105,6 +112,7 @@ POLYETHYLENE = Material(
     ink=_BLUE_INK,
     shine=0.15,
     source="0.94 to 0.97 g/cm3, ISO 17855; from memory",
+    specific_heat=1900.0,
 )
 POLYSTYRENE = Material(
     called="polystyrene",
@@ -115,6 +123,7 @@ POLYSTYRENE = Material(
     ink=_BLUE_INK,
     shine=0.7,
     source="1.05 g/cm3, ISO 24936 crystal polystyrene; from memory",
+    specific_heat=1300.0,
 )
 
 SOFT_RUBBER = Material(
@@ -126,6 +135,7 @@ SOFT_RUBBER = Material(
     ink=_WHITE_INK,
     shine=0.05,
     source="bungs of red rubber with filler, 1.1 to 1.3 g/cm3; from memory",
+    specific_heat=2010.0,
 )
 PTFE = Material(
     called="PTFE",
@@ -136,6 +146,7 @@ PTFE = Material(
     ink=_BLUE_INK,
     shine=0.3,
     source="2.13 to 2.20 g/cm3, ISO 20568; from memory",
+    specific_heat=1000.0,
 )
 STAINLESS_STEEL = Material(
     called="stainless steel",
@@ -146,6 +157,7 @@ STAINLESS_STEEL = Material(
     ink=_WHITE_INK,
     shine=0.6,
     source="7.9 g/cm3, EN 10088-1, 1.4301",
+    specific_heat=480.0,
 )
 CORK = Material(
     called="pressed cork",
@@ -156,4 +168,5 @@ CORK = Material(
     ink=_BLUE_INK,
     shine=0.05,
     source="0.2 to 0.3 g/cm3; from memory",
+    specific_heat=1800.0,
 )

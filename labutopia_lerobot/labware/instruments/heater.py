@@ -11,6 +11,9 @@ from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, Vector, add_look, add_part
 from labutopia_lerobot.labware.parts.switch import Switch
+from labutopia_lerobot.processes import HeatZone, Process, ThermalMass, Thermostat
+from labutopia_lerobot.processes.heat import UPWARDS
+from labutopia_lerobot.processes.plates import ON_CERAMIC
 
 _SIDE = 0.16
 """Side of the square top [m]: a usual size of laboratory hot plates (original: not on record)."""
@@ -26,6 +29,14 @@ _LAMP_Y = 0.045
 """Position of the lamp, to the left of the button [m]."""
 _ZONE = 0.060
 """Radius of the zone printed on the top, which gets hot [m]."""
+_WATT, _SET_POINT = 500.0, 300.0
+"""Power of its heater [W] and what its surface is regulated at [degrees C]; ours: laboratory hot
+plates of this size have 400 to 600 W and reach 300 to 350."""
+_CAPACITY = math.pi * _ZONE**2 * _PLATE * 2570.0 * 800.0
+"""Of the zone [J/K]: 2.57 g/cm3 and 0.8 J/g K (glass ceramic, Schott Ceran data sheet)."""
+_LEAK = 0.2
+"""Through the insulation below, into the housing [W/K]; ours: 20 mm of mineral wool of 0.05 W/m K
+below the zone have 0.03, the rim of the ceramic the rest."""
 
 _DOWN: Quaternion = (0.0, 0.0, 1.0, 0.0)
 """z down, x towards who stands before it: a hand is then no wider than the gap to the beaker, and
@@ -59,6 +70,31 @@ class Heater(Equipment):
         return Switch(f"{self.name}_switch", self.button.name, f"{self.name}_lamp")
 
     @property
+    def hot(self) -> ThermalMass:
+        """The zone of its top that gets hot."""
+        reach = 0.7 * _ZONE  # a vessel whose middle is further out stands half beside it
+        return ThermalMass(
+            f"{self.name}_surface",
+            self.name,
+            _CAPACITY,
+            area=math.pi * _ZONE**2,
+            length=_ZONE / 2,  # area over circumference
+            convection=UPWARDS,
+            leak=_LEAK,
+            zone=HeatZone(
+                (-reach, -reach, _TOP - 0.002), (reach, reach, _TOP + 0.003), ON_CERAMIC, base=True
+            ),
+            surfaces=(f"{self.name}_plate",),
+            print=f"{self.name}_zone",
+        )
+
+    @property
+    def thermostat(self) -> Thermostat:
+        """What keeps it at its set point while it is switched on."""
+        name = f"{self.name}_thermostat"
+        return Thermostat(name, self.hot.name, _WATT, _SET_POINT, self.switch.name)
+
+    @property
     def top_height(self) -> float:
         """Height of its top above its origin [m]."""
         return _TOP
@@ -77,8 +113,8 @@ class Heater(Equipment):
         return (self.button,)
 
     @property
-    def works(self) -> tuple[Switch, ...]:
-        return (self.switch,)
+    def works(self) -> tuple[Process, ...]:
+        return self.switch, self.hot, self.thermostat
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.

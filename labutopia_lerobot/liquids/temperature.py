@@ -1,0 +1,57 @@
+"""The temperature of liquids: every particle has one, and shares it with those around."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.substances.substance import Substance
+from labutopia_lerobot.world import FloatArray
+
+ROOM = 293.15
+"""Of what nobody has warmed [K]: 20 degrees C."""
+_TURNOVER = 5.0
+"""Time in which what is in a vessel at rest mixes by itself [s]; ours: 0.05 m at the 1 to 2 cm/s
+that a difference of 2 to 5 K drives, sqrt(g beta dT L)."""
+_SWIRL = 0.05
+"""Way on which what moves mixes [m]; ours: the width of a vessel."""
+
+
+def capacities(amounts: FloatArray, substances: tuple[Substance, ...], volume: float) -> FloatArray:
+    """Return what warms each particle by 1 K [J/K], shape (n,).
+
+    Args:
+        amounts: Part of each particle that is each substance, shape (n, substances).
+        substances: Those substances.
+        volume: Of a particle [m^3].
+    """
+    each = np.array([substance.density * substance.specific_heat for substance in substances])
+    capacity: FloatArray = volume * (amounts @ each)
+    return capacity
+
+
+def mix(
+    temperatures: FloatArray,
+    capacity: FloatArray,
+    inside: NDArray[np.int64],
+    speeds: FloatArray,
+    period: float,
+) -> None:
+    """Let what is in each vessel come closer to its mean, in place; heat is neither lost nor made.
+
+    Args:
+        temperatures: Shape (n,), K.
+        capacity: Shape (n,), J/K.
+        inside: Which vessel each particle is in, shape (n,); -1 none.
+        speeds: Mean speed in each vessel [m/s].
+        period: Time [s].
+    """
+    for vessel, speed in enumerate(speeds):
+        held = inside == vessel
+        if held.any():
+            own, weight = temperatures[held], capacity[held]
+            if own.min() == own.max():
+                continue
+            mean = weight @ own / weight.sum()
+            share = -math.expm1(-period * (1.0 / _TURNOVER + speed / _SWIRL))
+            temperatures[held] = own + share * (mean - own)
