@@ -13,7 +13,7 @@ from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, Vector, 
 from labutopia_lerobot.labware.parts.switch import Switch
 from labutopia_lerobot.processes import HeatZone, Process, ThermalMass, Thermostat
 from labutopia_lerobot.processes.heat import UPWARDS
-from labutopia_lerobot.processes.plates import ON_CERAMIC
+from labutopia_lerobot.processes.hot_surface import ON_CERAMIC
 
 _SIDE = 0.16
 """Side of the square top [m]: a usual size of laboratory hot plates (original: not on record)."""
