@@ -36,7 +36,7 @@ def weigh_from(source: Vessel, *, mass: float = MASS) -> Task:
         start={
             balance: OnBench((0.28, 0.36), (-0.12, -0.04), YAW),
             target: Inside(balance, at=balance.pan_top),
-            source: OnBench(x=(0.18, 0.30), y=(0.14, 0.24)),
+            source: OnBench(x=(0.17, 0.27), y=(0.13, 0.21)),
         },
         steps=(
             actions.press(balance.tare, hold=0.3).named("tare"),

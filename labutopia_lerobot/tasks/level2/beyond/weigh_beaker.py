@@ -29,8 +29,8 @@ def weigh_beaker() -> Task:
             "Find out what the beaker weighs: tare first, then place it on the pan.",
         ),
         start={
-            balance: OnBench((0.24, 0.30), (-0.12, -0.04), YAW),
-            vessel: OnBench(x=(0.18, 0.30), y=(0.14, 0.24)),
+            balance: OnBench((0.28, 0.36), (-0.14, -0.06), YAW),
+            vessel: OnBench(x=(0.17, 0.27), y=(0.12, 0.20)),
         },
         steps=(
             actions.press(balance.tare, hold=0.3).named("tare"),
