@@ -16,6 +16,7 @@ from labutopia_lerobot.predicates.damage import (
     displaced,
     pressed_out_of_turn,
 )
+from labutopia_lerobot.predicates.heat import on_hot_surface, temperature_between
 from labutopia_lerobot.predicates.liquids import (
     Transfer,
     contaminated,
@@ -85,6 +86,7 @@ __all__ = [
     "lip_over",
     "liquid_moving",
     "near",
+    "on_hot_surface",
     "opened",
     "over_mouth",
     "poured",
@@ -103,6 +105,7 @@ __all__ = [
     "struck",
     "swings",
     "switched_on",
+    "temperature_between",
     "tilted",
     "touched",
     "touching",

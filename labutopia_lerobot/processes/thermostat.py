@@ -10,12 +10,15 @@ from labutopia_lerobot.processes.heat import CELSIUS, ZERO_C, ThermalMass
 from labutopia_lerobot.processes.process import Apparatus, Process, ProcessError
 from labutopia_lerobot.world import Reading
 
+_AJAR = math.radians(2.0)
+"""Position up to which a door counts as shut [rad]."""
+
 
 @dataclass(frozen=True)
 class Thermostat(Process):
     """A thermometer and a proportional controller; its reading is what the thermometer says.
 
-    The power falls from all to none over a band around the set point, as a controller's duty does.
+    The power falls from all to none over a band below the set point, as a controller's duty does.
 
     Attributes:
         name: What its reading is called.
@@ -27,6 +30,8 @@ class Thermostat(Process):
         band: Over which the power falls [K]; ours.
         lag: Time constant of the thermometer [s]; ours: a Pt100 of 3 mm in metal takes seconds.
         resolution: Step of the last digit [K].
+        door: Hinge of a door [rad]; while it is open the display writes the warning instead.
+        warning: That text.
     """
 
     name: str
@@ -38,6 +43,8 @@ class Thermostat(Process):
     band: float = 4.0
     lag: float = 2.0
     resolution: float = 1.0
+    door: str = ""
+    warning: str = ""
 
     @property
     @override
@@ -58,7 +65,7 @@ class Thermostat(Process):
         memory[1] = 0.0
         if self.on(apparatus):
             short = math.copysign(1.0, self.watt) * (self.set_point(apparatus) - memory[0])
-            memory[1] = min(max(short / self.band + 0.5, 0.0), 1.0)
+            memory[1] = min(max(short / self.band, 0.0), 1.0)
             heated = _mass(apparatus, self.heats)
             apparatus.memory(heated)[1] += self.watt * memory[1] * apparatus.period
 
@@ -75,8 +82,14 @@ class Thermostat(Process):
     @override
     def reading(self, apparatus: Apparatus) -> Reading:
         memory = apparatus.memory(self)
-        settled = abs(memory[0] - self.set_point(apparatus)) < self.band / 2
+        settled = abs(memory[0] - self.set_point(apparatus)) < self.band
         return Reading(float(memory[0] - ZERO_C), CELSIUS, self.resolution, bool(settled))
+
+    @override
+    def text(self, apparatus: Apparatus) -> str:
+        if self.warning and apparatus.joint(self.door) > _AJAR:
+            return self.warning
+        return super().text(apparatus)
 
 
 def _mass(apparatus: Apparatus, name: str) -> ThermalMass:

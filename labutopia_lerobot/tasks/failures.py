@@ -14,6 +14,7 @@ from labutopia_lerobot.predicates import (
     falling,
     faster,
     knocked_over,
+    on_hot_surface,
     spilled,
     struck,
 )
@@ -40,6 +41,12 @@ def handling(
         **spilling,
         "dropped": falling(vessel, faster_than=0.4),  # paper: no drop; ours: 10 mm, less a step
     }
+
+
+def burning() -> dict[str, Predicate]:
+    """Return what must not happen near what is hot; a scene in which nothing heats has no such."""
+    # Ours: ISO 13732-1 has 60 C as the threshold of burns by glass and ceramics after 5 to 10 s.
+    return {"burnt": on_hot_surface(above_c=60.0)}
 
 
 def of_any(*each: Mapping[str, Predicate]) -> dict[str, Predicate]:

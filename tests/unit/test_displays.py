@@ -31,8 +31,8 @@ def at_rest(kind: str) -> tuple[Apparatus, Display]:
 @pytest.mark.parametrize(
     ("kind", "part", "shut", "moved"),
     [
-        ("refrigerator", "upper", "--.- \u00b0C", "DOOR OPEN"),
-        ("ultra_low_freezer", "lid", "--.- \u00b0C", "LID OPEN"),
+        ("refrigerator", "upper", "4.0 \u00b0C", "DOOR OPEN"),
+        ("ultra_low_freezer", "lid", "-80.0 \u00b0C", "LID OPEN"),
         ("gas_chromatograph", "door", "--.- \u00b0C", "OVEN OPEN"),
         ("ph_meter", "electrode", "--.-- pH", "--.-- pH"),
         ("liquid_chromatograph", "purge", "--.-- ml/min", "PURGE"),
@@ -41,7 +41,7 @@ def at_rest(kind: str) -> tuple[Apparatus, Display]:
         ("laminar_flow_bench", "fan", "--.-- m/s", "--.-- m/s"),
     ],
 )
-def test_a_display_of_what_is_not_measured_shows_dashes_or_what_is_open(kind, part, shut, moved):
+def test_a_display_shows_a_number_or_dashes_or_what_is_open(kind, part, shut, moved):
     apparatus, display = at_rest(kind)
     assert display.of.text(apparatus) == shut
     mechanism = getattr(instrument(kind), part)
@@ -50,10 +50,17 @@ def test_a_display_of_what_is_not_measured_shows_dashes_or_what_is_open(kind, pa
 
 
 def test_a_display_shows_what_a_knob_is_set_to():
+    apparatus, _ = at_rest("stirring_hot_plate")
+    display = instrument("stirring_hot_plate").displays[1]
+    assert display.of.text(apparatus) == "0 rpm"
+    apparatus.data.joint("stirring_hot_plate_speed_hinge").qpos[0] = np.radians(300.0)
+    assert display.of.text(apparatus) == "1500 rpm"
+
+
+def test_a_display_of_temperature_shows_what_the_thermometer_has_not_what_the_knob_is_set_to():
     apparatus, display = at_rest("stirring_hot_plate")
-    assert display.of.text(apparatus) == "20 \u00b0C"
     apparatus.data.joint("stirring_hot_plate_heat_hinge").qpos[0] = np.radians(300.0)
-    assert display.of.text(apparatus) == "320 \u00b0C"
+    assert display.of.text(apparatus) == "20 \u00b0C"
 
 
 def test_a_clock_counts_up_or_down():
@@ -80,10 +87,10 @@ def test_pictures_show_the_reading_of_now():
     renderer = ClassicRenderer(apparatus.model, 200, 200, apparatus=apparatus)
     cold = renderer.color(data, "front").copy()
     assert np.array_equal(cold, renderer.color(data, "front"))
-    heat = apparatus.data.joint("stirring_hot_plate_heat_hinge")
-    heat.qpos[0] = np.radians(300.0)  # without forward kinematics nothing else has moved
+    speed = apparatus.data.joint("stirring_hot_plate_speed_hinge")
+    speed.qpos[0] = np.radians(300.0)  # without forward kinematics nothing else has moved
     assert not np.array_equal(cold, renderer.color(data, "front"))
-    heat.qpos[0] = 0.0
+    speed.qpos[0] = 0.0
     back = renderer.color(data, "front")
     renderer.close()
     assert np.abs(back.astype(int) - cold).max() <= 1

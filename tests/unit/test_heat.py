@@ -2,19 +2,24 @@
 
 import math
 
+import mujoco
 import numpy as np
 import pytest
+from labutopia_lerobot.labware.catalogue import instrument
 from scipy.integrate import solve_ivp
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
 from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.layout import Placement
+from labutopia_lerobot.predicates import on_hot_surface, temperature_between
 from labutopia_lerobot.processes import HeatExchange
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
+from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.substances.filling import Filling
 
 HEATER = Heater("heater")
@@ -93,7 +98,7 @@ def independent(seconds: np.ndarray) -> np.ndarray:
 
     def rates(_: float, y: np.ndarray) -> list[float]:
         plate, glass, water, sensed = y
-        duty = min(max((300.0 + 273.15 - sensed) / 4.0 + 0.5, 0.0), 1.0)
+        duty = min(max((300.0 + 273.15 - sensed) / 4.0, 0.0), 1.0)
         into_glass = 115.0 * foot * (plate - glass)
         into_water = 500.0 * wetted * (glass - water)
         plate_loss = lost(plate, radius / 2, 1.32, math.pi * radius**2) + 0.2 * (plate - ROOM)
@@ -186,3 +191,122 @@ def test_what_mixes_keeps_its_heat():
         liquid.mix(1 / 30)
     assert liquid.temperatures.sum() == pytest.approx(before, rel=1e-9)
     assert np.ptp(liquid.temperatures) < 0.2 * spread
+
+
+def alone(piece) -> Simulation:
+    """Return an instrument alone on the bench, come to rest."""
+    simulation = Simulation(compile_scene([piece], PANDA, LABORATORY, DOOR_VIEW))
+    simulation.reset({piece: Placement(1.0, 0.0, 0.0)})
+    return simulation
+
+
+def turn(simulation: Simulation, joint: str, position: float) -> None:
+    simulation.data.joint(joint).qpos[:] = position
+
+
+@pytest.mark.parametrize(
+    ("kind", "share", "set_to", "seconds"),
+    [
+        ("stirring_hot_plate", 0.5, 170.0, 400),
+        ("water_bath", 0.25, 40.0, 700),
+        ("dry_block_heater", 0.5, 75.0, 300),
+        ("incubator", 0.34, 37.0, 1500),
+        ("rotary_evaporator", 0.5, 60.0, 700),
+    ],
+)
+def test_it_reaches_what_its_knob_sets_and_shows_what_it_has(kind, share, set_to, seconds):
+    piece = instrument(kind, "it")
+    simulation = alone(piece)
+    shown = "it_thermometer"
+    turn(simulation, piece.heat.joint, share * piece.heat.widest)
+    power = getattr(piece, "power", None)
+    if power is not None:
+        warm_up(simulation, 20.0)
+        assert celsius(simulation, shown) == 20.0  # it is switched off
+        turn(simulation, power.joint, power.widest)
+    warm_up(simulation, 10.0)
+    assert celsius(simulation, shown) < set_to - 5.0
+    warm_up(simulation, seconds - 10.0)
+    assert celsius(simulation, shown) == pytest.approx(set_to, abs=4.0)
+    assert shown in simulation.apparatus.displayed
+    warm_up(simulation, 60.0)
+    assert celsius(simulation, shown) == pytest.approx(set_to, abs=4.0)
+
+
+def test_an_oven_heats_and_cools_with_its_door_open():
+    oven = DryingOven("oven", button_color="green")
+    simulation = alone(oven)
+    simulation.apparatus.memory(oven.switch)[0] = 1.0
+    warm_up(simulation, 1500.0)
+    assert celsius(simulation, "oven_thermometer") == pytest.approx(105.0, abs=4.0)
+    simulation.apparatus.memory(oven.switch)[0] = 0.0
+    kept = simulation.state()
+    cooled = []
+    for position in (0.0, math.pi / 2):
+        simulation.restore(kept)
+        turn(simulation, oven.door.joint, position)
+        warm_up(simulation, 60.0)
+        cooled.append(celsius(simulation, "oven_thermometer"))
+    assert cooled[0] > 98.0
+    assert cooled[1] < cooled[0] - 20.0
+
+
+@pytest.mark.parametrize(
+    ("kind", "degrees", "way", "warmer"),
+    [("refrigerator", 4.0, "upper", 2.0), ("ultra_low_freezer", -80.0, "lid", 2.0)],
+)
+def test_what_is_cold_stays_cold_and_warms_with_its_door_open(kind, degrees, way, warmer):
+    piece = instrument(kind, "it")
+    simulation = alone(piece)
+    warm_up(simulation, 60.0)
+    assert celsius(simulation, "it_thermometer") == pytest.approx(degrees, abs=2.0)
+    turn(simulation, getattr(piece, way).joint, math.radians(80.0))
+    warm_up(simulation, 60.0)
+    assert celsius(simulation, "it_thermometer") > degrees + warmer
+
+
+def test_ice_cools_a_beaker_and_stays_at_0_while_it_melts():
+    bucket = instrument("ice_bucket", "bucket")
+    scene = compile_scene(
+        [bucket, BEAKER], PANDA, LABORATORY, DOOR_VIEW, {BEAKER: Filling(50.0)}, 100
+    )
+    simulation = Simulation(scene)
+    simulation.reset(
+        {bucket: Placement(0.3, 0.2, 0.0), BEAKER: Placement(0.3, 0.2, 0.0, height=0.175)}
+    )
+    simulation.fill(np.random.default_rng(0))
+    warm_up(simulation, 300.0)
+    assert celsius(simulation, f"{BEAKER.name}_temperature") < 16.0
+    assert celsius(simulation, "bucket_ice_temperature") == pytest.approx(0.0, abs=1e-9)
+    melted = simulation.apparatus.memory(simulation.apparatus.processes["bucket_ice_temperature"])
+    assert melted[2] > 1000.0
+
+
+def test_a_hand_on_the_hot_plate_is_a_breach_and_one_on_the_cold_plate_is_none():
+    simulation = on_the_plate(20.0, 60)
+    world = SimulatedWorld(simulation)
+    model, data = simulation.scene.model, simulation.data
+    burnt = on_hot_surface(above_c=60.0)
+    pad = model.geom(simulation.scene.robot.gripper.pads[0]).id
+    plate = model.geom(HEATER.hot.surfaces[0]).id
+    met = data.geom_xpos[plate] - data.geom_xpos[pad]
+    for celsius_now, expected in ((20.0, False), (59.0, False), (80.0, True)):
+        simulation.apparatus.memory(HEATER.hot)[0] = celsius_now + 273.15
+        model.body(HEATER.name).pos = model.body(HEATER.name).pos - met
+        mujoco.mj_step1(model, data)
+        simulation.apparatus.step()
+        model.body(HEATER.name).pos = model.body(HEATER.name).pos + met
+        assert burnt.holds(world) is expected
+    mujoco.mj_step1(model, data)
+    simulation.apparatus.step()
+    assert not burnt.holds(world)
+
+
+def test_a_task_can_ask_how_warm_a_vessel_is():
+    simulation = on_the_plate(20.0, 60)
+    world = SimulatedWorld(simulation)
+    assert temperature_between(BEAKER, low_c=19.0, high_c=21.0).holds(world)
+    assert simulation.liquid is not None
+    simulation.liquid.warm_to(308.15)
+    assert not temperature_between(BEAKER, low_c=19.0, high_c=21.0).holds(world)
+    assert temperature_between(BEAKER, low_c=33.0, high_c=37.0).holds(world)

@@ -18,6 +18,8 @@ from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.shelf import Shelf
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
 from labutopia_lerobot.labware.parts.switch import Switch
+from labutopia_lerobot.labware.parts.warmth import Regulated, chamber
+from labutopia_lerobot.processes import DoorGap, Process
 
 _DEPTH, _WIDTH, _HEIGHT = 0.576, 0.741, 0.630
 """Outer size [m] (original, DryingBox_01)."""
@@ -39,6 +41,10 @@ _BUTTON_HEIGHT = 0.24
 """Height of the button on the control column, between knob and main switch [m]; ours."""
 _LAMP_ASIDE = 0.045
 """Distance from the button to its lamp, on the left [m]; as on the heater."""
+
+_WATT, _SET_POINT, _LEAK = 1200.0, 105.0, 1.5
+"""Power [W], temperature that it holds [degrees C], loss through its walls [W/K]; ours: ovens of
+100 l have 1 to 1.6 kW and lose some 130 W at 105 C, at which samples are dried (ISO 11465)."""
 
 _DOOR_MASS = 6.5
 """Two skins of 0.8 mm steel (4.1 kg), a double pane of 4 mm glass (1.4 kg), frame and wool [kg]."""
@@ -114,8 +120,20 @@ class DryingOven(Equipment):
         return () if self.button_color is None else (self.button,)
 
     @property
-    def works(self) -> tuple[Switch, ...]:
-        return () if self.button_color is None else (self.switch,)
+    def works(self) -> tuple[Process, ...]:
+        return () if self.button_color is None else (self.switch, *self.heat)
+
+    @property
+    def heat(self) -> tuple[Process, ...]:
+        """What keeps its inside warm while it is on."""
+        x, y, bottom = _DEPTH / 2, _WIDTH / 2, self.stand + _FOOT
+        low = (-x, y - _DOOR_WIDTH, bottom + _WALL)
+        high = (x - _WALL, y - _WALL, bottom - _FOOT + _HEIGHT - _WALL)
+        doorway = DoorGap(
+            self.door.joint, (high[1] - low[1]) * (high[2] - low[2]), high[2] - low[2]
+        )
+        by = Regulated(_WATT, _SET_POINT, self.switch.name)
+        return chamber(self.name, low, high, _LEAK, doorway, by)
 
     @property
     def mechanisms(self) -> tuple[Door[Handle], ...]:

@@ -84,7 +84,7 @@ class Heater(Equipment):
             zone=HeatZone(
                 (-reach, -reach, _TOP - 0.002), (reach, reach, _TOP + 0.003), ON_CERAMIC, base=True
             ),
-            surfaces=(f"{self.name}_plate",),
+            surfaces=(f"{self.name}_plate_contact",),
             print=f"{self.name}_zone",
         )
 

@@ -14,6 +14,10 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.warmth import Regulated, block
+from labutopia_lerobot.processes import HeatZone, Process
+from labutopia_lerobot.processes.hot_surface import IN_BORE
+from labutopia_lerobot.world import ON
 
 _ROWS, _COLUMNS = (0.007, 0.030, 0.053), (0.0345, 0.0115, -0.0115, -0.0345)
 """Positions of the bores: from the front, from left to right [m]."""
@@ -54,9 +58,26 @@ class DryBlockHeater(Instrument):
         )
 
     @property
+    def warming(self) -> tuple[Process, ...]:
+        """What knob and switch say, the block and its thermostat.
+
+        300 W, usual; 0.6 kg of aluminium, 900 J/kg K (Incropera, table A.1).
+        """
+        knob = Scale(self.heat, 20, 130, "\u00b0C", resolution=0.5)
+        power = Scale(self.power, 0, 1, ON)
+        zone = HeatZone((-0.005, -0.046, 0.088), (0.065, 0.046, 0.100), IN_BORE)
+        by = Regulated(300.0, knob.name, power.name, resolution=0.5)
+        return knob, power, *block(self.name, 540.0, 0.023, zone, (), by)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        return self.warming
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat, 20, 130, "\u00b0C", resolution=0.5)
-        return (Display(f"{self.name}_display", (0.080, 0.028), heat, ink=(255, 90, 60)),)
+        return (
+            Display(f"{self.name}_display", (0.080, 0.028), self.warming[-1], ink=(255, 90, 60)),
+        )
 
     def _forms(self) -> list[Form]:
         low, high, wall = 0.088, 0.140, 0.003

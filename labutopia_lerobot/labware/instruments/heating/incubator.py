@@ -19,6 +19,9 @@ from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.shelf import Shelf
+from labutopia_lerobot.labware.parts.warmth import Regulated, chamber
+from labutopia_lerobot.processes import DoorGap, Process
+from labutopia_lerobot.world import ON
 
 _DEPTH, _WIDTH, _HEIGHT = 0.600, 0.640, 0.850
 _WALL, _LEAF = 0.045, 0.045
@@ -76,9 +79,31 @@ class Incubator(Instrument):
         )
 
     @property
+    def warming(self) -> tuple[Process, ...]:
+        """What knob and switch say, the air, the liner and the thermostat: 300 W, usual; leak ours.
+
+        Its inner door, of glass, lets nothing through: the outer one loses by it what it does.
+        """
+        knob, power = (
+            Scale(self.heat, 20, 70, "\u00b0C", resolution=0.1),
+            Scale(self.power, 0, 1, ON),
+        )
+        x, y = _DEPTH / 2, _WIDTH / 2 - _WALL
+        low = (-x + _LEAF, -y, _FOOT + _WALL)
+        high = (x - _WALL, y, _HEIGHT - _PANEL)
+        gap = DoorGap(self.inner_door.joint, 2 * y * (high[2] - low[2]), high[2] - low[2])
+        by = Regulated(300.0, knob.name, power.name, resolution=0.1)
+        return knob, power, *chamber(self.name, low, high, 1.2, gap, by)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        return self.warming
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat, 20, 70, "\u00b0C", resolution=0.1)
-        return (Display(f"{self.name}_display", (0.120, 0.044), heat, ink=(255, 90, 60)),)
+        return (
+            Display(f"{self.name}_display", (0.120, 0.044), self.warming[-1], ink=(255, 90, 60)),
+        )
 
     def _forms(self) -> list[Form]:
         back, front, y = _DEPTH / 2, -_DEPTH / 2 + _LEAF, _WIDTH / 2

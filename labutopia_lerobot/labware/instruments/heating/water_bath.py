@@ -18,6 +18,9 @@ from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.valve import Tap
+from labutopia_lerobot.labware.parts.warmth import Regulated, bath
+from labutopia_lerobot.processes import Process
+from labutopia_lerobot.world import ON
 
 
 @dataclass(frozen=True)
@@ -64,9 +67,25 @@ class WaterBath(Instrument):
         return (self.grid,)
 
     @property
+    def warming(self) -> tuple[Process, ...]:
+        """What knob and switch say, the water and its thermostat: 1 kW, usual; leak ours."""
+        knob, power = (
+            Scale(self.heat, 20, 100, "\u00b0C", resolution=0.5),
+            Scale(self.power, 0, 1, ON),
+        )
+        by = Regulated(1000.0, knob.name, power.name, resolution=0.5)
+        low, high = (-0.131, -0.146, 0.108), (0.131, 0.146, 0.185)
+        return knob, power, *bath(self.name, low, high, 0.8, by)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        return self.warming
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat, 20, 100, "\u00b0C", resolution=0.5)
-        return (Display(f"{self.name}_display", (0.080, 0.030), heat, ink=(255, 90, 60)),)
+        return (
+            Display(f"{self.name}_display", (0.080, 0.030), self.warming[-1], ink=(255, 90, 60)),
+        )
 
     def _forms(self) -> list[Form]:
         return [

@@ -12,16 +12,24 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.warmth import Regulated, block
+from labutopia_lerobot.processes import HeatZone, Process
+from labutopia_lerobot.processes.hot_surface import ON_CERAMIC
 
 _TOP = 0.095
 """Height of the plate [m]."""
 _SLOPE = 58.1
 """Angle by which the console leans back [deg]."""
 
+_WATT = 600.0
+"""Power of its heater [W], usual for plates of 135 mm; from memory."""
+_CAPACITY = 0.135**2 * 0.011 * 2570.0 * 800.0
+"""Of its ceramic plate [J/K], as the heater's."""
+
 
 @dataclass(frozen=True)
 class StirringHotPlate(Instrument):
-    """A magnetic stirrer with hot plate: its displays show what its knobs are set to.
+    """A magnetic stirrer with hot plate: its displays show how hot it is, and its speed as set.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -56,12 +64,24 @@ class StirringHotPlate(Instrument):
         return (self.plate,)
 
     @property
+    def warming(self) -> tuple[Process, ...]:
+        """What its knob sets, the plate and its thermostat."""
+        knob = Scale(self.heat, 20, 320, "\u00b0C")
+        low, high = (0.010, -0.050, _TOP - 0.002), (0.110, 0.050, _TOP + 0.003)
+        zone = HeatZone(low, high, ON_CERAMIC, base=True)
+        by = Regulated(_WATT, knob.name)
+        return knob, *block(self.name, _CAPACITY, 0.135**2, zone, (), by)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        return self.warming
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat, 20, 320, "\u00b0C")
         speed = Scale(self.speed, 0, 1500, "rpm", resolution=10)
         size = (0.046, 0.016)
         return (
-            Display(f"{self.name}_temperature", size, heat, ink=(255, 130, 90)),
+            Display(f"{self.name}_temperature", size, self.warming[-1], ink=(255, 130, 90)),
             Display(f"{self.name}_rpm", size, speed),
         )
 

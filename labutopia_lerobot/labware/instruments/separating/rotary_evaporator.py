@@ -17,6 +17,8 @@ from labutopia_lerobot.labware.parts.panel import ON_FRONT, leaning
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.labware.parts.valve import Tap
+from labutopia_lerobot.labware.parts.warmth import Regulated, bath
+from labutopia_lerobot.processes import Process
 
 _LEAN = math.radians(30.0)
 """Angle by which the flask's axis points down [rad]."""
@@ -65,10 +67,23 @@ class RotaryEvaporator(Instrument):
         return self.lift, self.flask, self.speed, self.heat, self.stopcock
 
     @property
+    def warming(self) -> tuple[Process, ...]:
+        """What its knob sets, the bath and its thermostat: 1.3 kW, usual; leak ours."""
+        knob = Scale(self.heat, 20, 100, "\u00b0C")
+        by = Regulated(1300.0, knob.name)
+        low, high = (-0.178, -0.013, 0.080), (0.028, 0.193, 0.150)
+        return knob, *bath(self.name, low, high, 0.8, by)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        return self.warming
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat, 20, 100, "\u00b0C")
         speed = Scale(self.speed, 0, 280, "rpm", resolution=5)
-        bath = Display(f"{self.name}_temperature", (0.060, 0.022), heat, ink=(255, 130, 90))
+        bath = Display(
+            f"{self.name}_temperature", (0.060, 0.022), self.warming[-1], ink=(255, 130, 90)
+        )
         return bath, Display(f"{self.name}_rpm", (0.060, 0.022), speed)
 
     def _forms(self) -> list[Form]:

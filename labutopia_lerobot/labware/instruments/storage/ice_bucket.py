@@ -11,6 +11,8 @@ from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.processes import HeatZone, Process, ThermalMass
+from labutopia_lerobot.processes.hot_surface import IN_ICE
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,24 @@ class IceBucket(Instrument):
     def places(self) -> tuple[Seat, ...]:
         """The middle of the ice."""
         return (Seat(f"{self.name}_ice", self.name, (0.0, 0.0, 0.168), width=0.120),)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """The ice: 1.5 kg of it, 2050 J/kg K, which 334 kJ/kg melt (CRC Handbook); leak ours.
+
+        What stands on it is cooled through its base: nothing sinks into the ice.
+        """
+        zone = HeatZone((-0.09, -0.09, 0.160), (0.09, 0.09, 0.190), IN_ICE, base=True)
+        ice = ThermalMass(
+            f"{self.name}_ice_temperature",
+            self.name,
+            1.5 * 2050.0,
+            leak=0.3,
+            zone=zone,
+            begins=0.0,
+            latent=1.5 * 334e3,
+        )
+        return (ice,)
 
     def _forms(self) -> list[Form]:
         lumps: list[Form] = []

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
-from labutopia_lerobot.labware.parts.dials import Unmeasured
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.form import (
@@ -19,6 +18,8 @@ from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.shelf import Shelf
+from labutopia_lerobot.labware.parts.warmth import Regulated, chamber
+from labutopia_lerobot.processes import DoorGap, Process
 
 _DEPTH, _WIDTH, _HEIGHT = 0.650, 0.600, 1.900
 _WALL, _LEAF = 0.050, 0.055
@@ -73,9 +74,18 @@ class Refrigerator(Instrument):
         )
 
     @property
+    def works(self) -> tuple[Process, ...]:
+        """Its upper room at 4 degrees: 150 W of cold, usual; leak ours. The freezer is cold too,
+        but its temperature is not simulated."""
+        x, y = _DEPTH / 2, _WIDTH / 2 - _WALL
+        low, high = (-x + _LEAF, -y, _SPLIT + 0.06), (x - _WALL, y, _HEIGHT - _WALL)
+        gap = DoorGap(self.upper.joint, 2 * y * (high[2] - low[2]), high[2] - low[2])
+        by = Regulated(-150.0, 4.0, begins=4.0, resolution=0.1, warning="DOOR OPEN")
+        return chamber(self.name, low, high, 1.5, gap, by)
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Unmeasured(f"{self.name}_temperature", "\u00b0C", 0.1, "DOOR OPEN", self.upper)
-        return (Display(f"{self.name}_display", (0.110, 0.040), shown),)
+        return (Display(f"{self.name}_display", (0.110, 0.040), self.works[-1]),)
 
     def _forms(self) -> list[Form]:
         back, front, y = _DEPTH / 2, -_DEPTH / 2 + _LEAF, _WIDTH / 2
