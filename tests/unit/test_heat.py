@@ -5,7 +5,7 @@ import math
 import mujoco
 import numpy as np
 import pytest
-from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from scipy.integrate import solve_ivp
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
