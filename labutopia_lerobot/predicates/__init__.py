@@ -16,7 +16,6 @@ from labutopia_lerobot.predicates.damage import (
     displaced,
     pressed_out_of_turn,
 )
-from labutopia_lerobot.predicates.heat import on_hot_surface, temperature_between
 from labutopia_lerobot.predicates.liquids import (
     Transfer,
     contaminated,
@@ -48,6 +47,7 @@ from labutopia_lerobot.predicates.predicate import Predicate, predicate
 from labutopia_lerobot.predicates.readings import reads, settled
 from labutopia_lerobot.predicates.squeezing import dispensed, spout_over
 from labutopia_lerobot.predicates.stirring import immersed, over_mouth
+from labutopia_lerobot.predicates.temperatures import on_hot_surface, temperature_between
 from labutopia_lerobot.predicates.vessels import (
     falling,
     gripped,

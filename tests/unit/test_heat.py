@@ -5,10 +5,10 @@ import math
 import mujoco
 import numpy as np
 import pytest
-from labutopia_lerobot.labware.instrument_catalogue import instrument
 from scipy.integrate import solve_ivp
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
 from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.layout import Placement
