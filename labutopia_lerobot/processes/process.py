@@ -3,14 +3,14 @@
 import difflib
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterable
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.substances.filling import Dispenser
+from labutopia_lerobot.processes.liquid_handling import LiquidHandling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 from labutopia_lerobot.world.reading import Reading
 
@@ -71,14 +71,6 @@ class Process:
 
 class UnknownReadingError(UserError, LookupError):
     """Something asks for a reading that no piece gives; the message lists those that there are."""
-
-
-class LiquidHandling(Protocol):
-    """What processes may do to the liquid of a scene."""
-
-    def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
-        """Let liquid out of a bottle; `volume` is what has left since the start [m^3]."""
-        ...
 
 
 class Apparatus:
