@@ -127,7 +127,7 @@ def lean(simulation: Simulation, angle: float) -> None:
 
 
 def test_what_was_taken_in_aslant_runs_out_upright(simulation):
-    """An upright column is higher: what the meniscus does not carry leaves the tip."""
+    """An upright column is higher: what the meniscus does not carry leaves, here nanolitres."""
     lean(simulation, np.radians(75))
     take_up(simulation)
     aslant = drawn(simulation)
