@@ -71,8 +71,9 @@ def _lines() -> Iterator[str]:
     yield 'hand. "From memory" means that no text of the standard was at hand.'
     yield ""
     yield "To liquid a vessel is its wall of revolution: side arms, necks, jackets, spouts and"
-    yield "filter plates are drawn and touched, but sealed where they join; stopcocks turn, but"
-    yield "stay shut to it. Funnels, pipettes and condensers are open below: liquid runs out there."
+    yield "filter plates are drawn and touched, but sealed where they join. Stopcocks let liquid"
+    yield "through ([small volumes](small_volumes.md)). Funnels, pipettes and condensers are open"
+    yield "below: liquid runs out there."
     yield "Closures are pieces of their own: plugs hold by friction, screw caps by the contact of"
     yield "their lugs with a ridge, lids lie on the lip."
     yield ""

@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 from labutopia_lerobot.kernel import announce_compiling
 from labutopia_lerobot.liquids import temperature
 from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
+from labutopia_lerobot.liquids.kept import Kept, Portion
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
 from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.processes import Warmth
 from labutopia_lerobot.setting import PARTICLES
-from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
+from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake, Narrow
 from labutopia_lerobot.substances.substance import WATER, Substance
 from labutopia_lerobot.world import FloatArray, LiquidAccount, Pose
 
@@ -38,19 +39,21 @@ class Liquid:
     Args:
         model: The compiled scene.
         data: Its state; the walls are where it says at every step.
-        vessels: Everything that can hold the liquid, and the bottles that it can come from.
+        vessels: Everything that can hold the liquid: vessels, bottles that it can come from,
+            pipettes.
         fillings: Everything that is to be filled in: what it is, and how much of it in all.
         particles: Number of particles.
         robot: Root body of what can carry vessels, if anything.
 
     Attributes:
-        vessels: Those that liquid flows among: not the bottles.
+        vessels: Those that liquid flows among: neither bottles nor pipettes.
         substances: All that there are, each once.
         volume: Of a particle [m^3].
         positions: Shape (n, 3), metres, world frame; none before `fill`.
         velocities: Shape (n, 3), m/s, world frame.
         origins: Which of `names` held each particle at the fill, shape (n,); -1 none.
-        names: Of all vessels and bottles.
+        names: Of all vessels, bottles and pipettes.
+        kept: What stands in narrow tubes; `positions` and all other arrays are without it.
         temperatures: Of each particle, shape (n,), K.
         diverged: Whether the solver has failed; the particles then stay where they are.
     """
@@ -59,15 +62,16 @@ class Liquid:
         self,
         model: mujoco.MjModel,
         data: mujoco.MjData,
-        vessels: Sequence[Fillable | Dispenser],
+        vessels: Sequence[Fillable | Dispenser | Intake],
         fillings: Sequence[Filling],
         particles: int = PARTICLES,
         robot: int | None = None,
     ) -> None:
         announce_compiling()
         bottles = [vessel for vessel in vessels if isinstance(vessel, Dispenser)]
-        self.vessels = tuple(vessel for vessel in vessels if not isinstance(vessel, Dispenser))
-        self.names = tuple(vessel.name for vessel in (*self.vessels, *bottles))
+        self.vessels = tuple(vessel for vessel in vessels if isinstance(vessel, Fillable))
+        pipettes = [vessel for vessel in vessels if isinstance(vessel, Intake)]
+        self.names = tuple(vessel.name for vessel in (*self.vessels, *bottles, *pipettes))
         self.substances = tuple(dict.fromkeys(filling.substance for filling in fillings))
         volume = sum(filling.ml for filling in fillings) * 1e-6
         self.volume = volume / particles
@@ -76,7 +80,10 @@ class Liquid:
         self._waiting_at_start = dict(self._waiting)
         self._room = temperature.ROOM
         self._held = dict.fromkeys(self._waiting, self.substances[0])
-        depths = [vessel.profile.depth(volume) for vessel in self.vessels]
+        columns = [vessel for vessel in self.vessels if _is_column(vessel)]
+        self.kept = Kept(len(self.substances))
+        self._keeps = bool(columns or pipettes)
+        depths = [v.profile.depth(volume) for v in self.vessels if v not in columns]
         self._mixing = Mixing(self.substances, self.volume, max(depths, default=0.0))
         self._around = Surroundings(model, data, self.vessels, robot)
         self._impulse = np.zeros((self._around.owners, 6))
@@ -86,6 +93,11 @@ class Liquid:
     def hertz(self) -> int:
         """Steps per second."""
         return self._mixing.flow.hertz
+
+    @property
+    def spacing(self) -> float:
+        """Edge of the cube that a particle's volume fills [m]."""
+        return self._mixing.flow.spacing
 
     @property
     def amounts(self) -> FloatArray:
@@ -104,6 +116,7 @@ class Liquid:
         """Take all liquid away."""
         self._waiting = dict.fromkeys(self._waiting, 0)
         self._waiting_at_start = dict(self._waiting)
+        self.kept.empty()
         self._start(np.empty((0, 3)), np.empty(0, int), np.empty((0, len(self.substances))))
 
     def _start(
@@ -130,7 +143,7 @@ class Liquid:
         """Fill vessels, where they are and as they stand, and let the liquid come to rest in them.
 
         What there was before is taken away. What is in a squeeze bottle waits there until it is
-        dispensed.
+        dispensed, what is in a burette until it is let out.
 
         Args:
             contents: What each vessel holds; together they are all the liquid there is.
@@ -148,6 +161,10 @@ class Liquid:
                 self._held[vessel.name] = filling.substance
                 continue
             index = self.vessels.index(vessel)
+            if _is_column(vessel):
+                here = np.full(share, index)
+                self.kept.add(index, self._portion(here, self._pure([filling.substance] * share)))
+                continue
             local = lattice(vessel.profile, share, self._mixing.flow.spacing, rng)
             origin, rotation = self._around.glass.now
             heaps.append(origin[index] + local @ rotation[index].T)
@@ -214,16 +231,51 @@ class Liquid:
         """
         count = len(positions)
         amounts = self._pure([of or self.substances[0]] * count)
+        here = np.full(count, origin)
+        self.add(positions, velocities, self._portion(here, amounts))
+
+    def _portion(self, here: NDArray[np.int64], amounts: FloatArray) -> Portion:
+        """Return what particles are that come from where they are, as warm as the room."""
+        return Portion(here, here, np.full(len(here), self._room), amounts)
+
+    def add(self, positions: FloatArray, velocities: FloatArray, portion: Portion) -> None:
+        """Add particles.
+
+        Args:
+            positions: Shape (m, 3), metres, world frame, none in glass.
+            velocities: Shape (m, 3), m/s, world frame.
+            portion: What they are.
+        """
+        count = len(positions)
         self.positions = np.vstack([self.positions, positions])
         self.velocities = np.vstack([self.velocities, velocities])
-        self.amounts = np.vstack([self._amounts, amounts])
-        self.origins = np.append(self.origins, np.full(count, origin))
-        self._last_held = np.append(self._last_held, np.full(count, origin))
-        room = np.full(count, self._room)
-        self.temperatures = np.append(self.temperatures, room)
+        self.amounts = np.vstack([self._amounts, portion.amounts])
+        self.origins = np.append(self.origins, portion.origins)
+        self._last_held = np.append(self._last_held, portion.last_held)
+        self.temperatures = np.append(self.temperatures, portion.temperatures)
         self._inside = np.append(self._inside, np.full(count, -1))
         self._pressure = np.append(self._pressure, np.zeros(count))
         self._touching = np.append(self._touching, np.full(count, NOTHING))
+
+    def take(self, which: NDArray[np.intp]) -> Portion:
+        """Take particles away, by their indices, and return what they are."""
+        origins, held = self.origins[which], self._last_held[which]
+        taken = Portion(origins, held, self.temperatures[which], self._amounts[which])
+        self.positions = np.delete(self.positions, which, axis=0)
+        self.velocities = np.delete(self.velocities, which, axis=0)
+        self.amounts = np.delete(self._amounts, which, axis=0)
+        self.origins = np.delete(self.origins, which)
+        self._last_held = np.delete(self._last_held, which)
+        self.temperatures = np.delete(self.temperatures, which)
+        self._inside = np.delete(self._inside, which)
+        self._pressure = np.delete(self._pressure, which)
+        self._touching = np.delete(self._touching, which)
+        return taken
+
+    def inside(self) -> NDArray[np.int64]:
+        """Return which of `names` each particle is in, shape (n,); -1 none."""
+        around = self._around
+        return whereabouts(self.positions, around.glass, around.inner, around.smallest_first)
 
     def step(self) -> None:
         """Move on by 1 / `hertz`, to where the bodies are now, and push them.
@@ -231,6 +283,10 @@ class Liquid:
         What the liquid does to a body stands in MuJoCo's `xfrc_applied` until the next step.
         """
         if not len(self.positions):
+            if self._keeps:  # what comes out next must find the walls where they are
+                self._around.move()
+                self._impulse[:] = 0.0
+                self._around.push(self._impulse)
             return
         self._around.move()
         before = self.positions.copy()
@@ -262,17 +318,21 @@ class Liquid:
 
     def take_account(self) -> LiquidAccount:
         """Return where the liquid is; `transfers` run from the previous call to this one."""
-        count = len(self.names)
-        around = self._around
-        inside = whereabouts(self.positions, around.glass, around.inner, around.smallest_first)
-        counts = tally(count, self.origins, inside, self._touching, around.standing)
+        count, kept = len(self.names), self.kept
+        inside = self.inside()
+        places = np.append(inside, kept.holders)
+        origins = np.append(self.origins, kept.portion.origins)
+        held = np.append(self._last_held, kept.portion.last_held)
+        touching = np.append(self._touching, np.full(len(kept.holders), NOTHING))
+        counts = tally(count, origins, places, touching, self._around.standing)
         for name, waiting in self._waiting.items():
             bottle = self.names.index(name)
             counts[bottle, bottle] += waiting
-        moves = transfers(count, self._last_held, inside)
+        moves = transfers(count, held, places)
         speeds = mean_speeds(count, self.velocities, inside)
         self._last_held = np.where(inside >= 0, inside, self._last_held)
         self._inside, self._speeds = inside, speeds
+        kept.remember(kept.holders)
         return LiquidAccount(self.names, counts, moves, speeds, self.volume)
 
     def warmth(self, vessel: str) -> Warmth | None:
@@ -299,6 +359,7 @@ class Liquid:
         """Bring all liquid to a temperature [K], and what comes later."""
         self._room = temperature
         self.temperatures[:] = temperature
+        self.kept.portion.temperatures[:] = temperature
 
     def all_at(self, temperature: float) -> bool:
         """Tell whether all liquid has a temperature [K]."""
@@ -312,10 +373,12 @@ class Liquid:
     def state(self) -> FloatArray:
         """Return all that the next step depends on beside MuJoCo's state.
 
-        Shape (2 + bottles + (11 + substances) n,).
+        Shape (2 + bottles + (11 + substances) n,), after what is kept where anything can be.
         """
+        kept = [self.kept.state()] if self._keeps else []
         return np.concatenate(
             [
+                *kept,
                 [len(self.positions), self.diverged, *self._waiting.values()],
                 self.positions.ravel(),
                 self.velocities.ravel(),
@@ -330,6 +393,8 @@ class Liquid:
 
     def restore(self, state: FloatArray) -> None:
         """Go back to what `state` returned; MuJoCo's state must have been restored before."""
+        if self._keeps:
+            state = self.kept.restore(state)
         count, bottles = int(state[0]), len(self._waiting)
         waiting, rest = np.split(state[2:], [bottles])
         self._waiting = dict(zip(self._waiting, waiting.astype(int).tolist(), strict=True))
@@ -341,3 +406,7 @@ class Liquid:
         self._pressure[:], self._touching[:], self._last_held[:] = pressure, touching, last_held
         self.temperatures[:] = temperatures
         self.diverged = bool(state[1])
+
+
+def _is_column(vessel: Fillable) -> bool:
+    return isinstance(vessel, Narrow) and vessel.column

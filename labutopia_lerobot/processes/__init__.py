@@ -2,12 +2,12 @@
 
 from labutopia_lerobot.processes.heat import DoorGap, HeatZone, ThermalMass
 from labutopia_lerobot.processes.heat_exchange import HeatExchange
+from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
 from labutopia_lerobot.processes.process import (
     Apparatus,
     Process,
     ProcessError,
     UnknownReadingError,
-    Warmth,
     slots_of,
 )
 from labutopia_lerobot.processes.thermostat import Thermostat
@@ -17,8 +17,10 @@ __all__ = [
     "DoorGap",
     "HeatExchange",
     "HeatZone",
+    "LiquidHandling",
     "Process",
     "ProcessError",
+    "Stock",
     "ThermalMass",
     "Thermostat",
     "UnknownReadingError",

@@ -3,14 +3,14 @@
 import difflib
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterable
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.substances.filling import Dispenser
+from labutopia_lerobot.processes.liquid_handling import LiquidHandling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 from labutopia_lerobot.world.reading import Reading
 
@@ -71,49 +71,6 @@ class Process:
 
 class UnknownReadingError(UserError, LookupError):
     """Something asks for a reading that no piece gives; the message lists those that there are."""
-
-
-class Warmth(NamedTuple):
-    """How warm the liquid in a vessel is."""
-
-    volume: float
-    """m^3."""
-    capacity: float
-    """What warms it by 1 K [J/K]."""
-    temperature: float
-    """Mean, by heat [K]."""
-    boiling: float
-    """Where it boils, mean by volume [K]."""
-    water: float
-    """Which share of it is water, by volume."""
-
-
-class LiquidHandling(Protocol):
-    """What processes may do to the liquid of a scene."""
-
-    def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
-        """Let liquid out of a bottle; `volume` is what has left since the start [m^3]."""
-        ...
-
-    def warmth(self, vessel: str) -> Warmth | None:
-        """Return how warm what a vessel holds is; None if it holds nothing."""
-        ...
-
-    def warm(self, vessel: str, heat: float) -> None:
-        """Give what a vessel holds some heat [J]."""
-        ...
-
-    def warm_to(self, temperature: float) -> None:
-        """Bring all liquid to a temperature [K]."""
-        ...
-
-    def all_at(self, temperature: float) -> bool:
-        """Tell whether all liquid has a temperature [K]."""
-        ...
-
-    def mix(self, period: float) -> None:
-        """Let what is in each vessel share its heat for a time [s]."""
-        ...
 
 
 class Apparatus:

@@ -8,13 +8,14 @@ from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.layout import Piece, Placement
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
+from labutopia_lerobot.liquids.handling import Handling
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.set_points import PHYSICS_STEPS, SPAN, set_points
 from labutopia_lerobot.sim.contact_record import ContactRecord
 from labutopia_lerobot.sim.scene import ROBOT_MOUNT, Scene
-from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling
+from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 from labutopia_lerobot.world.model import PHYSICS_HZ
 
@@ -57,7 +58,7 @@ class Simulation:
         self.apparatus = Apparatus(
             scene.model, self.data, scene.processes, self.data.userdata[commands:]
         )
-        self.apparatus.liquid = self.liquid
+        self.apparatus.liquid = None if self.liquid is None else Handling(self.liquid)
         self.set_points = np.tile(self._start, (PHYSICS_STEPS, 1))
         self.watch: Callable[[], None] | None = None
         self.commands[:] = self._start
@@ -224,6 +225,6 @@ class Simulation:
 
 def _liquid(scene: Scene, data: mujoco.MjData) -> Liquid:
     """Return all that the contents of a scene are, still empty."""
-    vessels = [piece for piece in scene.pieces if isinstance(piece, Fillable | Dispenser)]
+    vessels = [p for p in scene.pieces if isinstance(p, Fillable | Dispenser | Intake)]
     contents, robot = list(scene.contents.values()), scene.model.body(ROBOT_MOUNT).id
     return Liquid(scene.model, data, vessels, contents, scene.particles, robot)

@@ -47,6 +47,26 @@ class Dispenser(Thing, Protocol):
         ...
 
 
+@runtime_checkable
+class Narrow(Fillable, Protocol):
+    """A vessel that may be so narrow that its liquid stands in it as one column."""
+
+    @property
+    def column(self) -> bool:
+        """Whether it is: what is in it is not moved as particles, it is only counted."""
+        ...
+
+
+@runtime_checkable
+class Intake(Thing, Protocol):
+    """What draws liquid in at a tip and gives it out there: pipettes, syringes."""
+
+    @property
+    def draws_at(self) -> str:
+        """Name of the frame at the end of its tip; z the way that liquid leaves."""
+        ...
+
+
 @dataclass(frozen=True)
 class Filling:
     """Some millilitres of a substance.

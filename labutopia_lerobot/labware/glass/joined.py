@@ -1,12 +1,14 @@
 """Parts joined to a wall of revolution: arms, necks, jackets, spouts, handles, plates.
 
 Each function takes numbers in millimetres, as in catalogues, and returns what makes the forms for a
-wall. They are drawn and touched, but sealed where they join: liquid knows walls of revolution only.
+wall. They are drawn and touched, but sealed where they join: liquid knows walls of revolution, and
+stopcocks.
 """
 
 import math
 from collections.abc import Callable
 
+from labutopia_lerobot.labware.glass.draining import Bore
 from labutopia_lerobot.labware.glass.moving_fittings import Fitting, Flap, SnapLid, Stopcock
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned
@@ -159,14 +161,41 @@ def plate(share: float, thick: float, look: str) -> Joined:
     return forms
 
 
-def stopcock(height: float) -> Fitted:
-    """Return a stopcock in a stem, at a height [mm]; it is shut as it is built."""
+def stopcock(
+    height: float,
+    hole: float,
+    plug: float,
+    outlet: tuple[float, float],
+    *,
+    column: bool = False,
+    vented: bool = False,
+    out: float = 0.0,
+) -> Fitted:
+    """Return a stopcock in a stem, or on a wall; it is shut as it is built.
+
+    Args:
+        height: Where it is [mm].
+        hole: Diameter of the hole through its plug [mm].
+        plug: Diameter of the plug [mm].
+        outlet: Radius and length of the bore from there on [mm].
+        column: Whether the tube above is so narrow that liquid stands in it as a column.
+        vented: Whether air gets in when the mouth is closed.
+        out: How far from the wall it comes out, towards -y [mm]; 0 at the end of the stem.
+    """
+    bore = Bore(1e-3 * plug, 1e-3 * hole, 1e-3 * outlet[0], 1e-3 * outlet[1])
 
     def fittings(name: str, profile: Profile) -> tuple[Fitting, ...]:
         z = 1e-3 * height
         radius = profile.outer_radius(z) + 0.004
         tap = Tap(f"{name}_stopcock", length=0.030, look="white", standoff=0.014)
-        return (Stopcock(tap, (0.0, -radius, z), _AXIS_ALONG_Y),)
+        at, turn = (0.0, -radius, z), _AXIS_ALONG_Y
+        if not out:
+            low = (0.0, 0.0, profile.bottom)
+            tip = (0.0, 0.0, 0.0)
+            return (Stopcock(tap, at, turn, bore, low, tip, column=column, vented=vented),)
+        low = (0.0, -profile.inner_radius(z), z)
+        tip = (0.0, -profile.outer_radius(z) - 1e-3 * out, z)
+        return (Stopcock(tap, at, turn, bore, low, tip, (0.0, -1.0, 0.0), vented=vented),)
 
     return fittings
 

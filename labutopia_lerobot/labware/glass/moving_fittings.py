@@ -6,8 +6,9 @@ from typing import Protocol
 
 import mujoco
 
+from labutopia_lerobot.labware.glass.draining import Bore
 from labutopia_lerobot.labware.parts.assembly import assemble
-from labutopia_lerobot.labware.parts.form import Form
+from labutopia_lerobot.labware.parts.form import Form, towards
 from labutopia_lerobot.labware.parts.mechanism import Mechanism, add_moving, in_degrees
 from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.labware.parts.solid import Quaternion, Vector
@@ -32,21 +33,45 @@ class Fitting(Protocol):
 class Stopcock:
     """A plug with a wing: along the line it is open, across it is shut.
 
-    Friction holds it at any angle; its stops are at 0 and 90 degrees. To the liquid it is shut.
+    Friction holds it at any angle; its stops are at 0 and 90 degrees.
 
     Attributes:
         mechanism: The wing.
         at: Where on the surface of the barrel its axis is [m].
         turn: Orientation of the shut wing, scalar-first; z points into the barrel.
+        bore: The way of the liquid through it.
+        inlet: Where liquid leaves the cavity [m].
+        outlet: Where it comes out [m].
+        leaving: The way that it comes out, a unit vector.
+        column: Whether it is at the end of a tube so narrow that liquid stands in it as a column.
+        vented: Whether air gets in when the mouth is closed.
     """
 
     mechanism: Tap
     at: Vector
     turn: Quaternion
+    bore: Bore
+    inlet: Vector
+    outlet: Vector
+    leaving: Vector = (0.0, 0.0, -1.0)
+    column: bool = False
+    vented: bool = False
 
     def add_to(self, spec: mujoco.MjSpec, piece: str, body: mujoco.MjsBody) -> None:
         """Build its body onto the body of the piece of ware."""
         self.mechanism.add_to(spec, piece, body, self.at, self.turn)
+        for name, pos in ((self.from_frame, self.inlet), (self.to_frame, self.outlet)):
+            body.add_site(name=name, pos=pos, quat=towards(self.leaving), group=COLLISION_GROUP)
+
+    @property
+    def from_frame(self) -> str:
+        """Name of the frame where liquid leaves the cavity."""
+        return f"{self.mechanism.name}_inlet"
+
+    @property
+    def to_frame(self) -> str:
+        """Name of the frame where it comes out; z the way that it does."""
+        return f"{self.mechanism.name}_outlet"
 
 
 _THUMB = 0.03

@@ -4,12 +4,14 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import override
 
 import mujoco
 import numpy as np
 
+from labutopia_lerobot.labware.glass.draining import Draining
 from labutopia_lerobot.labware.glass.material import BOROSILICATE, Material
-from labutopia_lerobot.labware.glass.moving_fittings import Fitting
+from labutopia_lerobot.labware.glass.moving_fittings import Fitting, Stopcock
 from labutopia_lerobot.labware.glass.profile import MassProperties, Point, Profile
 from labutopia_lerobot.labware.glass.thread import Thread
 from labutopia_lerobot.labware.glass.vessel_look import VesselLook, add_look
@@ -19,6 +21,7 @@ from labutopia_lerobot.labware.parts.form import Form
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.moments import Moments, moments
 from labutopia_lerobot.labware.parts.mounting import Loose
+from labutopia_lerobot.processes import Process
 from labutopia_lerobot.world.model import COLLISION_GROUP, HULL_GROUP, SOLIMP, SOLREF
 
 FACETS = 16
@@ -26,6 +29,10 @@ FACETS = 16
 
 FEET = 8
 """Small spheres on which a vessel stands."""
+
+_GRADUATION = 0.1
+"""What burettes of 25 and 50 ml are marked in, and shown to, here [ml] (ISO 385, class A: 50 ml in
+0.1 ml with a tolerance of 0.05 ml; from memory)."""
 
 _FOOT_RADIUS = 0.004
 _FOOT_DEPTH = 0.0002  # how far the feet stand out below the bottom [m]
@@ -48,6 +55,7 @@ class Vessel(Loose):
             the wall, and to the liquid they are not there.
         thread: On the outside of its neck, for a screw cap.
         fittings: What moves on it.
+        clamped: Whether it hangs in a clamp or a ring, so that it stays where it is put.
     """
 
     name: str
@@ -61,11 +69,52 @@ class Vessel(Loose):
     joined: tuple[Form, ...] = ()
     thread: Thread | None = None
     fittings: tuple[Fitting, ...] = ()
+    clamped: bool = False
+
+    @property
+    @override
+    def movable(self) -> bool:
+        """Whether it can be picked up, pushed and knocked over."""
+        return not self.clamped
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
         """Its moving fittings."""
         return tuple(fitting.mechanism for fitting in self.fittings)
+
+    @property
+    def stopcocks(self) -> tuple[Stopcock, ...]:
+        """What lets liquid out of it."""
+        return tuple(fitting for fitting in self.fittings if isinstance(fitting, Stopcock))
+
+    @property
+    def column(self) -> bool:
+        """Whether it is so narrow that its liquid stands in it as one column, as in a burette."""
+        return any(cock.column for cock in self.stopcocks)
+
+    @property
+    def delivered(self) -> str:
+        """Name of the reading of what has left it through its stopcock [ml], if it has a scale."""
+        return f"{self.name}_delivered"
+
+    @property
+    @override
+    def processes(self) -> tuple[Process, ...]:
+        return tuple(
+            Draining(
+                self.delivered,
+                self.name,
+                self.profile,
+                cock.mechanism.joint,
+                cock.from_frame,
+                cock.to_frame,
+                cock.bore,
+                _GRADUATION if self.graduated else 0.0,
+                cock.column,
+                cock.vented,
+            )
+            for cock in self.stopcocks
+        )
 
     @property
     def joints(self) -> tuple[str, ...]:

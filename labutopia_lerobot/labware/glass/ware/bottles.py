@@ -149,7 +149,7 @@ SERIES = (
         {"5 l": (182, 350, 44, 3.5, 5.0)},
         grip=0.9,
         joined=together(arm(0.12, 45, 22, azimuth=-90), arm(0.07, 12, 14, azimuth=-90)),
-        fitted=stopcock(42),
+        fitted=stopcock(42, 8.0, 24.0, (3.0, 45.0), out=46.0),
         closure="rubber_bung",
     ),
     Series(

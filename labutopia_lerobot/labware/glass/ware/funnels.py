@@ -1,4 +1,7 @@
-"""Funnels: open below, but those with a stopcock, which to the liquid is shut."""
+"""Funnels: open below, but those with a stopcock.
+
+Plugs of stopcocks are 14.5 mm wide with a hole of 2.5 mm, as usual (NS 14.5); from memory.
+"""
 
 from labutopia_lerobot.labware.glass.joined import arm, barrel, plate, stopcock, together
 from labutopia_lerobot.labware.glass.material import BOROSILICATE, POLYPROPYLENE, PORCELAIN
@@ -97,7 +100,7 @@ SERIES = (
         grip=0.95,
         stands=False,
         joined=barrel(62),
-        fitted=stopcock(62),
+        fitted=stopcock(62, 2.5, 14.5, (2.0, 62.0)),
         closure="ground_stopper",
     ),
     Series(
@@ -110,7 +113,7 @@ SERIES = (
         grip=0.95,
         stands=False,
         joined=together(barrel(62), arm(0.86, 22, 8), arm(0.30, 28, 8)),
-        fitted=stopcock(62),
+        fitted=stopcock(62, 2.5, 14.5, (2.0, 62.0), vented=True),
         closure="ground_stopper",
     ),
 )

@@ -22,7 +22,7 @@ SERIES = (
         stands=False,
         graduated=True,
         joined=barrel(50),
-        fitted=stopcock(50),
+        fitted=stopcock(50, 2.0, 12.5, (0.42, 50.0), column=True),
     ),
     Series(
         "volumetric_pipette",

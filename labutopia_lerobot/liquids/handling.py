@@ -1,0 +1,135 @@
+"""Moving liquid out of vessels and into pipettes, as processes do."""
+
+from typing import override
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.liquids.kept import Portion
+from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
+from labutopia_lerobot.substances.filling import Dispenser
+from labutopia_lerobot.world import FloatArray, Pose
+
+_REACH = 1.0
+"""How far from the next particle a point still lies in the liquid, in spacings; ours: in a lattice
+it is 0.87 at most, and above a level surface it ends half a spacing over it."""
+
+
+class Handling(LiquidHandling):
+    """What processes may do to a liquid; volumes, origins and mixtures stay as they are.
+
+    Args:
+        liquid: The liquid.
+    """
+
+    def __init__(self, liquid: Liquid) -> None:
+        self._liquid = liquid
+
+    @property
+    @override
+    def particle(self) -> float:
+        return self._liquid.volume
+
+    @override
+    def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
+        self._liquid.dispense(bottle, volume, spout, duration)
+
+    @override
+    def stock(self, vessel: str, inlet_w: FloatArray) -> Stock | None:
+        liquid, holder = self._liquid, self._liquid.names.index(vessel)
+        kept = np.flatnonzero(liquid.kept.holders == holder)
+        if len(kept):
+            return self._of(liquid.kept.portion.amounts[kept[0]], len(kept))
+        inside = np.flatnonzero(liquid.inside() == holder)
+        if not len(inside):
+            return None
+        nearest = inside[self._distances(inlet_w)[inside].argmin()]
+        return self._of(liquid.amounts[nearest], len(inside))
+
+    @override
+    def near(self, point_w: FloatArray) -> Stock | None:
+        near = self._within_reach(point_w)
+        return self._of(self._liquid.amounts[near[0]], len(near)) if len(near) else None
+
+    @override
+    def gather(self, vessel: str) -> None:
+        liquid, holder = self._liquid, self._liquid.names.index(vessel)
+        if len(liquid.positions):
+            inside = np.flatnonzero(liquid.inside() == holder)
+            if len(inside):
+                liquid.kept.add(holder, liquid.take(inside))
+
+    @override
+    def let_out(
+        self, vessel: str, inlet_w: FloatArray, count: int, outlet: Pose, speed: float
+    ) -> int:
+        liquid, holder = self._liquid, self._liquid.names.index(vessel)
+        if holder >= len(liquid.vessels) or liquid.kept.count(holder):
+            # A pipette gives out first what it drew in last; a burette what is lowest.
+            portion = liquid.kept.take(holder, count, last=holder >= len(liquid.vessels))
+        else:
+            inside = np.flatnonzero(liquid.inside() == holder)
+            order = np.argsort(self._distances(inlet_w)[inside], kind="stable")
+            portion = liquid.take(inside[order[:count]])
+        self._put(portion, outlet, speed)
+        return len(portion.origins)
+
+    @override
+    def draw(self, into: str, count: int, tip_w: FloatArray) -> int:
+        liquid = self._liquid
+        portion = liquid.take(self._within_reach(tip_w, 2.0)[:count])
+        liquid.kept.add(liquid.names.index(into), portion)
+        return len(portion.origins)
+
+    @override
+    def warmth(self, vessel: str) -> Warmth | None:
+        return self._liquid.warmth(vessel)
+
+    @override
+    def warm(self, vessel: str, heat: float) -> None:
+        self._liquid.warm(vessel, heat)
+
+    @override
+    def warm_to(self, temperature: float) -> None:
+        self._liquid.warm_to(temperature)
+
+    @override
+    def all_at(self, temperature: float) -> bool:
+        return self._liquid.all_at(temperature)
+
+    @override
+    def mix(self, period: float) -> None:
+        self._liquid.mix(period)
+
+    def _put(self, portion: Portion, outlet: Pose, speed: float) -> None:
+        """Put particles before an outlet, one after the other."""
+        count = len(portion.origins)
+        if count:
+            along = self._liquid.spacing * (np.arange(count)[:, None] + 0.5)
+            positions = outlet.position_w + along * outlet.z_axis
+            velocities = np.tile(speed * outlet.z_axis, (count, 1))
+            self._liquid.add(positions, velocities, portion)
+
+    def _distances(self, point_w: FloatArray) -> FloatArray:
+        distances: FloatArray = np.linalg.norm(self._liquid.positions - point_w, axis=1)
+        return distances
+
+    def _within_reach(self, point_w: FloatArray, reach: float = _REACH) -> NDArray[np.intp]:
+        """Return which particles are so many spacings from a point, the nearest first."""
+        distances = self._distances(point_w)
+        order = np.argsort(distances, kind="stable")
+        return order[distances[order] < reach * self._liquid.spacing]
+
+    def _of(self, amounts: FloatArray, count: int) -> Stock:
+        """Return a number of particles, and what one of them is made of.
+
+        Volumes add up; viscosities mix by their logarithms, as in `solver.flow`.
+        """
+        kinds = self._liquid.substances
+        return Stock(
+            count * self._liquid.volume,
+            float(amounts @ [kind.density for kind in kinds]),
+            float(np.exp(amounts @ np.log([kind.viscosity for kind in kinds]))),
+            float(amounts @ [kind.surface_tension for kind in kinds]),
+        )

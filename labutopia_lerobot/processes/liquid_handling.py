@@ -1,0 +1,109 @@
+"""What processes may do to the liquid of a scene."""
+
+from typing import NamedTuple, Protocol
+
+from labutopia_lerobot.substances.filling import Dispenser
+from labutopia_lerobot.world import FloatArray, Pose
+
+
+class Stock(NamedTuple):
+    """Liquid somewhere: how much of it there is, and what of it is nearest."""
+
+    volume: float
+    """All of it [m^3]: a whole number of particles."""
+    density: float
+    """[kg/m^3]"""
+    viscosity: float
+    """Dynamic [Pa s]."""
+    surface_tension: float
+    """Against air [N/m]."""
+
+
+class Warmth(NamedTuple):
+    """How warm the liquid in a vessel is."""
+
+    volume: float
+    """m^3."""
+    capacity: float
+    """Heat that warms it by 1 K [J/K]."""
+    temperature: float
+    """Mean, by heat [K]."""
+    boiling: float
+    """Boiling point, mean by volume [K]."""
+    water: float
+    """Share of it that is water, by volume."""
+
+
+class LiquidHandling(Protocol):
+    """Liquid leaves vessels and is drawn into pipettes, a whole number of particles at a time."""
+
+    @property
+    def particle(self) -> float:
+        """Volume of a particle [m^3]."""
+        ...
+
+    def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
+        """Let liquid out of a bottle; `volume` is what has left since the start [m^3]."""
+        ...
+
+    def stock(self, vessel: str, inlet_w: FloatArray) -> Stock | None:
+        """Return what is inside a vessel or a pipette, as it is next to an inlet; None if empty."""
+        ...
+
+    def near(self, point_w: FloatArray) -> Stock | None:
+        """Return the liquid that a point lies in, if it lies in any that is in motion."""
+        ...
+
+    def gather(self, vessel: str) -> None:
+        """Add what has come into a narrow vessel to the column that stands there."""
+        ...
+
+    def let_out(
+        self, vessel: str, inlet_w: FloatArray, count: int, outlet: Pose, speed: float
+    ) -> int:
+        """Move particles out of a vessel or a pipette.
+
+        Args:
+            vessel: Its name.
+            inlet_w: Those nearest to it leave, or what came in last, of a pipette.
+            count: How many, at most.
+            outlet: Where they come out; z the way that they leave.
+            speed: With which they leave [m/s].
+
+        Returns:
+            How many there were.
+        """
+        ...
+
+    def draw(self, into: str, count: int, tip_w: FloatArray) -> int:
+        """Move the particles nearest to a tip into a pipette.
+
+        Args:
+            into: Its name.
+            count: How many, at most.
+            tip_w: Where it draws from.
+
+        Returns:
+            How many there were.
+        """
+        ...
+
+    def warmth(self, vessel: str) -> Warmth | None:
+        """Return how warm what a vessel holds is; None if it holds nothing."""
+        ...
+
+    def warm(self, vessel: str, heat: float) -> None:
+        """Give what a vessel holds some heat [J]."""
+        ...
+
+    def warm_to(self, temperature: float) -> None:
+        """Bring all liquid to a temperature [K]."""
+        ...
+
+    def all_at(self, temperature: float) -> bool:
+        """Return whether all liquid has a temperature [K]."""
+        ...
+
+    def mix(self, period: float) -> None:
+        """Let what is in each vessel share its heat for a time [s]."""
+        ...
