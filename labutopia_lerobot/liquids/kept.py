@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.substances.filling import Fillable, Narrow
 from labutopia_lerobot.world import FloatArray
 
 
@@ -103,3 +104,7 @@ class Kept:
             origins.astype(int), last_held.astype(int), temperatures.copy(), parts
         )
         return rest
+
+
+def is_column(vessel: Fillable) -> bool:
+    return isinstance(vessel, Narrow) and vessel.column

@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 from labutopia_lerobot.kernel import announce_compiling
 from labutopia_lerobot.liquids import temperature
 from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
-from labutopia_lerobot.liquids.kept import Kept, Portion
+from labutopia_lerobot.liquids.kept import Kept, Portion, is_column
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
 from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.processes import Warmth
 from labutopia_lerobot.setting import PARTICLES
-from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake, Narrow
-from labutopia_lerobot.substances.substance import WATER, Substance
+from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake
+from labutopia_lerobot.substances.substance import Substance
 from labutopia_lerobot.world import FloatArray, LiquidAccount, Pose
 
 _SETTLE_STEPS = 120
@@ -80,7 +80,7 @@ class Liquid:
         self._waiting_at_start = dict(self._waiting)
         self._room = temperature.ROOM
         self._held = dict.fromkeys(self._waiting, self.substances[0])
-        columns = [vessel for vessel in self.vessels if _is_column(vessel)]
+        columns = [vessel for vessel in self.vessels if is_column(vessel)]
         self.kept = Kept(len(self.substances))
         self._keeps = bool(columns or pipettes)
         depths = [v.profile.depth(volume) for v in self.vessels if v not in columns]
@@ -161,7 +161,7 @@ class Liquid:
                 self._held[vessel.name] = filling.substance
                 continue
             index = self.vessels.index(vessel)
-            if _is_column(vessel):
+            if is_column(vessel):
                 here = np.full(share, index)
                 self.kept.add(index, self._portion(here, self._pure([filling.substance] * share)))
                 continue
@@ -340,14 +340,9 @@ class Liquid:
         held = self._inside == self.names.index(vessel) if vessel in self.names else None
         if held is None or not held.any():
             return None
-        amounts, own = self._amounts[held], self.temperatures[held]
-        weight = temperature.capacities(amounts, self.substances, self.volume)
-        share = amounts.mean(axis=0)
-        boiling = share @ [substance.boiling_point for substance in self.substances]
-        water = share @ [substance == WATER for substance in self.substances]
-        total = float(weight.sum())
-        mean = float(weight @ own) / total
-        return Warmth(len(own) * self.volume, total, mean, float(boiling), float(water))
+        return temperature.warmth(
+            self._amounts[held], self.temperatures[held], self.substances, self.volume
+        )
 
     def warm(self, vessel: str, heat: float) -> None:
         """Give what a vessel holds some heat [J], all of it alike."""
@@ -406,7 +401,3 @@ class Liquid:
         self._pressure[:], self._touching[:], self._last_held[:] = pressure, touching, last_held
         self.temperatures[:] = temperatures
         self.diverged = bool(state[1])
-
-
-def _is_column(vessel: Fillable) -> bool:
-    return isinstance(vessel, Narrow) and vessel.column

@@ -5,7 +5,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.substances.substance import Substance
+from labutopia_lerobot.processes import Warmth
+from labutopia_lerobot.substances.substance import WATER, Substance
 from labutopia_lerobot.world import FloatArray
 
 ROOM = 293.15
@@ -28,6 +29,25 @@ def capacities(amounts: FloatArray, substances: tuple[Substance, ...], volume: f
     each = np.array([substance.density * substance.specific_heat for substance in substances])
     capacity: FloatArray = volume * (amounts @ each)
     return capacity
+
+
+def warmth(
+    amounts: FloatArray, own: FloatArray, substances: tuple[Substance, ...], volume: float
+) -> Warmth:
+    """Return how warm particles are together.
+
+    Args:
+        amounts: Part of each that is each substance, shape (n, substances).
+        own: Temperature of each, shape (n,), K.
+        substances: Those substances.
+        volume: Of a particle [m^3].
+    """
+    weight, share = capacities(amounts, substances, volume), amounts.mean(axis=0)
+    boiling = share @ [substance.boiling_point for substance in substances]
+    water = share @ [substance == WATER for substance in substances]
+    total = float(weight.sum())
+    mean = float(weight @ own) / total
+    return Warmth(len(own) * volume, total, mean, float(boiling), float(water))
 
 
 def mix(
