@@ -107,4 +107,5 @@ class Kept:
 
 
 def is_column(vessel: Fillable) -> bool:
+    """Return whether what a vessel holds stands still in it as one column."""
     return isinstance(vessel, Narrow) and vessel.column

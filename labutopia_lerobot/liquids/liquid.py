@@ -24,13 +24,11 @@ _SETTLE_STEPS = 120
 """Steps in which a new filling comes to rest, the vessels standing still."""
 
 _SETTLE_DAMPING = 0.9
-
 _FASTEST = 50.0
 """Speed [m/s] that no liquid on a bench has: beyond it the solver has diverged."""
 
 _JET_SPEED = 2.0
-"""Fastest that liquid leaves a spout [m/s]: what 2 kPa, a squeeze by hand, drive out of it (half of
-density times speed squared)."""
+"""Fastest that liquid leaves a spout [m/s]: what 2 kPa, a squeeze by hand, drive out of it."""
 
 
 class Liquid:
@@ -39,8 +37,7 @@ class Liquid:
     Args:
         model: The compiled scene.
         data: Its state; the walls are where it says at every step.
-        vessels: Everything that can hold the liquid: vessels, bottles that it can come from,
-            pipettes.
+        vessels: All that can hold the liquid: vessels, bottles that it comes from, pipettes.
         fillings: Everything that is to be filled in: what it is, and how much of it in all.
         particles: Number of particles.
         robot: Root body of what can carry vessels, if anything.
@@ -186,9 +183,7 @@ class Liquid:
         self._waiting_at_start = dict(self._waiting)
 
     def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
-        """Let liquid out of a bottle, a particle for every volume of one that its wall displaces.
-
-        A wall that snaps in displaces more than the spout lets through at once; it follows.
+        """Let out of a bottle what its wall displaces, as fast as the spout lets it through.
 
         Args:
             bottle: What it leaves.
@@ -347,8 +342,7 @@ class Liquid:
     def warm(self, vessel: str, heat: float) -> None:
         """Give what a vessel holds some heat [J], all of it alike."""
         held = self._inside == self.names.index(vessel)
-        weight = temperature.capacities(self._amounts[held], self.substances, self.volume)
-        self.temperatures[held] += heat / weight.sum()
+        self.temperatures[held] += heat / self._capacities()[held].sum()
 
     def warm_to(self, temperature: float) -> None:
         """Bring all liquid to a temperature [K], and what comes later."""
@@ -362,8 +356,11 @@ class Liquid:
 
     def mix(self, period: float) -> None:
         """Let what is in each vessel share its heat for a time [s]."""
-        weight = temperature.capacities(self._amounts, self.substances, self.volume)
+        weight = self._capacities()
         temperature.mix(self.temperatures, weight, self._inside, self._speeds, period)
+
+    def _capacities(self) -> FloatArray:
+        return temperature.capacities(self._amounts, self.substances, self.volume)
 
     def state(self) -> FloatArray:
         """Return all that the next step depends on beside MuJoCo's state.
