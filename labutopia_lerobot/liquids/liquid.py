@@ -250,6 +250,11 @@ class Liquid:
             self._touching,
         )
 
+    def masses(self) -> tuple[FloatArray, FloatArray]:
+        """Return where the particles are, shape (n, 3), and their masses, shape (n,) [kg]."""
+        densities = np.array([substance.density for substance in self.substances])
+        return self.positions.copy(), self.volume * self._amounts @ densities
+
     def take_account(self) -> LiquidAccount:
         """Return where the liquid is; `transfers` run from the previous call to this one."""
         count = len(self.names)

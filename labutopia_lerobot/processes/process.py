@@ -80,6 +80,10 @@ class LiquidHandling(Protocol):
         """Let liquid out of a bottle; `volume` is what has left since the start [m^3]."""
         ...
 
+    def masses(self) -> tuple[FloatArray, FloatArray]:
+        """Return where the liquid is, shape (n, 3) [m], and its mass there, shape (n,) [kg]."""
+        ...
+
 
 class Apparatus:
     """The processes of a scene at work.

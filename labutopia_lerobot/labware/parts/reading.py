@@ -8,7 +8,7 @@ from labutopia_lerobot.processes import Apparatus, Process
 from labutopia_lerobot.world import Reading
 
 
-class Jointed(Protocol):
+class Moved(Protocol):
     """A mechanism with one joint: a knob, a slide, a door."""
 
     @property
@@ -39,7 +39,7 @@ class Scale(Process):
         resolution: Step of the last digit.
     """
 
-    of: Jointed
+    of: Moved
     lowest: float
     highest: float
     unit: str
@@ -74,7 +74,7 @@ class Unmeasured(Process):
     unit: str
     resolution: float
     warning: str = ""
-    door: Jointed | None = None
+    door: Moved | None = None
     beyond: float = math.radians(2.0)
 
     @override

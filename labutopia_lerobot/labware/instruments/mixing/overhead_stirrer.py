@@ -7,6 +7,7 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
@@ -17,6 +18,7 @@ from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.processes import Process
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class OverheadStirrer(Instrument):
     @property
     def shaft(self) -> Rotor:
         """The shaft with its propeller."""
-        return Rotor(f"{self.name}_shaft", friction=0.02, effort=0.2)
+        return Rotor(f"{self.name}_shaft", friction=0.02, effort=0.2, stall=0.6)
 
     @property
     def speed(self) -> Knob:
@@ -56,9 +58,30 @@ class OverheadStirrer(Instrument):
         return (Seat(f"{self.name}_base", self.name, (-0.060, 0.0, 0.024), width=0.110),)
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 2000, "rpm", resolution=10)
+
+    @property
+    def drive(self) -> Drive:
+        """What turns it."""
+        return Drive(
+            f"{self.name}_rpm",
+            self.scale,
+            ramp=250.0,
+            brake=500.0,
+            on=(),
+            motors=(self.shaft.motor,),
+            resolution=10,
+        )
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its knob and its drive."""
+        return self.scale, self.drive
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed, 0, 2000, "rpm", resolution=10)
-        return (Display(f"{self.name}_display", (0.060, 0.024), speed),)
+        return (Display(f"{self.name}_display", (0.060, 0.024), self.drive),)
 
     def _forms(self) -> list[Form]:
         return [

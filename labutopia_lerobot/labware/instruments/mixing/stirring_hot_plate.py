@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.instrument import Instrument
@@ -12,6 +13,7 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.processes import Process
 
 _TOP = 0.095
 """Height of the plate [m]."""
@@ -21,7 +23,7 @@ _SLOPE = 58.1
 
 @dataclass(frozen=True)
 class StirringHotPlate(Instrument):
-    """A magnetic stirrer with hot plate: its displays show what its knobs are set to.
+    """A magnetic stirrer with hot plate: a magnet below its plate turns bars.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -56,13 +58,34 @@ class StirringHotPlate(Instrument):
         return (self.plate,)
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 1500, "rpm", resolution=10)
+
+    @property
+    def drive(self) -> Drive:
+        """What turns it."""
+        return Drive(
+            f"{self.name}_rpm",
+            self.scale,
+            ramp=250.0,
+            brake=500.0,
+            on=(),
+            motors=(),
+            resolution=10,
+        )
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its knob and its drive."""
+        return self.scale, self.drive
+
+    @property
     def displays(self) -> tuple[Display, ...]:
         heat = Scale(self.heat, 20, 320, "\u00b0C")
-        speed = Scale(self.speed, 0, 1500, "rpm", resolution=10)
         size = (0.046, 0.016)
         return (
             Display(f"{self.name}_temperature", size, heat, ink=(255, 130, 90)),
-            Display(f"{self.name}_rpm", size, speed),
+            Display(f"{self.name}_speed_display", size, self.drive),
         )
 
     def _forms(self) -> list[Form]:

@@ -7,6 +7,7 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
@@ -17,6 +18,7 @@ from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.labware.parts.valve import Tap
+from labutopia_lerobot.processes import Process
 
 _LEAN = math.radians(30.0)
 """How far the flask's axis points down [rad]."""
@@ -45,7 +47,7 @@ class RotaryEvaporator(Instrument):
     @property
     def flask(self) -> Rotor:
         """The evaporating flask on its vapour tube."""
-        return Rotor(f"{self.name}_flask", friction=0.03, effort=0.3)
+        return Rotor(f"{self.name}_flask", friction=0.03, effort=0.3, stall=1.5)
 
     @property
     def speed(self) -> Knob:
@@ -65,11 +67,32 @@ class RotaryEvaporator(Instrument):
         return self.lift, self.flask, self.speed, self.heat, self.stopcock
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 280, "rpm", resolution=5)
+
+    @property
+    def drive(self) -> Drive:
+        """What turns it."""
+        return Drive(
+            f"{self.name}_rpm",
+            self.scale,
+            ramp=56.0,
+            brake=140.0,
+            on=(),
+            motors=(self.flask.motor,),
+            resolution=5,
+        )
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its knob and its drive."""
+        return self.scale, self.drive
+
+    @property
     def displays(self) -> tuple[Display, ...]:
         heat = Scale(self.heat, 20, 100, "\u00b0C")
-        speed = Scale(self.speed, 0, 280, "rpm", resolution=5)
         bath = Display(f"{self.name}_temperature", (0.060, 0.022), heat, ink=(255, 130, 90))
-        return bath, Display(f"{self.name}_rpm", (0.060, 0.022), speed)
+        return bath, Display(f"{self.name}_speed_display", (0.060, 0.022), self.drive)
 
     def _forms(self) -> list[Form]:
         bath = (-0.075, 0.090)
