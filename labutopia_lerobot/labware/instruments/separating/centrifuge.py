@@ -170,14 +170,14 @@ class Centrifuge(Instrument):
         )
         return [
             Prism(console, (-0.200, 0.200), "white", edge=0.008),
-            Block((-0.130, 0.240), (-0.200, 0.200), (0.014, 0.130), "white", edge=0.006),
-            Block((-0.130, 0.260), (0.160, 0.200), (0.120, 0.268), "white", edge=0.006),
-            Block((-0.130, 0.260), (-0.200, -0.160), (0.120, 0.268), "white", edge=0.006),
+            Block((-0.130, 0.240), (-0.200, 0.200), (0.014, 0.100), "white", edge=0.006),
+            Block((-0.130, 0.260), (0.160, 0.200), (0.090, 0.268), "white", edge=0.006),
+            Block((-0.130, 0.260), (-0.200, -0.160), (0.090, 0.268), "white", edge=0.006),
             Block((0.200, 0.260), (-0.190, 0.190), (0.014, 0.268), "white", edge=0.006),
-            Ring(0.280, 0.320, (0.128, 0.262), "steel", at=(0.040, 0.0)),
+            Ring(0.280, 0.320, (0.098, 0.262), "steel", at=(0.040, 0.0)),
             Ring(0.280, 0.400, (0.255, 0.263), "anthracite", at=(0.040, 0.0), touch=False),
-            Rod((0.040, 0, 0.128), (0.040, 0, 0.133), 0.270, "dark_steel"),
-            Rod((0.040, 0, 0.130), (0.040, 0, 0.150), 0.040, "steel"),
+            Rod((0.040, 0, 0.098), (0.040, 0, 0.103), 0.270, "dark_steel"),
+            Rod((0.040, 0, 0.100), (0.040, 0, 0.120), 0.040, "steel"),
             *feet(0.520, 0.400, 0.014),
         ]
 
@@ -191,7 +191,7 @@ class Centrifuge(Instrument):
         self.latch.add_to(spec, body, (-0.2348, -0.140, 0.135), lean)
         self.start.add_to(spec, body, (-0.2348, 0.045, 0.135), lean)
         self.stop.add_to(spec, body, (-0.2348, 0.012, 0.135), lean)
-        self._add_rotor(spec, self.rotor.add_to(spec, body, (0.040, 0.0, 0.151)))
+        self._add_rotor(spec, self.rotor.add_to(spec, body, (0.040, 0.0, 0.121)))
         lid = self.lid.add_to(spec, body, (0.215, 0.0, 0.270))
         self._bolt.add_to(spec)
         forms: list[Form] = [
