@@ -43,6 +43,7 @@ from labutopia_lerobot.predicates.placing import (
     withdrawn,
 )
 from labutopia_lerobot.predicates.predicate import Predicate, predicate
+from labutopia_lerobot.predicates.readings import reads, settled
 from labutopia_lerobot.predicates.squeezing import dispensed, spout_over
 from labutopia_lerobot.predicates.stirring import immersed, over_mouth
 from labutopia_lerobot.predicates.vessels import (
@@ -90,7 +91,9 @@ __all__ = [
     "pressed_out_of_turn",
     "pulled",
     "pushed",
+    "reads",
     "released",
+    "settled",
     "spilled",
     "spout_over",
     "standing_on",

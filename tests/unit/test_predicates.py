@@ -20,6 +20,7 @@ from labutopia_lerobot.predicates import Transfer, gripped, lifted, predicate, s
 from labutopia_lerobot.predicates.buttons import Switchable
 from labutopia_lerobot.predicates.openables import Bar, Latching, Openable
 from labutopia_lerobot.predicates.predicate import PredicateFunction, PredicateNameError
+from labutopia_lerobot.predicates.readings import Readable
 from labutopia_lerobot.predicates.squeezing import Squeezable
 from labutopia_lerobot.predicates.stirring import Filled
 from labutopia_lerobot.world import Button, OpenVessel, Standing, Thing, World
@@ -29,6 +30,7 @@ SMALL, LARGE = (
     glassware("beaker", "800 ml", "large"),
 )
 OVEN, OTHER_OVEN = DryingOven("oven", latching=True), DryingOven("other", latching=True)
+PANEL = ButtonPanel("panel")
 DRAWER, _, OTHER_DRAWER = Cabinet("cabinet").drawers
 VESSELS = (SMALL, LARGE)
 SAMPLES: dict[Any, tuple[Any, Any]] = {
@@ -43,6 +45,7 @@ SAMPLES: dict[Any, tuple[Any, Any]] = {
     Openable: (DRAWER, OTHER_DRAWER),
     Latching: (OVEN.door, OTHER_OVEN.door),
     Button: ButtonPanel("panel").buttons[:2],
+    Readable: (PANEL.buttons[0], PANEL.buttons[1]),
     Switchable: (Heater("heater").switch, Heater("other").switch),
     Transfer: (Transfer(SMALL, LARGE), Transfer(LARGE, SMALL)),
     frozenset[str]: (frozenset(), frozenset({"hand"})),
