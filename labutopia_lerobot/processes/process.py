@@ -80,6 +80,10 @@ class LiquidHandling(Protocol):
         """Let liquid out of a bottle; `volume` is what has left since the start [m^3]."""
         ...
 
+    def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:
+        """Draw the liquid of the vessel that a point is in towards a vortex [m, rad/s, m, s]."""
+        ...
+
     def masses(self) -> tuple[FloatArray, FloatArray]:
         """Return where the liquid is, shape (n, 3) [m], and its mass there, shape (n,) [kg]."""
         ...

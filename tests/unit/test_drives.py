@@ -6,7 +6,9 @@ import mujoco
 import numpy as np
 import pytest
 
+from instrument_bench import Bench
 from labutopia_lerobot.labware.catalogue import instrument
+from labutopia_lerobot.labware.glass.catalogue import ware
 from labutopia_lerobot.labware.parts.drive import FASTEST, RPM
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
@@ -14,7 +16,7 @@ from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
-from tests.instrument_bench import Bench
+from labutopia_lerobot.substances.filling import Filling
 
 RAMPS = {
     "centrifuge": (4000, 200),
@@ -227,3 +229,83 @@ def test_motors_come_after_the_robot_and_the_robot_stands_still():
     assert set(names[: len(PANDA.names)]) == set(PANDA.names)
     assert names[len(PANDA.names) :] == [roller.motor.name for roller in roller.rollers]
     assert (model.actuator_trntype == mujoco.mjtTrn.mjTRN_JOINT)[len(PANDA.names) :].all()
+
+
+def spinning(simulation: Simulation, about: np.ndarray) -> float:
+    """Return the angular speed of the liquid about an upright axis, by angular momentum [rad/s]."""
+    assert simulation.liquid is not None
+    off = simulation.liquid.positions - about
+    moving = simulation.liquid.velocities
+    momentum = off[:, 0] * moving[:, 1] - off[:, 1] * moving[:, 0]
+    return float(momentum.sum() / (off[:, :2] ** 2).sum())
+
+
+def water_on(piece, at, vessel, ml: float, *more) -> Simulation:
+    """Return an instrument with a vessel of water on a place of it, and things in that."""
+    scene = compile_scene(
+        [piece, vessel, *more], PANDA, LABORATORY, DOOR_VIEW, {vessel: Filling(ml=ml)}
+    )
+    simulation = Simulation(scene)
+    layout = {piece: Placement(0.3, 0.3, 0.0)}
+    aside = {thing: Placement(0.9, -0.3 + 0.2 * n, 0.0) for n, thing in enumerate((vessel, *more))}
+    simulation.reset({**layout, **aside})
+    x, y, z = simulation.data.site(at).xpos
+    floor = z - LABORATORY.bench.height
+    layout |= {vessel: Placement(x, y, 0.0, height=floor + 0.0005)}
+    layout |= {thing: Placement(x, y, 0.0, height=floor + 0.006) for thing in more}
+    simulation.reset(layout)
+    simulation.fill(np.random.default_rng(0))
+    return simulation
+
+
+def play(simulation: Simulation, seconds: float) -> None:
+    for _ in range(round(30 * seconds)):
+        simulation.step(simulation.command)
+
+
+def test_a_bar_on_a_stirrer_turns_the_water_around_it():
+    plate = instrument("stirring_hot_plate", "plate")
+    bar = ware("stirring_bar", "25 x 8 mm", "bar")
+    beaker = ware("beaker_low", "250 ml", "beaker")
+    simulation = water_on(plate, plate.plate.name, beaker, 150.0, bar)
+    middle = simulation.data.site(plate.plate.name).xpos.copy()
+    assert abs(spinning(simulation, middle)) < 0.2
+    simulation.data.joint(plate.speed.joint).qpos[0] = 0.2 * plate.speed.widest  # 300 rpm
+    play(simulation, 4.0)
+    body = simulation.data.body("bar")
+    assert np.hypot(*(body.xpos - middle)[:2]) < 0.01
+    turning = []
+    for _ in range(30):
+        play(simulation, 1 / 30)
+        turning.append(spinning(simulation, middle))
+    water = float(np.mean(turning))
+    # A Rankine vortex of a quarter of its speed in a beaker of 70 mm: of a rigid body's, by angular
+    # momentum, 2 (b/R)^2 less (b/R)^4, b the bar's half length, R the beaker's radius.
+    part = (0.0125 / 0.033) ** 2
+    assert 0.3 < water / (0.25 * 300 * RPM * (2 * part - part**2)) < 1.5
+    simulation.data.joint(plate.speed.joint).qpos[0] = 0.0
+    play(simulation, 6.0)
+    assert spinning(simulation, middle) < 0.3 * water
+
+
+def test_without_a_bar_nothing_turns():
+    plate = instrument("stirring_hot_plate", "plate")
+    simulation = water_on(plate, plate.plate.name, ware("beaker_low", "250 ml", "beaker"), 150.0)
+    middle = simulation.data.site(plate.plate.name).xpos.copy()
+    simulation.data.joint(plate.speed.joint).qpos[0] = 0.2 * plate.speed.widest
+    play(simulation, 3.0)
+    assert abs(spinning(simulation, middle)) < 0.3
+
+
+def test_an_orbital_shaker_takes_water_in_a_flask_round():
+    shaker = instrument("orbital_shaker", "shaker")
+    flask = ware("erlenmeyer_narrow", "250 ml", "flask")
+    simulation = water_on(shaker, shaker.mat.name, flask, 100.0)
+    simulation.data.joint(shaker.speed.joint).qpos[0] = 0.4 * shaker.speed.widest  # 120 rpm
+    play(simulation, 6.0)
+    liquid, account = simulation.liquid, simulation.account
+    assert liquid is not None
+    assert account is not None
+    speed = RPM * 120 * 0.010  # of the platform
+    assert 0.5 * speed < np.linalg.norm(liquid.velocities, axis=1).mean() < 3.0 * speed
+    assert account.inside["flask"] == pytest.approx(100e-6, rel=0.01)

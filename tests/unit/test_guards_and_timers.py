@@ -4,6 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
+from instrument_bench import Bench
 from labutopia_lerobot.labware.catalogue import instrument
 from labutopia_lerobot.labware.glass.catalogue import ware
 from labutopia_lerobot.layout import Placement
@@ -13,7 +14,6 @@ from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.substances.filling import Filling
-from tests.instrument_bench import Bench
 
 
 def lifted(bench: Bench, torque: float = 14.0) -> float:

@@ -18,7 +18,9 @@ from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.labware.parts.stirring import Stirring
 from labutopia_lerobot.processes import Process
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 
 @dataclass(frozen=True)
@@ -75,9 +77,14 @@ class OverheadStirrer(Instrument):
         )
 
     @property
+    def stirring(self) -> Stirring:
+        """What its propeller does to the liquid around it."""
+        return Stirring(f"{self.name}_stirring", self.drive, f"{self.name}_propeller", 0.027)
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        """Its knob and its drive."""
-        return self.scale, self.drive
+        """Its knob, its drive and what its propeller does."""
+        return self.scale, self.drive, self.stirring
 
     @property
     def displays(self) -> tuple[Display, ...]:
@@ -110,6 +117,7 @@ class OverheadStirrer(Instrument):
         self.speed.add_to(spec, self.name, head, (-0.2215, 0.0, 0.015), ON_FRONT)
         self.displays[0].add_to(spec, head, (-0.2218, 0.0, 0.085), ON_FRONT)
         shaft = self.shaft.add_to(spec, head, (-0.165, 0.0, -0.063), (0.0, 0.0, -1.0))
+        shaft.add_site(name=f"{self.name}_propeller", pos=(0, 0, -0.262), group=COLLISION_GROUP)
         chuck = ((0.010, -0.034), (0.014, -0.026), (0.018, -0.014), (0.018, 0.0))
         blades: list[Form] = [
             Turned(chuck, "chrome"),

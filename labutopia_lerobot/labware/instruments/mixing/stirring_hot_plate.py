@@ -13,6 +13,7 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.stirring import MagneticStirring
 from labutopia_lerobot.processes import Process
 
 _TOP = 0.095
@@ -75,9 +76,14 @@ class StirringHotPlate(Instrument):
         )
 
     @property
+    def stirring(self) -> MagneticStirring:
+        """The magnet below its plate."""
+        return MagneticStirring(f"{self.name}_stirring", self.drive, self.plate.name)
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        """Its knob and its drive."""
-        return self.scale, self.drive
+        """Its knob, its drive and the magnet that it turns."""
+        return self.scale, self.drive, self.stirring
 
     @property
     def displays(self) -> tuple[Display, ...]:

@@ -18,10 +18,14 @@ from labutopia_lerobot.labware.parts.reading import Scale
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.stirring import Stirring
 from labutopia_lerobot.processes import Process
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _ORBIT = 0.0025
 """From the axis of the motor to that of the cup [m]: an orbit of 5 mm."""
+_IN_TUBE = 0.025
+"""Height above the cup's origin that is in a tube that stands in it [m]; ours."""
 _LEAN = 20.0
 """How far the front leans back [deg]."""
 
@@ -78,9 +82,14 @@ class VortexMixer(Instrument):
         return Drive(f"{self.name}_rpm", self.scale, 3000.0, 3000.0, on, motors, resolution=10)
 
     @property
+    def stirring(self) -> Stirring:
+        """What its cup does to the liquid in the tube that stands in it."""
+        return Stirring(f"{self.name}_stirring", self.drive, f"{self.name}_tube", 0.006)
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        """Its switch, its knob and its drive."""
-        return Flipped(self.power), self.scale, self.drive
+        """Its switch, its knob, its drive and what its cup does."""
+        return Flipped(self.power), self.scale, self.drive, self.stirring
 
     def _forms(self) -> list[Form]:
         side = ((-0.080, 0.008), (0.080, 0.008), (0.070, 0.128), (-0.037, 0.128))
@@ -106,4 +115,5 @@ class VortexMixer(Instrument):
             ),
         ]
         assemble(spec, cup, self.name, forms, mass=0.08)
+        cup.add_site(name=f"{self.name}_tube", pos=(0, 0, _IN_TUBE), group=COLLISION_GROUP)
         self.cup.add_to(cup)
