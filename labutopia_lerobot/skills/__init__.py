@@ -10,5 +10,18 @@ from labutopia_lerobot.skills.press import Press
 from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
+from labutopia_lerobot.skills.turn_knob import TurnKnob
 
-__all__ = ["Close", "Go", "Open", "Pick", "Place", "Pour", "Press", "Shake", "Squeeze", "Stir"]
+__all__ = [
+    "Close",
+    "Go",
+    "Open",
+    "Pick",
+    "Place",
+    "Pour",
+    "Press",
+    "Shake",
+    "Squeeze",
+    "Stir",
+    "TurnKnob",
+]
