@@ -102,6 +102,14 @@ class Handling(LiquidHandling):
     def mix(self, period: float) -> None:
         self._liquid.mix(period)
 
+    @override
+    def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:
+        self._liquid.stir(at, speed, radius, duration)
+
+    @override
+    def masses(self) -> tuple[FloatArray, FloatArray]:
+        return self._liquid.masses()
+
     def _put(self, portion: Portion, outlet: Pose, speed: float) -> None:
         """Put particles before an outlet, one after the other."""
         count = len(portion.origins)

@@ -13,6 +13,7 @@ from labutopia_lerobot.liquids.kept import Kept, Portion, is_column
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
+from labutopia_lerobot.liquids.stirring import stir
 from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.processes import Warmth
 from labutopia_lerobot.setting import PARTICLES
@@ -310,6 +311,27 @@ class Liquid:
             self._impulse,
             self._touching,
         )
+
+    def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:
+        """Draw the liquid of the vessel that a point is in towards a vortex around it.
+
+        Args:
+            at: Where the stirrer is, shape (3,), metres, world frame.
+            speed: Of the stirrer [rad/s].
+            radius: Of the stirrer [m].
+            duration: For how long [s].
+        """
+        around = self._around
+        points = np.vstack([at, self.positions])
+        inside = whereabouts(points, around.glass, around.inner, around.smallest_first)
+        if inside[0] >= 0 and len(self.positions):
+            wet = inside[1:] == inside[0]
+            stir(self.velocities, self.positions, wet, at, speed, radius, duration)
+
+    def masses(self) -> tuple[FloatArray, FloatArray]:
+        """Return where the particles are, shape (n, 3), and their masses, shape (n,) [kg]."""
+        densities = np.array([substance.density for substance in self.substances])
+        return self.positions.copy(), self.volume * self._amounts @ densities
 
     def take_account(self) -> LiquidAccount:
         """Return where the liquid is; `transfers` run from the previous call to this one."""

@@ -78,8 +78,8 @@ def touched(world: World, *things: Thing) -> bool:
 
 
 @predicate("hand {by:g} m clear of {button}")
-def fingers_clear_of(world: World, button: Button, *, by: float) -> bool:
-    """Point between the pads is further than `by` metres from the face of a button."""
+def fingers_clear_of(world: World, button: Thing, *, by: float) -> bool:
+    """Point between the pads is further than `by` metres from the face of a button or knob."""
     return world.gripper.distance_to(world.frame(button.name)) > by
 
 

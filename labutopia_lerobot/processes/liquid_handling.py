@@ -107,3 +107,11 @@ class LiquidHandling(Protocol):
     def mix(self, period: float) -> None:
         """Let what is in each vessel share its heat for a time [s]."""
         ...
+
+    def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:
+        """Draw the liquid of the vessel that a point is in towards a vortex [m, rad/s, m, s]."""
+        ...
+
+    def masses(self) -> tuple[FloatArray, FloatArray]:
+        """Return where the liquid is, shape (n, 3) [m], and its mass there, shape (n,) [kg]."""
+        ...

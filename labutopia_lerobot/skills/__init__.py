@@ -11,6 +11,7 @@ from labutopia_lerobot.skills.press import Press
 from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
+from labutopia_lerobot.skills.turn_knob import TurnKnob
 
 __all__ = [
     "Close",
@@ -24,4 +25,5 @@ __all__ = [
     "Shake",
     "Squeeze",
     "Stir",
+    "TurnKnob",
 ]

@@ -38,7 +38,6 @@ def at_rest(kind: str) -> tuple[Apparatus, Display]:
         ("liquid_chromatograph", "purge", "--.-- ml/min", "PURGE"),
         ("desiccator_cabinet", "door", "-- %RH", "DOOR OPEN"),
         ("glove_box", "lock", "--.- ppm O2", "LOCK OPEN"),
-        ("laminar_flow_bench", "fan", "--.-- m/s", "--.-- m/s"),
     ],
 )
 def test_a_display_shows_a_number_or_dashes_or_what_is_open(kind, part, shut, moved):

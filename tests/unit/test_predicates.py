@@ -30,6 +30,7 @@ SMALL, LARGE = (
     glassware("beaker", "800 ml", "large"),
 )
 OVEN, OTHER_OVEN = DryingOven("oven", latching=True), DryingOven("other", latching=True)
+PANEL = ButtonPanel("panel")
 DRAWER, _, OTHER_DRAWER = Cabinet("cabinet").drawers
 VESSELS = (SMALL, LARGE)
 SAMPLES: dict[Any, tuple[Any, Any]] = {

@@ -6,8 +6,13 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.mechanism import add_moving, in_degrees
+from labutopia_lerobot.labware.parts.motor import Motor
 from labutopia_lerobot.labware.parts.solid import Vector
 from labutopia_lerobot.world.model import COLLISION_GROUP
+
+_GAIN = 0.3
+"""Of its motor, in parts of the effort [s/rad]; ours: its winding
+brakes while it is off, and a hand turns it by a turn in three seconds."""
 
 
 @dataclass(frozen=True)
@@ -19,17 +24,24 @@ class Rotor:
         friction: Of its bearings, with the brush or gear of its motor [N m].
         effort: Torque with which a hand turns it [N m].
         widest: A full turn, or where it stops [rad].
+        stall: Torque that its motor has at most [N m]; 0 if it has none.
     """
 
     name: str
     friction: float = 0.005
     effort: float = 0.05
     widest: float = 2 * math.pi
+    stall: float = 0.0
 
     @property
     def joint(self) -> str:
         """Name of its hinge [rad]."""
         return f"{self.name}_hinge"
+
+    @property
+    def motor(self) -> Motor:
+        """What a drive turns it with."""
+        return Motor(self.name, self.joint, self.stall, _GAIN * self.effort)
 
     def format_position(self, position: float) -> str:
         """Write an angle [rad] with a unit."""
@@ -66,7 +78,9 @@ class Rotor:
             balanced=balanced,
             endless=self.widest == 2 * math.pi,
             friction=friction,
-            damping=0.1 * self.effort,
+            damping=0.0 if self.stall else 0.1 * self.effort,
         )
+        if self.stall:
+            self.motor.add_to(spec)
         body.add_site(name=self.name, group=COLLISION_GROUP)
         return body

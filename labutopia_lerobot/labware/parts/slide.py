@@ -6,9 +6,14 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.form import towards
 from labutopia_lerobot.labware.parts.mechanism import add_moving, in_millimetres
+from labutopia_lerobot.labware.parts.motor import Motor
 from labutopia_lerobot.labware.parts.solid import Vector
 from labutopia_lerobot.world import Pose, World
 from labutopia_lerobot.world.model import COLLISION_GROUP
+
+_GAIN = 20.0
+"""Of its motor, in parts of the effort [s/m]; ours: its winding
+brakes while it is off, and a hand moves it by 40 mm/s."""
 
 
 @dataclass(frozen=True)
@@ -23,17 +28,24 @@ class Slide:
         widest: Travel at which it stops [m].
         friction: Of its guides [N].
         effort: Force with which a hand moves it [N].
+        stall: Force that its motor has at most [N]; 0 if it has none.
     """
 
     name: str
     widest: float
     friction: float = 1.0
     effort: float = 6.0
+    stall: float = 0.0
 
     @property
     def joint(self) -> str:
         """Name of its slide [m]; 0 is where it is built."""
         return f"{self.name}_slide"
+
+    @property
+    def motor(self) -> Motor:
+        """What a drive moves it with."""
+        return Motor(self.name, self.joint, self.stall, _GAIN * self.effort)
 
     def format_position(self, position: float) -> str:
         """Write a travel [m] with a unit."""
@@ -75,6 +87,8 @@ class Slide:
             damping=4.0 * self.friction,
             balanced=balanced,
         )
+        if self.stall:
+            self.motor.add_to(spec)
         body.add_site(name=self.name, group=COLLISION_GROUP)
         box.add_site(name=self.joint, pos=pos, quat=towards(along), group=COLLISION_GROUP)
         return body

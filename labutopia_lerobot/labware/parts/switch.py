@@ -1,4 +1,4 @@
-"""A push-button that switches a lamp."""
+"""What push-buttons switch: a lamp with one, a run with two."""
 
 from dataclasses import dataclass
 from typing import override
@@ -73,3 +73,35 @@ class Switch(Process):
             conaffinity=0,
             mass=0,
         )
+
+
+@dataclass(frozen=True)
+class Latched(Process):
+    """What one button starts and another stops.
+
+    Attributes:
+        name: What its reading is called: 1 while it runs, else 0.
+        start_button: Name of the button that starts it.
+        stop_button: Name of the button that stops it.
+    """
+
+    name: str
+    start_button: str
+    stop_button: str
+
+    @property
+    @override
+    def slots(self) -> tuple[str, ...]:
+        return ("runs",)
+
+    @override
+    def step(self, apparatus: Apparatus) -> None:
+        memory = apparatus.memory(self)
+        started, stopped = (
+            apparatus.reading(name).value for name in (self.start_button, self.stop_button)
+        )
+        memory[0] = (memory[0] or started) and not stopped
+
+    @override
+    def reading(self, apparatus: Apparatus) -> Reading:
+        return Reading(float(apparatus.memory(self)[0]), ON)

@@ -13,6 +13,7 @@ from labutopia_lerobot.labware.glass.material import (
 )
 from labutopia_lerobot.labware.glass.moving_fittings import Piston
 from labutopia_lerobot.labware.glass.series import UtensilSeries
+from labutopia_lerobot.labware.glass.stirring_bar import StirringBarSeries
 from labutopia_lerobot.labware.glass.utensil import Shape
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod
 from labutopia_lerobot.labware.parts.pipe import Cone
@@ -107,7 +108,7 @@ def _dropper(name: str, long: float, thick: float, bulb: float) -> Shape:
 
 
 SERIES = (
-    UtensilSeries(
+    StirringBarSeries(
         "stirring_bar",
         "A magnetic stirring bar.",
         partial(_lying_rod, look="white"),

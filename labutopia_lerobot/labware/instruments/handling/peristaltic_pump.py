@@ -8,17 +8,24 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive, Pumping
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod, about
+from labutopia_lerobot.labware.parts.guard import Flipped, Shut
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.processes import Process
 
 _AXIS = (0.042, 0.088)
 """Axis of the head, y and z [m]."""
+
+_PER_TURN = 2.0
+"""What one turn of its head delivers [ml]; ours: the heads of makers deliver 0.4 to 3 ml with
+tubes of 3 to 8 mm."""
 
 
 @dataclass(frozen=True)
@@ -36,8 +43,8 @@ class PeristalticPump(Instrument):
 
     @property
     def head(self) -> Rotor:
-        """Rotor that carries the rollers."""
-        return Rotor(f"{self.name}_head", friction=0.03, effort=0.3)
+        """What carries the rollers."""
+        return Rotor(f"{self.name}_head", friction=0.03, effort=0.3, stall=1.5)
 
     @property
     def shoe(self) -> Rotor:
@@ -57,9 +64,40 @@ class PeristalticPump(Instrument):
         return self.shoe, self.head, self.speed, self.power
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 300, "rpm", resolution=5)
+
+    @property
+    def drive(self) -> Drive:
+        """What turns it."""
+        return Drive(
+            f"{self.name}_rpm",
+            self.scale,
+            ramp=300.0,
+            brake=600.0,
+            on=(self.power.name, self.closed.name),
+            motors=(self.head.motor,),
+            resolution=5,
+        )
+
+    @property
+    def closed(self) -> Shut:
+        """What feels that the shoe is down: its rollers do not turn open."""
+        return Shut(self.shoe, "HEAD OPEN")
+
+    @property
+    def flow(self) -> Pumping:
+        """What it delivers."""
+        return Pumping(f"{self.name}_flow", self.drive, _PER_TURN)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its switch, its guard, its knob, its drive and what it delivers."""
+        return Flipped(self.power), self.closed, self.scale, self.drive, self.flow
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed, 0, 300, "rpm", resolution=5)
-        return (Display(f"{self.name}_display", (0.060, 0.024), speed),)
+        return (Display(f"{self.name}_display", (0.060, 0.024), self.drive),)
 
     def _forms(self) -> list[Form]:
         y, z = _AXIS

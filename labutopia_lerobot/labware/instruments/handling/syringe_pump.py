@@ -7,6 +7,7 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod
@@ -16,6 +17,11 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.labware.parts.switch import Latched
+from labutopia_lerobot.processes import Process
+
+_TRAVEL, _FULL = 0.100, 50.0
+"""Travel of the carriage [m], and what the syringe gives over it [ml]."""
 
 
 @dataclass(frozen=True)
@@ -33,8 +39,8 @@ class SyringePump(Instrument):
 
     @property
     def carriage(self) -> Slide:
-        """Slide that pushes the plunger, to the left."""
-        return Slide(f"{self.name}_carriage", 0.100, friction=4.0, effort=20.0)
+        """What pushes the plunger, to the left."""
+        return Slide(f"{self.name}_carriage", _TRAVEL, friction=4.0, effort=20.0, stall=60.0)
 
     @property
     def rate(self) -> Knob:
@@ -61,12 +67,40 @@ class SyringePump(Instrument):
         return self.start, self.stop
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.rate, 0.0, 60.0, "ml/h", resolution=0.5)
+
+    @property
+    def running(self) -> Latched:
+        """Whether it was started and not stopped since."""
+        return Latched(f"{self.name}_running", self.start.name, self.stop.name)
+
+    @property
+    def drive(self) -> Drive:
+        """The screw that moves the carriage."""
+        return Drive(
+            f"{self.name}_rate_now",
+            self.scale,
+            ramp=60.0,
+            brake=120.0,
+            on=(self.running.name,),
+            motors=(self.carriage.motor,),
+            unit="ml/h",
+            resolution=0.5,
+            gear=_TRAVEL / _FULL / 3600.0,
+        )
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its buttons' state, its knob and its screw."""
+        return self.running, self.scale, self.drive
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        dosed = Scale(self.carriage, 0.0, 50.0, "ml", resolution=0.1)
-        rate = Scale(self.rate, 0.0, 60.0, "ml/h", resolution=0.5)
+        dosed = Scale(self.carriage, 0.0, _FULL, "ml", resolution=0.1)
         return (
             Display(f"{self.name}_volume", (0.070, 0.024), dosed),
-            Display(f"{self.name}_flow", (0.070, 0.024), rate, ink=(255, 190, 90)),
+            Display(f"{self.name}_flow", (0.070, 0.024), self.drive, ink=(255, 190, 90)),
         )
 
     def _forms(self) -> list[Form]:

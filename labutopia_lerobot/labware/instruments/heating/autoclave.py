@@ -16,13 +16,16 @@ from labutopia_lerobot.labware.parts.form import (
     Turned,
     about,
 )
+from labutopia_lerobot.labware.parts.guard import Shut
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.timer import Countdown
 from labutopia_lerobot.labware.parts.valve import HandWheel, Tap
+from labutopia_lerobot.processes import Process
 
 _R, _BORE, _TOP = 0.225, 0.150, 0.860
 """Radius outside and of the chamber, height of its rim [m]."""
@@ -74,9 +77,19 @@ class Autoclave(Instrument):
         return (self.chamber,)
 
     @property
+    def cycle(self) -> Countdown:
+        """What is left of its cycle; it starts when its knob is turned, with its lid shut."""
+        setting = Scale(self.time, 0, 60, "min")
+        return Countdown(f"{self.name}_left", setting, guards=(Shut(self.lid),))
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """What feels its lid, its knob and its cycle."""
+        return Shut(self.lid), Scale(self.time, 0, 60, "min"), self.cycle
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        time = Scale(self.time, 0, 60, "min")
-        return (Display(f"{self.name}_display", (0.110, 0.040), time, ink=(255, 90, 60)),)
+        return (Display(f"{self.name}_display", (0.110, 0.040), self.cycle, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:
         castors: list[Form] = []

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
-from labutopia_lerobot.labware.parts.dials import Clock
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod
+from labutopia_lerobot.labware.parts.guard import Shut
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
@@ -18,6 +18,8 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_TOP, leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.timer import Countdown
+from labutopia_lerobot.processes import Process
 
 _SLOPE = 66.0
 
@@ -66,9 +68,19 @@ class ThermalCycler(Instrument):
         return (Seat(f"{self.name}_block", self.name, (0.030, 0.0, 0.150), width=0.066),)
 
     @property
+    def program(self) -> Countdown:
+        """What is left of its program, an hour and a half; it runs with its lid shut."""
+        start, stop = (key.name for key in self.keys)
+        return Countdown(f"{self.name}_time", 90.0, start, stop, (Shut(self.lid),))
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """What feels its lid, and its program."""
+        return Shut(self.lid), self.program
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        left = Clock(f"{self.name}_time", 5400.0)
-        return (Display(f"{self.name}_display", (0.110, 0.036), left),)
+        return (Display(f"{self.name}_display", (0.110, 0.036), self.program),)
 
     def _forms(self) -> list[Form]:
         side = ((-0.225, 0.012), (0.225, 0.012), (0.225, 0.130), (-0.080, 0.130), (-0.225, 0.066))

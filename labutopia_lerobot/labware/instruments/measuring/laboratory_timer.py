@@ -4,18 +4,18 @@ from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.parts.dials import Clock
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.labware.parts.timer import Stopwatch
 
 
 @dataclass(frozen=True)
 class LaboratoryTimer(Instrument):
-    """A timer that counts the seconds since it was set up, with two keys before its window.
+    """A timer that counts seconds, started and reset with two keys before its window.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -29,7 +29,7 @@ class LaboratoryTimer(Instrument):
 
     @property
     def keys(self) -> tuple[PushButton, ...]:
-        """Start and reset."""
+        """Start, which also stops, and reset."""
         return tuple(
             PushButton(
                 f"{self.name}_{key}", FINISHES[look].rgba, radius=0.011, travel=0.003, proud=0.006
@@ -44,7 +44,8 @@ class LaboratoryTimer(Instrument):
     @property
     def displays(self) -> tuple[Display, ...]:
         ink, paper = (20, 30, 25), (165, 185, 160)
-        time = Clock(f"{self.name}_time")
+        start, reset = (key.name for key in self.keys)
+        time = Stopwatch(f"{self.name}_time", start, reset)
         return (Display(f"{self.name}_display", (0.094, 0.034), time, ink, paper),)
 
     def _forms(self) -> list[Form]:

@@ -7,6 +7,7 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod
 from labutopia_lerobot.labware.parts.instrument import Instrument
@@ -16,6 +17,7 @@ from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.processes import Process
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,7 @@ class Viscometer(Instrument):
 
     @property
     def spindle(self) -> Rotor:
-        return Rotor(f"{self.name}_spindle", friction=0.002, effort=0.02)
+        return Rotor(f"{self.name}_spindle", friction=0.002, effort=0.02, stall=0.05)
 
     @property
     def speed(self) -> Knob:
@@ -54,9 +56,30 @@ class Viscometer(Instrument):
         return (Seat(f"{self.name}_base", self.name, (-0.070, 0.0, 0.026), width=0.110),)
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 200, "rpm")
+
+    @property
+    def drive(self) -> Drive:
+        """What turns it."""
+        return Drive(
+            f"{self.name}_rpm",
+            self.scale,
+            ramp=100.0,
+            brake=200.0,
+            on=(),
+            motors=(self.spindle.motor,),
+            resolution=1,
+        )
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its knob and its drive."""
+        return self.scale, self.drive
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed, 0, 200, "rpm")
-        return (Display(f"{self.name}_display", (0.080, 0.032), speed),)
+        return (Display(f"{self.name}_display", (0.080, 0.032), self.drive),)
 
     def _forms(self) -> list[Form]:
         return [

@@ -5,16 +5,19 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.crank import Crank
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
-from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod
+from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
+from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
-from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.processes import Process
 
 _ORBIT = 0.020
 """Diameter of the circle [m]."""
@@ -23,7 +26,7 @@ _SLOPE = 50.0
 
 @dataclass(frozen=True)
 class OrbitalShaker(Instrument):
-    """A shaker whose platform is driven along both axes; four bars hold flasks on its mat.
+    """A shaker whose crank takes its platform round a circle; two bars hold flasks on its mat.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -35,14 +38,10 @@ class OrbitalShaker(Instrument):
     source = "360 x 420 x 150 mm, orbit of 20 mm, usual for 7.5 kg of load; from memory"
 
     @property
-    def sledge(self) -> Slide:
-        """Slide that carries the platform to and fro."""
-        return Slide(f"{self.name}_sledge", _ORBIT, friction=6.0, effort=25.0)
-
-    @property
-    def platform(self) -> Slide:
-        """The platform, which goes from side to side on the sledge."""
-        return Slide(f"{self.name}_platform", _ORBIT, friction=6.0, effort=25.0)
+    def crank(self) -> Crank:
+        """What carries the platform round; the platform itself does not turn."""
+        rotor = Rotor(f"{self.name}_crank", friction=0.1, effort=0.5, stall=3.0)
+        return Crank(rotor, f"{self.name}_platform", _ORBIT / 2)
 
     @property
     def speed(self) -> Knob:
@@ -50,22 +49,43 @@ class OrbitalShaker(Instrument):
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
-        return self.speed, self.sledge, self.platform
+        return self.speed, self.crank.rotor
 
     @property
     def mat(self) -> Seat:
         """The middle of the mat."""
         at = (0.0, 0.0, 0.018)
-        return Seat(f"{self.name}_mat", self.platform.name, at, width=0.140)
+        return Seat(f"{self.name}_mat", self.crank.platform, at, width=0.140)
 
     @property
     def places(self) -> tuple[Seat, ...]:
         return (self.mat,)
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 300, "rpm", resolution=5)
+
+    @property
+    def drive(self) -> Drive:
+        """What turns it."""
+        return Drive(
+            f"{self.name}_rpm",
+            self.scale,
+            ramp=30.0,
+            brake=60.0,
+            on=(),
+            motors=(self.crank.rotor.motor,),
+            resolution=5,
+        )
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its knob and its drive."""
+        return self.scale, self.drive
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed, 0, 300, "rpm", resolution=5)
-        return (Display(f"{self.name}_display", (0.080, 0.026), speed),)
+        return (Display(f"{self.name}_display", (0.080, 0.026), self.drive),)
 
     def _forms(self) -> list[Form]:
         side = ((-0.210, 0.012), (0.210, 0.012), (0.210, 0.092), (-0.150, 0.092), (-0.210, 0.040))
@@ -79,10 +99,7 @@ class OrbitalShaker(Instrument):
         lean = leaning(49.1)
         self.speed.add_to(spec, self.name, body, (-0.182, -0.090, 0.0643), lean)
         self.displays[0].add_to(spec, body, (-0.1822, 0.050, 0.0648), lean)
-        half = _ORBIT / 2
-        sledge = self.sledge.add_to(spec, body, (0.030 - half, -half, 0.093), (1.0, 0.0, 0.0))
-        assemble(spec, sledge, self.name, [Rod((0, 0, 0), (0, 0, 0.022), 0.09, "dark_steel")], 1.0)
-        platform = self.platform.add_to(spec, sledge, (0.0, 0.0, 0.023), (0.0, 1.0, 0.0))
+        platform = self.crank.add_to(spec, self.name, body, (0.030, 0.0, 0.093), 0.023)
         rails: list[Form] = [
             Block((x - 0.006, x + 0.006), (-0.158, 0.158), (0.016, 0.034), "steel")
             for x in (-0.128, 0.128)

@@ -8,6 +8,7 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
@@ -17,6 +18,9 @@ from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.labware.parts.stirring import Stirring
+from labutopia_lerobot.processes import Process
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 
 @dataclass(frozen=True)
@@ -40,7 +44,7 @@ class OverheadStirrer(Instrument):
     @property
     def shaft(self) -> Rotor:
         """The shaft with its propeller."""
-        return Rotor(f"{self.name}_shaft", friction=0.02, effort=0.2)
+        return Rotor(f"{self.name}_shaft", friction=0.02, effort=0.2, stall=0.6)
 
     @property
     def speed(self) -> Knob:
@@ -56,9 +60,35 @@ class OverheadStirrer(Instrument):
         return (Seat(f"{self.name}_base", self.name, (-0.060, 0.0, 0.024), width=0.110),)
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 2000, "rpm", resolution=10)
+
+    @property
+    def drive(self) -> Drive:
+        """What turns it."""
+        return Drive(
+            f"{self.name}_rpm",
+            self.scale,
+            ramp=250.0,
+            brake=500.0,
+            on=(),
+            motors=(self.shaft.motor,),
+            resolution=10,
+        )
+
+    @property
+    def stirring(self) -> Stirring:
+        """What its propeller does to the liquid around it."""
+        return Stirring(f"{self.name}_stirring", self.drive, f"{self.name}_propeller", 0.027)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its knob, its drive and what its propeller does."""
+        return self.scale, self.drive, self.stirring
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed, 0, 2000, "rpm", resolution=10)
-        return (Display(f"{self.name}_display", (0.060, 0.024), speed),)
+        return (Display(f"{self.name}_display", (0.060, 0.024), self.drive),)
 
     def _forms(self) -> list[Form]:
         return [
@@ -87,6 +117,7 @@ class OverheadStirrer(Instrument):
         self.speed.add_to(spec, self.name, head, (-0.2215, 0.0, 0.015), ON_FRONT)
         self.displays[0].add_to(spec, head, (-0.2218, 0.0, 0.085), ON_FRONT)
         shaft = self.shaft.add_to(spec, head, (-0.165, 0.0, -0.063), (0.0, 0.0, -1.0))
+        shaft.add_site(name=f"{self.name}_propeller", pos=(0, 0, -0.262), group=COLLISION_GROUP)
         chuck = ((0.010, -0.034), (0.014, -0.026), (0.018, -0.014), (0.018, 0.0))
         blades: list[Form] = [
             Turned(chuck, "chrome"),

@@ -8,14 +8,20 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Rocking
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Rod, about
+from labutopia_lerobot.labware.parts.guard import Flipped
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.processes import Process
+
+_SWING = math.radians(20.0)
+"""How far the platform goes from end to end [rad]."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +41,7 @@ class RockingShaker(Instrument):
     def platform(self) -> Rotor:
         """The platform, from one end of its way to the other."""
         rocking = f"{self.name}_platform"
-        return Rotor(rocking, friction=0.5, effort=2.0, widest=math.radians(20.0))
+        return Rotor(rocking, friction=0.05, effort=2.0, widest=_SWING, stall=4.0)
 
     @property
     def speed(self) -> Knob:
@@ -50,9 +56,23 @@ class RockingShaker(Instrument):
         return self.platform, self.speed, self.power
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 60, "rpm")
+
+    @property
+    def drive(self) -> Rocking:
+        """Its crank: the platform goes to and fro once per turn."""
+        on, motors = (self.power.name,), (self.platform.motor,)
+        return Rocking(f"{self.name}_rpm", self.scale, 20.0, 60.0, on, motors, range=_SWING)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its switch, its knob and its drive."""
+        return Flipped(self.power), self.scale, self.drive
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed, 0, 60, "rpm")
-        return (Display(f"{self.name}_display", (0.070, 0.026), speed),)
+        return (Display(f"{self.name}_display", (0.070, 0.026), self.drive),)
 
     def _forms(self) -> list[Form]:
         return [

@@ -6,12 +6,14 @@ import mujoco
 
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.stirring import MagneticStirring
 from labutopia_lerobot.labware.parts.warmth import Regulated, block
 from labutopia_lerobot.processes import HeatZone, Process
 from labutopia_lerobot.processes.hot_surface import ON_CERAMIC
@@ -29,7 +31,7 @@ _CAPACITY = 0.135**2 * 0.011 * 2570.0 * 800.0
 
 @dataclass(frozen=True)
 class StirringHotPlate(Instrument):
-    """A magnetic stirrer with hot plate: its displays show how hot it is, and its speed as set.
+    """A magnetic stirrer with hot plate: its displays show how hot it is, and how fast it turns.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -73,16 +75,38 @@ class StirringHotPlate(Instrument):
         return knob, *block(self.name, _CAPACITY, 0.135**2, zone, (), by)
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 1500, "rpm", resolution=10)
+
+    @property
+    def drive(self) -> Drive:
+        """What turns it."""
+        return Drive(
+            f"{self.name}_rpm",
+            self.scale,
+            ramp=250.0,
+            brake=500.0,
+            on=(),
+            motors=(),
+            resolution=10,
+        )
+
+    @property
+    def stirring(self) -> MagneticStirring:
+        """The magnet below its plate."""
+        return MagneticStirring(f"{self.name}_stirring", self.drive, self.plate.name)
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        return self.warming
+        """Heat; then the knob of the speed, its drive and the magnet that it turns."""
+        return *self.warming, self.scale, self.drive, self.stirring
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed, 0, 1500, "rpm", resolution=10)
         size = (0.046, 0.016)
         return (
             Display(f"{self.name}_temperature", size, self.warming[-1], ink=(255, 130, 90)),
-            Display(f"{self.name}_rpm", size, speed),
+            Display(f"{self.name}_speed_display", size, self.drive),
         )
 
     def _forms(self) -> list[Form]:

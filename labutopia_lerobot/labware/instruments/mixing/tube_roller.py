@@ -7,14 +7,17 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod
+from labutopia_lerobot.labware.parts.guard import Flipped
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.processes import Process
 
 
 @dataclass(frozen=True)
@@ -32,8 +35,10 @@ class TubeRoller(Instrument):
 
     @property
     def rollers(self) -> tuple[Rotor, ...]:
-        """Rollers from the front."""
-        return tuple(Rotor(f"{self.name}_roller_{n}", friction=0.01, effort=0.1) for n in range(5))
+        """From the front."""
+        return tuple(
+            Rotor(f"{self.name}_roller_{n}", friction=0.01, effort=0.1, stall=0.5) for n in range(5)
+        )
 
     @property
     def speed(self) -> Knob:
@@ -48,9 +53,23 @@ class TubeRoller(Instrument):
         return *self.rollers, self.speed, self.power
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 80, "rpm")
+
+    @property
+    def drive(self) -> Drive:
+        """It turns all rollers."""
+        on, motors = (self.power.name,), tuple(roller.motor for roller in self.rollers)
+        return Drive(f"{self.name}_rpm", self.scale, 40.0, 80.0, on, motors)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its switch, its knob and its drive."""
+        return Flipped(self.power), self.scale, self.drive
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed, 0, 80, "rpm")
-        return (Display(f"{self.name}_display", (0.050, 0.020), speed),)
+        return (Display(f"{self.name}_display", (0.050, 0.020), self.drive),)
 
     def _forms(self) -> list[Form]:
         return [

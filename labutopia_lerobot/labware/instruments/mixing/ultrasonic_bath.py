@@ -16,6 +16,8 @@ from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.timer import Countdown
+from labutopia_lerobot.processes import Process
 
 
 @dataclass(frozen=True)
@@ -58,9 +60,19 @@ class UltrasonicBath(Instrument):
         return (self.basket,)
 
     @property
+    def timer(self) -> Countdown:
+        """What is left of the time that it sounds; it starts when its knob is turned."""
+        setting = Scale(self.minutes, 0, 30, "min", resolution=5)
+        return Countdown(f"{self.name}_left", setting)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its knob and its timer."""
+        return Scale(self.minutes, 0, 30, "min", resolution=5), self.timer
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        minutes = Scale(self.minutes, 0, 30, "min", resolution=5)
-        return (Display(f"{self.name}_display", (0.070, 0.026), minutes, ink=(255, 90, 60)),)
+        return (Display(f"{self.name}_display", (0.070, 0.026), self.timer, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:
         holes: list[Form] = [

@@ -5,8 +5,12 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.crank import Crank
+from labutopia_lerobot.labware.parts.dials import Scale
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned
+from labutopia_lerobot.labware.parts.guard import Flipped
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
@@ -14,9 +18,14 @@ from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.stirring import Stirring
+from labutopia_lerobot.processes import Process
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _ORBIT = 0.0025
-"""Distance from the axis of the motor to that of the cup [m]: an orbit of 5 mm."""
+"""From the axis of the motor to that of the cup [m]: an orbit of 5 mm."""
+_IN_TUBE = 0.025
+"""Height above the cup's origin that is in a tube that stands in it [m]; ours."""
 _LEAN = 20.0
 """Angle by which the front leans back [deg]."""
 
@@ -43,23 +52,44 @@ class VortexMixer(Instrument):
         return Rocker(f"{self.name}_power")
 
     @property
-    def rotor(self) -> Rotor:
-        """The cup on its eccentric."""
-        return Rotor(f"{self.name}_cup", friction=0.02, effort=0.1)
+    def crank(self) -> Crank:
+        """The eccentric that takes the cup round; the cup itself does not turn."""
+        rotor = Rotor(f"{self.name}_eccentric", friction=0.02, effort=0.1, stall=0.4)
+        return Crank(rotor, f"{self.name}_cup", _ORBIT)
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
-        return self.speed, self.power, self.rotor
+        return self.speed, self.power, self.crank.rotor
 
     @property
     def cup(self) -> Seat:
-        """Place where the end of a tube is pressed in."""
-        at = (_ORBIT, 0.0, 0.010)
-        return Seat(f"{self.name}_cup_middle", self.rotor.name, at, width=0.034, depth=0.012)
+        """Where the end of a tube is pressed in."""
+        at = (0.0, 0.0, 0.010)
+        return Seat(f"{self.name}_cup_middle", self.crank.platform, at, width=0.034, depth=0.012)
 
     @property
     def places(self) -> tuple[Seat, ...]:
         return (self.cup,)
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 3000, "rpm", resolution=10)
+
+    @property
+    def drive(self) -> Drive:
+        """What takes the cup round."""
+        on, motors = (self.power.name,), (self.crank.rotor.motor,)
+        return Drive(f"{self.name}_rpm", self.scale, 3000.0, 3000.0, on, motors, resolution=10)
+
+    @property
+    def stirring(self) -> Stirring:
+        """What its cup does to the liquid in the tube that stands in it."""
+        return Stirring(f"{self.name}_stirring", self.drive, f"{self.name}_tube", 0.006)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its switch, its knob, its drive and what its cup does."""
+        return Flipped(self.power), self.scale, self.drive, self.stirring
 
     def _forms(self) -> list[Form]:
         side = ((-0.080, 0.008), (0.080, 0.008), (0.070, 0.128), (-0.037, 0.128))
@@ -74,16 +104,16 @@ class VortexMixer(Instrument):
         front = (-0.0593, 0.0, 0.066)
         self.speed.add_to(spec, self.name, body, (front[0], -0.030, front[2]), leaning(_LEAN))
         self.power.add_to(spec, self.name, body, (front[0], 0.032, front[2]), leaning(_LEAN))
-        cup = self.rotor.add_to(spec, body, (0.017, 0.0, 0.135))
+        cup = self.crank.add_to(spec, self.name, body, (0.017, 0.0, 0.1345), 0.0015)
         forms: list[Form] = [
-            Turned(((0, 0), (0.014, 0), (0.022, 0.010), (0, 0.010)), "rubber", (_ORBIT, 0, 0)),
-            Ring(0.036, 0.046, (0.010, 0.026), "rubber", at=(_ORBIT, 0)),
+            Turned(((0, 0), (0.014, 0), (0.022, 0.010), (0, 0.010)), "rubber"),
+            Ring(0.036, 0.046, (0.010, 0.026), "rubber"),
             Turned(
                 ((0.018, 0.024), (0.023, 0.024), (0.026, 0.030), (0.018, 0.024)),
                 "rubber",
-                (_ORBIT, 0, 0),
                 touch=False,
             ),
         ]
         assemble(spec, cup, self.name, forms, mass=0.08)
+        cup.add_site(name=f"{self.name}_tube", pos=(0, 0, _IN_TUBE), group=COLLISION_GROUP)
         self.cup.add_to(cup)

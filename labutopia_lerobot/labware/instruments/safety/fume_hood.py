@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.air import Fan
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
@@ -16,13 +17,18 @@ from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Sash
+from labutopia_lerobot.labware.parts.switch import Switch
 from labutopia_lerobot.labware.parts.valve import Tap
+from labutopia_lerobot.processes import Process
 
 _DEPTH, _WIDTH, _HEIGHT = 0.850, 1.500, 2.350
 _TOP, _OPEN = 0.900, 0.700
 """Height of the work top, and how far the sash goes up [m]."""
 _SIDE = 0.100
 """Width of the side posts [m]."""
+
+_FACE_VELOCITY = 0.50
+"""Of the air through the opening [m/s]; ours: a hood's controller keeps 0.4 to 0.5 m/s."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +73,23 @@ class FumeHood(Instrument):
             Seat(f"{self.name}_top_{side}", self.name, (-0.10, y, _TOP), width=0.40)
             for side, y in (("left", 0.35), ("right", -0.35))
         )
+
+    @property
+    def ventilation(self) -> Switch:
+        """Its fan's button, which toggles, and the lamp beside it."""
+        return Switch(
+            f"{self.name}_fan_on", self.fan.name, f"{self.name}_lamp", (0.2, 1.0, 0.3, 1.0)
+        )
+
+    @property
+    def air(self) -> Fan:
+        """The air that goes in below its sash."""
+        return Fan(f"{self.name}_air", self.ventilation.name, _FACE_VELOCITY)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its fan's switch, its sash and its air."""
+        return self.ventilation, Scale(self.sash, 0, 100, "% open", resolution=5), self.air
 
     @property
     def displays(self) -> tuple[Display, ...]:
@@ -137,6 +160,7 @@ class FumeHood(Instrument):
         for tap, (side, z) in zip(self.taps, ((1, 1.10), (-1, 1.10), (-1, 1.24)), strict=True):
             tap.add_to(spec, self.name, body, (-x, side * (y - 0.05), z), ON_FRONT)
         self.fan.add_to(spec, body, (-x, -y + 0.05, 1.42), ON_FRONT)
+        self.ventilation.add_lamp_to(body, (-x, -y + 0.05, 1.36))
         self.displays[0].add_to(spec, body, (-x - 0.001, -y + 0.05, 1.50), ON_FRONT)
 
 

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned
+from labutopia_lerobot.labware.parts.guard import Flipped, Shut
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
@@ -15,6 +17,7 @@ from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.processes import Process
 
 _BORES, _CIRCLE = 8, 0.030
 """Number of them, and the radius of their circle [m]."""
@@ -40,7 +43,7 @@ class MiniCentrifuge(Instrument):
 
     @property
     def rotor(self) -> Rotor:
-        return Rotor(f"{self.name}_rotor")
+        return Rotor(f"{self.name}_rotor", stall=0.1)
 
     @property
     def power(self) -> Rocker:
@@ -57,6 +60,30 @@ class MiniCentrifuge(Instrument):
             Seat(f"{self.name}_bore_{n}", self.rotor.name, (x, y, 0.004), 0.010, 0.020)
             for n, (x, y) in enumerate(_circle())
         )
+
+    @property
+    def closed(self) -> Shut:
+        """What feels its lid: the rotor stops when it opens."""
+        return Shut(self.lid)
+
+    @property
+    def drive(self) -> Drive:
+        """What turns the rotor, at the one speed that it has."""
+        return Drive(
+            f"{self.name}_rpm",
+            6000.0,
+            ramp=2000.0,
+            brake=2000.0,
+            on=(self.power.name, self.closed.name),
+            motors=(self.rotor.motor,),
+            resolution=100.0,
+            seen=60.0,
+        )
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its switch, what feels its lid, and its drive."""
+        return Flipped(self.power), self.closed, self.drive
 
     def _forms(self) -> list[Form]:
         side = ((-0.085, 0.006), (0.085, 0.006), (0.085, 0.046), (-0.058, 0.046), (-0.085, 0.018))

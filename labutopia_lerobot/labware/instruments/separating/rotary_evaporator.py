@@ -8,6 +8,7 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
@@ -47,7 +48,7 @@ class RotaryEvaporator(Instrument):
     @property
     def flask(self) -> Rotor:
         """The evaporating flask on its vapour tube."""
-        return Rotor(f"{self.name}_flask", friction=0.03, effort=0.3)
+        return Rotor(f"{self.name}_flask", friction=0.03, effort=0.3, stall=1.5)
 
     @property
     def speed(self) -> Knob:
@@ -75,16 +76,32 @@ class RotaryEvaporator(Instrument):
         return knob, *bath(self.name, low, high, 0.8, by)
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.speed, 0, 280, "rpm", resolution=5)
+
+    @property
+    def drive(self) -> Drive:
+        """What turns it."""
+        return Drive(
+            f"{self.name}_rpm",
+            self.scale,
+            ramp=56.0,
+            brake=140.0,
+            on=(),
+            motors=(self.flask.motor,),
+            resolution=5,
+        )
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        return self.warming
+        """Heat; then the knob of the speed and its drive."""
+        return *self.warming, self.scale, self.drive
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        speed = Scale(self.speed, 0, 280, "rpm", resolution=5)
-        bath = Display(
-            f"{self.name}_temperature", (0.060, 0.022), self.warming[-1], ink=(255, 130, 90)
-        )
-        return bath, Display(f"{self.name}_rpm", (0.060, 0.022), speed)
+        thermometer = self.warming[-1]
+        bath = Display(f"{self.name}_temperature", (0.060, 0.022), thermometer, ink=(255, 130, 90))
+        return bath, Display(f"{self.name}_speed_display", (0.060, 0.022), self.drive)
 
     def _forms(self) -> list[Form]:
         bath = (-0.075, 0.090)

@@ -5,15 +5,25 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.air import AMBIENT, Vacuum
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod
+from labutopia_lerobot.labware.parts.guard import Flipped
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rocker import Rocker
+from labutopia_lerobot.processes import Process
+
+_END = 10.0
+"""Its end vacuum [mbar]; ours: diaphragm pumps with two heads in a row reach 2 to 10 mbar."""
+_SPEED, _VOLUME = 0.5, 1.0
+"""Its pumping speed [l/s], that of `source`, and what it evacuates [l]; ours: a flask of 1 l."""
+_LEAKS = 60.0
+"""Time constant with which the air comes back when it is off [s]; ours."""
 
 
 @dataclass(frozen=True)
@@ -42,10 +52,23 @@ class VacuumPump(Instrument):
         return self.power, self.regulator
 
     @property
+    def scale(self) -> Scale:
+        return Scale(self.regulator, AMBIENT, _END, "mbar")
+
+    @property
+    def vacuum(self) -> Vacuum:
+        """The pressure at its inlet."""
+        on = self.power.name
+        return Vacuum(f"{self.name}_pressure", on, self.scale, _END, _VOLUME / _SPEED, _LEAKS)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its switch, its regulator and the pressure at its inlet."""
+        return Flipped(self.power), self.scale, self.vacuum
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        regulator = self.regulator
-        reading = Scale(regulator, 1013, 10, "mbar")
-        return (Display(f"{self.name}_display", (0.072, 0.024), reading),)
+        return (Display(f"{self.name}_display", (0.072, 0.024), self.vacuum),)
 
     def _forms(self) -> list[Form]:
         heads: list[Form] = []

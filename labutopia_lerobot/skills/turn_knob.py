@@ -1,0 +1,125 @@
+"""Turn a knob to where it is wanted, gripping anew where the wrist would not go on."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+from scipy.spatial.transform import Rotation
+
+from labutopia_lerobot.skills.skill import Condition, Phase, Target, arrived, waited
+from labutopia_lerobot.world import Pose, World
+
+_HALF = math.radians(50.0)
+"""How far the hand turns to either side of how it is comfortable [rad]; ours."""
+_COMFORT = math.radians(135.0)
+"""How the hand is turned to a knob on an upright panel, its fingers aslant, from where its back
+looks up [rad]; ours, tried with the Panda: from 90 to 225 degrees it reaches and backs off."""
+_SQUEEZE = 0.014
+"""How much narrower than the knob the closed gripper is commanded [m]."""
+_NEAR = math.radians(1.5)
+"""How far from where it is wanted a knob may be left [rad]; ours."""
+_TURNING = 0.8
+"""How fast the hand turns [rad/s]; ours."""
+_GRIPS = 6
+"""How often it is gripped at most."""
+
+
+class Turnable(Protocol):
+    """A knob; the frame of its name: in the middle of its face, z into the panel, x its pointer."""
+
+    @property
+    def name(self) -> str:
+        """Name of its body and of its frame."""
+        ...
+
+    @property
+    def joint(self) -> str:
+        """Name of its hinge [rad]; it turns about the z axis of its frame."""
+        ...
+
+    @property
+    def widest(self) -> float:
+        """Where it stops [rad]."""
+        ...
+
+    @property
+    def diameter(self) -> float:
+        """Of the dial [m]."""
+        ...
+
+
+@dataclass(frozen=True)
+class TurnKnob:
+    """Approach along the axis, grip, turn, release and back off, again until it is where it should.
+
+    Attributes:
+        knob: What to turn.
+        to: Position of its hinge to turn it to [rad].
+        standoff: Distance from which the first approach starts, and to which the hand leaves [m].
+        depth: How far behind the knob's face the middle of the pads comes [m].
+        opening: Distance between the pads around the knob [m].
+    """
+
+    knob: Turnable
+    to: float
+    standoff: float = 0.10
+    depth: float = 0.002
+    opening: float = 0.060
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        """Yield approach, then reach, grip, turn, release and back off, and leave."""
+        touches, shut = frozenset({self.knob.name}), 0.76 * self.knob.diameter - _SQUEEZE
+        axis = self._axis(world)
+        away, there = arrived(within=0.01, within_rad=0.1), arrived(within=0.004, within_rad=0.04)
+        angle = 0.0
+        for grip in range(_GRIPS):
+            lacking = self.to - world.joint(self.knob.joint)
+            if abs(lacking) < _NEAR:
+                break
+            swing = max(-2 * _HALF, min(2 * _HALF, lacking))
+            angle = -swing / 2
+            if grip == 0:
+                before = _turned(axis, angle).advanced(-self.standoff)
+                yield Phase("approach", _at(before), self.opening, away, timeout_s=8.0)
+            near = _turned(axis, angle).advanced(-0.035)
+            yield Phase("align", _at(near), self.opening, away, touches)
+            held = _turned(axis, angle)
+            yield Phase("reach", _at(held), self.opening, there, touches, speed=0.10)
+            yield Phase("grip", _at(held), shut, waited(0.6), touches)
+            goal, start = world.joint(self.knob.joint) + swing, angle
+            turned = _turned(axis, start + swing)
+            yield Phase(
+                "turn",
+                _at(turned),
+                shut,
+                _reached(self.knob.joint, goal, 0.6 + abs(swing) / _TURNING),
+                touches,
+                turn_speed=_TURNING,
+            )
+            angle = start + swing
+            yield Phase("release", _at(turned), self.opening, waited(0.6), touches)
+            yield Phase("back off", _at(turned.advanced(-0.035)), self.opening, away, touches)
+        last = _turned(axis, angle).advanced(-self.standoff)
+        yield Phase("leave", _at(last), self.opening, away, touches)
+
+    def _axis(self, world: World) -> Pose:
+        """Return the pose of the hand around the knob at its middle position, as a panel is."""
+        frame, half = world.frame(self.knob.name), self.knob.widest / 2
+        middle = _COMFORT + half - world.joint(self.knob.joint)
+        return _turned(frame, middle).advanced(self.depth)
+
+
+def _turned(pose: Pose, angle: float) -> Pose:
+    """Return a pose turned about its own z axis [rad]."""
+    turn = Rotation.from_euler("z", angle).as_matrix()
+    return Pose(pose.position_w, pose.rotation_w @ turn)
+
+
+def _at(pose: Pose) -> Target:
+    return lambda world: pose
+
+
+def _reached(joint: str, goal: float, seconds: float) -> Condition:
+    """A joint is at a position [rad], or the hand has had time enough."""
+    return lambda world, _, elapsed: abs(world.joint(joint) - goal) < _NEAR / 3 or elapsed > seconds
