@@ -7,7 +7,7 @@ import mujoco
 
 from labutopia_lerobot.labware.glass.series import UtensilSeries, numbers_of
 from labutopia_lerobot.labware.glass.utensil import Utensil
-from labutopia_lerobot.labware.parts.stirring import MAGNET
+from labutopia_lerobot.labware.parts.magnetic_stirring import MAGNET
 from labutopia_lerobot.world.model import COLLISION_GROUP, SOLIMP
 
 _FRICTION = 0.08

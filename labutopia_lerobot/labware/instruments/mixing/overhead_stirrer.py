@@ -13,12 +13,12 @@ from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned, about
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.magnetic_stirring import Stirring
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
-from labutopia_lerobot.labware.parts.stirring import Stirring
 from labutopia_lerobot.processes import Process
 from labutopia_lerobot.world.model import COLLISION_GROUP
 

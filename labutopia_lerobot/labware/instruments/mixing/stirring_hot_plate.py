@@ -11,9 +11,9 @@ from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.magnetic_stirring import MagneticStirring
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.seat import Seat
-from labutopia_lerobot.labware.parts.stirring import MagneticStirring
 from labutopia_lerobot.labware.parts.warmth import Regulated, block
 from labutopia_lerobot.processes import HeatZone, Process
 from labutopia_lerobot.processes.hot_surface import ON_CERAMIC

@@ -13,12 +13,12 @@ from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, 
 from labutopia_lerobot.labware.parts.guard import Flipped
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.magnetic_stirring import Stirring
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
-from labutopia_lerobot.labware.parts.stirring import Stirring
 from labutopia_lerobot.processes import Process
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
