@@ -48,7 +48,7 @@ def closing(to: float) -> Choose:
     return choose
 
 
-@pytest.mark.parametrize("left_at", [1.6, 8.0])
+@pytest.mark.parametrize("left_at", [pytest.param(1.6, marks=pytest.mark.slow), 8.0])
 def test_a_door_that_is_left_before_its_catch_is_not_closed(env, left_at):
     info = play_on(env, SEED, "5_place", closing(math.radians(left_at)))
     assert info["outcome"] == "running"

@@ -42,7 +42,7 @@ def move_dish():
 """
 
 
-@pytest.mark.parametrize("robot", ["panda", "iiwa"])
+@pytest.mark.parametrize("robot", ["panda", pytest.param("iiwa", marks=pytest.mark.slow)])
 def test_a_dish_is_moved_by_a_hand_that_points_down(tmp_path, robot):
     file = tmp_path / "level1" / "move_dish.py"
     file.parent.mkdir()

@@ -213,7 +213,7 @@ def test_an_unknown_mesh_is_named_in_the_error():
         load_mesh("nowhere.stl", 500)
 
 
-@pytest.mark.parametrize("link", ["link1", "link2", "hand"])
+@pytest.mark.parametrize("link", ["link1", pytest.param("link2", marks=pytest.mark.slow), "hand"])
 def test_a_thinned_mesh_has_no_holes_and_no_spikes(link):
     with as_file(files("rtbdata") / f"{FRANKA_MESHES}/{link}.dae") as path:
         largest = max(read_collada(path), key=lambda part: len(part.faces))

@@ -93,7 +93,9 @@ def test_a_bottle_under_its_own_weight_keeps_its_volume(env):
     assert volume(env) == pytest.approx(BOTTLE.shell.volume, rel=1e-3)
 
 
-@pytest.mark.parametrize("seed", [5, 6, 7])
+@pytest.mark.parametrize(
+    "seed", [5, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (6, 7))]
+)
 def test_a_squeezed_bottle_caves_in_and_comes_back(env, seed):
     expert = play(env, "squeeze/hold", seed)
     assert BOTTLE.shell.volume - volume(env) > 20e-6
