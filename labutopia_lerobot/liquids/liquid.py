@@ -13,8 +13,8 @@ from labutopia_lerobot.liquids.kept import Kept, Portion, is_column
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
-from labutopia_lerobot.liquids.stirring import stir
 from labutopia_lerobot.liquids.surroundings import Surroundings
+from labutopia_lerobot.liquids.vortex import stir
 from labutopia_lerobot.processes import Warmth
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake
