@@ -19,7 +19,7 @@ _SQUEEZE = 0.014
 """How much narrower than the knob the closed gripper is commanded [m]."""
 _NEAR = math.radians(1.5)
 """How far from where it is wanted a knob may be left [rad]; ours."""
-_TURNING = 0.8
+_TURNING = 0.6
 """How fast the hand turns [rad/s]; ours."""
 _GRIPS = 6
 """How often it is gripped at most."""
