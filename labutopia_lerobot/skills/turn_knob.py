@@ -14,7 +14,7 @@ _HALF = math.radians(50.0)
 """How far the hand turns to either side of how it is comfortable [rad]; ours."""
 _COMFORT = math.radians(135.0)
 """How the hand is turned to a knob on an upright panel, its fingers aslant, from where its back
-looks up [rad]; ours, tried with the default robot: from 90 to 225 degrees it reaches and backs off."""
+looks up [rad]; ours: the default robot reaches the knob, and backs off, from 90 to 225 degrees."""
 _SQUEEZE = 0.014
 """How much narrower than the knob the closed gripper is commanded [m]."""
 _NEAR = math.radians(1.5)
