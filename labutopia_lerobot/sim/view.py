@@ -1,6 +1,7 @@
 """The read-only world that predicates, skills and observations look at."""
 
 import difflib
+import math
 from collections.abc import Iterable, Mapping
 
 import mujoco
@@ -112,7 +113,11 @@ class SimulatedWorld:
     def joint(self, name: str) -> float:
         """Return the position of a named hinge [rad] or slide [m]."""
         try:
-            return float(self._data.joint(name).qpos[0])
+            joint = self._model.joint(name)
+            position = float(self._data.qpos[joint.qposadr[0]])
+            if joint.type[0] == mujoco.mjtJoint.mjJNT_HINGE and not joint.limited[0]:
+                return math.remainder(position, 2 * math.pi)
+            return position
         except KeyError:
             raise self._unknown("joint", name, self._names(self._model.njnt, "joint")) from None
 

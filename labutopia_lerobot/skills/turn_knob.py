@@ -14,12 +14,12 @@ _HALF = math.radians(50.0)
 """How far the hand turns to either side of how it is comfortable [rad]; ours."""
 _COMFORT = math.radians(135.0)
 """How the hand is turned to a knob on an upright panel, its fingers aslant, from where its back
-looks up [rad]; ours, tried with the Panda: from 90 to 225 degrees it reaches and backs off."""
+looks up [rad]; ours: the default robot reaches the knob, and backs off, from 90 to 225 degrees."""
 _SQUEEZE = 0.014
 """How much narrower than the knob the closed gripper is commanded [m]."""
 _NEAR = math.radians(1.5)
 """How far from where it is wanted a knob may be left [rad]; ours."""
-_TURNING = 0.8
+_TURNING = 0.6
 """How fast the hand turns [rad/s]; ours."""
 _GRIPS = 6
 """How often it is gripped at most."""

@@ -97,7 +97,7 @@ class World(Protocol):
         ...
 
     def joint(self, name: str) -> float:
-        """Return the position of a named hinge [rad] or slide [m]."""
+        """Return the position of a named hinge [rad] or slide [m]; without stops: -pi to pi."""
         ...
 
     def joint_speed(self, name: str) -> float:
