@@ -8,6 +8,7 @@ import numpy as np
 from labutopia_lerobot.checks.playing import Player, play, random_walk, still
 from labutopia_lerobot.checks.require import require
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.scenario import canonical_task
 
 
 def the_goal_is_false_at_the_start(env: LabEnv) -> None:
@@ -65,7 +66,11 @@ def doing_nothing_ends_by_timeout_at_the_time_limit(env: LabEnv) -> None:
 @cache
 def _without_liquid(env: LabEnv) -> LabEnv:
     """Return an environment in which time passes quickly, where the task can do without liquid."""
-    return env if env.workcell.task.needs_liquid else LabEnv(replace(env.setting, liquid="off"))
+    return (
+        env
+        if canonical_task(env.setting).needs_liquid
+        else LabEnv(replace(env.setting, liquid="off"))
+    )
 
 
 def _require_no_success(env: LabEnv, player: Player, seeds: range) -> None:

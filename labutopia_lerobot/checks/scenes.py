@@ -77,8 +77,7 @@ def two_seeds_give_two_scenes(env: LabEnv) -> None:
 
 def training_and_evaluation_splits_share_no_scene(env: LabEnv) -> None:
     """Five seeds give five scenes in each split, and none of them twice."""
-    env.reset(seed=0)
-    needed = env.workcell.task.needs_liquid
+    needed = canonical_task(env.setting).needs_liquid
     empty = env.setting if needed else replace(env.setting, liquid="off")  # it decides nothing here
     scenes = [
         {e.reset(seed=seed)[0]["environment_state"].tobytes() for seed in range(5)}
