@@ -11,7 +11,7 @@ try:
     choose_backend()
     register_tasks()
 except KeyboardInterrupt:  # a program that has just been started, and is not yet at `cli.launch`
-    from labutopia_lerobot.runtime.termination import tell_interrupt_in_one_line
+    from labutopia_lerobot.runtime.termination import report_interrupt_in_one_line
 
-    tell_interrupt_in_one_line()
+    report_interrupt_in_one_line()
     raise

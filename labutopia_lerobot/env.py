@@ -48,7 +48,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     Actions: float32, absolute targets of the same. What acted is `info["applied_action"]`.
 
     Args:
-        setting: What is played and observed.
+        setting: Task, robot, observation and the other options.
         render_mode: `rgb_array`.
 
     Raises:

@@ -27,12 +27,12 @@ _MISTAKES = (SyntaxError, ImportError, NameError, AttributeError, TypeError, Val
 
 @contextmanager
 def mistakes_located(folder: Path, *, playing: bool = False) -> Iterator[None]:
-    """Tell of a mistake that is made here with the file and line of the user's that makes it.
+    """Report a mistake that is made here by the file and line of the user's that makes it.
 
     Args:
         folder: Where the user's files lie.
         playing: Whether an episode is played. What code of ours raises is a bug of ours then, also
-            where the user's has called it: nobody else may tell of it.
+            where the user's has called it: nobody else may report it.
 
     Raises:
         FileMistakeError: If one is made that has no message of ours; one that has is raised as it
@@ -44,18 +44,18 @@ def mistakes_located(folder: Path, *, playing: bool = False) -> Iterator[None]:
         frames = _frames_of(error, folder)
         if frames and error.args:
             place = f"{_place(*frames[-1])}: "
-            told = str(error.args[0]).removeprefix(place)  # it may have been told already
-            error.args = (f"{place}{told}", *error.args[1:])
+            message = str(error.args[0]).removeprefix(place)  # it may stand there already
+            error.args = (f"{place}{message}", *error.args[1:])
         raise
     except Exception as error:
         frames = _frames_of(error, folder)
         if isinstance(error, SyntaxError) and Path(error.filename or "").is_relative_to(folder):
             where = _place(error.filename or "", error.lineno or 1, None)
             raise FileMistakeError(f"{where}: {error.msg}") from error
-        told_by_kind = isinstance(error, _MISTAKES) and not playing
-        if frames and (told_by_kind or not _raised_by_us(error, folder)):
-            told = f"{type(error).__name__}: {error}{_hint(error, frames[-1][2])}"
-            raise FileMistakeError(f"{_place(*frames[-1])}: {told}") from error
+        known_by_kind = isinstance(error, _MISTAKES) and not playing
+        if frames and (known_by_kind or not _raised_by_us(error, folder)):
+            message = f"{type(error).__name__}: {error}{_hint(error, frames[-1][2])}"
+            raise FileMistakeError(f"{_place(*frames[-1])}: {message}") from error
         raise
 
 
@@ -80,7 +80,7 @@ def _frames_of(error: Exception, folder: Path) -> list[_Line]:
 
 
 def _raised_by_us(error: Exception, folder: Path) -> bool:
-    """Tell whether the user's code was in the middle of a call of ours."""
+    """Return whether the user's code was in the middle of a call of ours."""
     files = [Path(frame.f_code.co_filename) for frame, _ in traceback.walk_tb(error.__traceback__)]
     last = max(index for index, file in enumerate(files) if file.is_relative_to(folder))
     return any(file.is_relative_to(_OURS) for file in files[last + 1 :])

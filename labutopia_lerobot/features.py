@@ -77,7 +77,7 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
     """Declare what is observed.
 
     Args:
-        setting: What is played and observed.
+        setting: Task, robot, observation and the other options.
         load_task: Returns the canonical task; called for `obs="state"` and for readings only,
             since it may import mujoco.
 

@@ -30,7 +30,7 @@ def inside(folder: Path, name: str | Path, refusal: type[UserError]) -> Path:
     Args:
         folder: The folder.
         name: What the file is called in it.
-        refusal: What is raised otherwise.
+        refusal: Exception to raise otherwise.
 
     Raises:
         UserError: Of the kind `refusal`, if it lies elsewhere.
@@ -71,7 +71,7 @@ def parse_json(text: str, source: object, refusal: type[UserError]) -> Any:
     Args:
         text: The JSON.
         source: Where it is from, for messages.
-        refusal: What is raised otherwise.
+        refusal: Exception to raise otherwise.
 
     Raises:
         UserError: Of the kind `refusal`, if it is no JSON, or nested without end.
@@ -120,7 +120,7 @@ def checked(kind: Any, said: Any, where: str, refusal: type[UserError]) -> Any:
             or dict of such, a union, `Literal`, plain type or `Any`. Whole numbers pass as `float`.
         said: What `json.loads` returned.
         where: Its place in the file, for messages.
-        refusal: What is raised otherwise.
+        refusal: Exception to raise otherwise.
 
     Raises:
         UserError: Of the kind `refusal`, if it is of another type; the message names the place.

@@ -46,7 +46,7 @@ class Progress:
     """Judges one episode of a task; `update` is called once per control step.
 
     Args:
-        task: What is judged.
+        task: The task to judge.
         after: Step behind which the episode begins: its substeps and those before have latched.
         until: Step with which it ends, as soon as that is done; the last is done when the goal has
             held. None for the last.

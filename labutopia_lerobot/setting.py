@@ -7,8 +7,8 @@ there is an option of every program.
 What an option is for is said where it is declared, by `option(default, help)`, and is kept in the
 field's metadata: `option_help` reads it for `--help`.
 
-Names of robots are data here, and rooms are only looked up where they are loaded: whoever wants
-options waits for no geometry. A room that does not exist is told by `scenes.load_room`, which every
+Names of robots are data here, and rooms are only looked up where they are loaded: who wants
+options waits for no geometry. `scenes.load_room` reports a room that does not exist, which every
 program reaches before it writes anything: `LabEnv`, `scenario.canonical_task`, and the classes of
 options of LeRobot's programs call it.
 """
@@ -82,7 +82,7 @@ def option[Value](default: Value, help: str) -> Value:
 
 
 def options_of(program: type) -> list[Field[Any]]:
-    """Return a program's options in the order in which they are told: its own, then those of all.
+    """Return a program's options in the order in which they are listed: its own, then those of all.
 
     Args:
         program: Its dataclass of options.
@@ -94,8 +94,8 @@ def options_of(program: type) -> list[Field[Any]]:
 
 def option_help(options: type) -> dict[str, str]:
     """Return what is said of each option of a dataclass, by its name."""
-    told = options_of(options)
-    return {each.name: each.metadata[_HELP] for each in told if _HELP in each.metadata}
+    listed = options_of(options)
+    return {each.name: each.metadata[_HELP] for each in listed if _HELP in each.metadata}
 
 
 @dataclass
@@ -112,7 +112,7 @@ class SettingOptions:
     )
     extras: tuple[str, ...] = option(
         (),
-        "What is observed beside: a list of `depth` [m] and `segmentation` of every camera, with "
+        "Observed beside: a list of `depth` [m] and `segmentation` of every camera, with "
         "`obs=pixels`, `forces` on the pads [N], and `readings` of the displays.",
     )
     width: int = option(IMAGE_SIZE, "Width of the pictures [pixels].")
@@ -236,7 +236,7 @@ def require_between(name: str, value: int, least: int, most: int) -> None:
     """Make sure that the option `name` is a whole number from `least` to `most`.
 
     Raises:
-        UnknownOptionError: If it is not; the message tells the range.
+        UnknownOptionError: If it is not; the message says the range.
     """
     if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= most:
         raise UnknownOptionError(

@@ -114,8 +114,8 @@ class Step:
             which the hand leaves it. When arm or hand push against anything else, or a button that
             is not named clicks, the episode ends. What no step of a task names must stay where it
             stands.
-        transfers: What is poured where in this step; other liquid that gets into a vessel that it
-            was not filled into ends the episode.
+        transfers: Liquid poured in this step, from where to where; other liquid that gets into a
+            vessel that it was not filled into ends the episode.
         never: Outcome that ends the episode -> the fact that must not occur during this step; of
             the last step also behind it.
         notes: Facts that are reported beside, and judge nothing.
@@ -154,7 +154,7 @@ class Task:
     Attributes:
         instruction: The canonical instruction, the same string in dataset and environment.
         start: Where each thing stands at the start, as a distribution.
-        steps: What is done, in this order.
+        steps: Steps, in the order in which they are done.
         goal: What must hold together for `HOLD_S` after the last step.
         never: Outcome that ends the episode -> the fact that must not occur at any time.
         time_limit_s: Simulated time after which the episode is over [s].

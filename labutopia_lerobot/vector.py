@@ -63,7 +63,7 @@ class LabVectorEnv(VectorEnv[Observation, Actions, NDArray[Any]]):
     and after `close` it starts again when it is needed again: LeRobot plays one task after another.
 
     Args:
-        setting: What is played and observed.
+        setting: Task, robot, observation and the other options.
         num_envs: How many.
         asynchronous: Each in a worker process of its own, or one after another in this process.
 

@@ -11,7 +11,7 @@ def why_failed(task: Task, progress: Progress, expert: Expert, world: World) -> 
     """Return what kept an episode that is over from success, line by line; nothing if it succeeded.
 
     Args:
-        task: What was played.
+        task: The played task.
         progress: Who judged it.
         expert: Who played it.
         world: Where it was played, as it is at the end.

@@ -1,4 +1,4 @@
-"""What is asked of the engine and what it answers: portions, conditions, reactions, amounts."""
+"""Questions to the engine and its answers: portions, conditions, reactions, amounts."""
 
 from dataclasses import dataclass
 from typing import Literal

@@ -69,7 +69,7 @@ def main() -> None:
 
 
 def _named(words: Sequence[str], tasks_dir: str | None) -> tuple[str | None, list[str]]:
-    """Return the folder, if one is named, and the tasks, told from each other by their form.
+    """Return the folder, if one is named, and the tasks, distinguished by their form.
 
     Raises:
         CheckOptionError: If two folders are named, or a word is both a folder and a task.

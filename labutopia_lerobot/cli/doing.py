@@ -12,7 +12,7 @@ def doing(console: Console, what: str) -> Iterator[None]:
 
     Args:
         console: Where to; it knows whether it is a terminal.
-        what: What is going on, such as "Playing level1/pick".
+        what: Name of the activity, such as "Playing level1/pick".
     """
     if console.is_terminal:
         with console.status(what):

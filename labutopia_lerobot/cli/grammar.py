@@ -94,7 +94,7 @@ def overrides(
     Args:
         words: The command line, without the program.
         options: Type of every option by name.
-        wrong: What is raised if a word is no option.
+        wrong: Exception to raise if a word is no option.
 
     Raises:
         UserError: As `wrong`; the message lists the options.

@@ -63,7 +63,7 @@ def measure(
     """Measure everything.
 
     Args:
-        base: What is played, but for task, observation and cameras.
+        base: Options of the environment, but for task, observation and cameras.
         tasks: Tasks whose demonstrations per hour are asked for.
         seconds: How long each rate is measured [s].
         episodes: Demonstrations recorded per rate of recording.

@@ -27,7 +27,7 @@ class DatasetAssembler:
     """Writes a LeRobotDataset from folders of candidates.
 
     Args:
-        config: What was recorded.
+        config: Options of the recording.
         work: Folder of the candidates.
         root: Folder of the dataset; must not exist.
     """

@@ -53,7 +53,7 @@ class Candidate:
         renderer: What drew the pictures; empty where there are none.
         drawn: Axis -> what the episode drew on it.
         volumes: Where the liquid was at the end, as in the environment's `info` [ml].
-        instruction: What was to be done, as the episode says it.
+        instruction: Instruction of the episode, as the episode says it.
         paraphrases: Other ways to say it.
         privileged: What the elements of the privileged state are called.
     """

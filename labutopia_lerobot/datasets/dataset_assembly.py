@@ -18,7 +18,7 @@ class Assembly:
     """Takes the stored candidates of a recording in the order of the dataset.
 
     Args:
-        config: What is recorded.
+        config: Options of the recording.
         work: Folder of the candidates; the dataset is made in it.
         assembled: Notified of every episode of the dataset.
     """

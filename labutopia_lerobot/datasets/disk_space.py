@@ -29,7 +29,7 @@ def needed_bytes(config: RecordingConfig, missing: Mapping[str, int]) -> int:
     """Return about how many bytes a recording takes on the disk at its peak.
 
     Args:
-        config: What is recorded.
+        config: Options of the recording.
         missing: Task -> how many demonstrations are still to be played.
     """
     total = 0.0
@@ -48,7 +48,7 @@ def require_space(config: RecordingConfig, missing: Mapping[str, int]) -> None:
     """Make sure that a recording has room.
 
     Args:
-        config: What is recorded.
+        config: Options of the recording.
         missing: Task -> how many demonstrations are still to be played.
 
     Raises:

@@ -31,7 +31,7 @@ def launcher(config: RecordingConfig, work: Path) -> Iterator[Launcher]:
     """Start what `config.launcher` names, and end it again.
 
     Args:
-        config: What is recorded.
+        config: Options of the recording.
         work: Folder of the candidates.
 
     Raises:

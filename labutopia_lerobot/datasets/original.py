@@ -45,7 +45,7 @@ class OriginalEpisode:
 
     Attributes:
         name: Where it comes from.
-        instruction: What was to be done; may be empty (the original's press).
+        instruction: Instruction of the episode; may be empty (the original's press).
         states: Joint angles [rad] and opening between the pads [m], shape (frames, 8).
         next_states: The same 1/30 s later; what the original has for actions.
     """

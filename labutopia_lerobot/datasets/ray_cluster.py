@@ -37,7 +37,7 @@ def ray_cluster(
     """Join the cluster at `RAY_ADDRESS`, or start one of this machine.
 
     Args:
-        config: What is recorded.
+        config: Options of the recording.
         work: Folder of the candidates.
 
     Yields:

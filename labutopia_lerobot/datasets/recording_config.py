@@ -29,7 +29,7 @@ LAUNCHERS = ("local", "ray")
 
 _UNRECORDED = ("level", "workers", "launcher", "root", "tasks_dir")
 """Options on which the dataset does not depend, or not once its tasks are listed and the digests of
-their files are told."""
+their files are named."""
 
 
 class RecordingOptionError(UserError, ValueError):

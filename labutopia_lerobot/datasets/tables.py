@@ -208,9 +208,9 @@ def column(table: pa.Table, key: str) -> NDArray[Any]:
 
 def setting_column(setting: Setting) -> str:
     """Return what the column `SETTING` holds: a room in a file by its content, no folder."""
-    told = asdict(setting) | {"room": room_label(setting.room)}
-    del told[_LOCAL]
-    return json.dumps(told)
+    public = asdict(setting) | {"room": room_label(setting.room)}
+    del public[_LOCAL]
+    return json.dumps(public)
 
 
 def episode_setting(row: Row, tasks_dir: str | None = None) -> Setting | None:

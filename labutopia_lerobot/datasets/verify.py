@@ -42,7 +42,7 @@ class Verdict:
     """Verdict on a dataset.
 
     Attributes:
-        faults: What is wrong with it.
+        faults: Its faults, one line each.
         unchecked: What could not be checked, and why.
     """
 

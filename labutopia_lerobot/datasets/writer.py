@@ -87,7 +87,7 @@ class EncodedDatasetWriter:
         """Append an episode.
 
         Args:
-            instruction: What was to be done.
+            instruction: Instruction of the episode.
             columns: Feature key -> values, as many as there are frames.
             videos: Feature key -> its video, which is left where it is.
             annotations: Columns of our own in the table of episodes.

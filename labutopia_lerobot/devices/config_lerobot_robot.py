@@ -17,7 +17,7 @@ class InvalidRobotError(UserError, DecodingError):
 @RobotConfig.register_subclass("labutopia")
 @dataclass
 class LabUtopiaRobotConfig(SettingOptions, RobotConfig):
-    """What is played and observed.
+    """Task, robot, observation and the other options.
 
     Raises:
         InvalidRobotError: If a field is not one of its choices.

@@ -30,7 +30,7 @@ class LabUtopiaRobot(Robot):
     is its own.
 
     Args:
-        config: What is played and observed.
+        config: Options of the environment.
     """
 
     config_class = LabUtopiaRobotConfig

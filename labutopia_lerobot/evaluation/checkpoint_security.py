@@ -23,7 +23,7 @@ ADAPTER = "adapter_config.json"
 FOREIGN_CODE = frozenset({"gaussian_actor", "groot", "pi0_fast", "wall_x"})
 """Policies of LeRobot 0.6 that pass `trust_remote_code=True`, whatever a checkpoint names."""
 
-_TRUSTS_UNLESS_TOLD = "action_tokenizer_processor"
+_TRUSTS_BY_DEFAULT = "action_tokenizer_processor"
 """The step of LeRobot whose `trust_remote_code` is true by default."""
 
 _ADAPTERS = ("LORA",)
@@ -134,7 +134,7 @@ def _problems(folder: Path, steps: list[dict[str, Any]]) -> Iterator[str]:
             yield f"{where} names the class {step['class']!r}, which can run any code"
         if not isinstance(registered, str) or not registered:
             yield f"{where} has no registry_name"
-        if registered == _TRUSTS_UNLESS_TOLD and _trusts(step):
+        if registered == _TRUSTS_BY_DEFAULT and _trusts(step):
             yield f"{where} wants to run code from elsewhere (trust_remote_code, its default)"
         for key, value in _leaves(step):
             if key == "trust_remote_code" and value:

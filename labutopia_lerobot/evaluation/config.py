@@ -88,7 +88,7 @@ class EvaluationConfig(SettingOptions):
     )
     episodes: int = option(100, "Episodes per task, split and way of playing.")
     seed: int = option(100_000, "Episode i resets with `seed + i`; training seeds begin at 0.")
-    # Null is for the checkpoint to say: `setting_of` is told what it said.
+    # Null is for the checkpoint to say: `setting_of` gets what it said.
     obs: str | None = option(  # type: ignore[assignment]
         None, "`pixels` or `state`; what the checkpoint was trained on, or else `state`, when null."
     )
@@ -99,13 +99,13 @@ class EvaluationConfig(SettingOptions):
     until: float | None = option(
         None,
         "Stop a task when its rate is known to plus or minus this, such as 0.05, or when it is "
-        "told apart from `versus`; `episodes` are then the most that are played.",
+        "distinguished from `versus`; `episodes` are then the most that are played.",
     )
     versus: str | None = option(
-        None, "Result folder of another policy, to be told apart from with `until`."
+        None, "Result folder of another policy, to be distinguished from with `until`."
     )
     episodes_for: float | None = option(
-        None, "Play nothing; tell how many episodes this precision costs, such as 0.05."
+        None, "Play nothing; print how many episodes this precision costs, such as 0.05."
     )
     videos: int = option(2, "How many successes and how many failures to film, of each of these.")
     out: str = option(MISSING, "Folder of the result.")

@@ -27,7 +27,7 @@ class EvaluationJob:
     """One policy in one setting: whatever an episode depends on beside its seed.
 
     Attributes:
-        setting: What is played and observed.
+        setting: Task, robot, observation and the other options.
         policy: What the policy is called.
         make_policy: Makes it.
         play: How it plays the steps, `single` or `staged`.

@@ -27,7 +27,7 @@ class Precision:
     and the room or a distractor.
 
     Args:
-        task: What is played.
+        task: The played task.
         world: Where.
     """
 

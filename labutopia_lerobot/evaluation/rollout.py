@@ -39,7 +39,7 @@ class Episode:
     """A played episode.
 
     Attributes:
-        job: What was played.
+        job: The played episode.
         row: What became of it.
         actions: Everything that the policy commanded, shape (steps, elements).
     """
@@ -88,7 +88,7 @@ def play(job: EvaluationJob, seed: int) -> Episode:
 
     Raises:
         Exception: Whatever a policy or a task raises, with a note that names the episode: a bug is
-            not a failed episode, and a mistake in a task of the user's is told by its line. Only a
+            not a failed episode, and a mistake in a task of the user's names its line. Only a
             policy elsewhere that cannot be asked any more ends it.
     """
     setting = job.setting

@@ -109,7 +109,7 @@ class LiveProgress:
     """One bar for all episodes, with rate and time left, and one per condition with its successes.
 
     Args:
-        jobs: What is played.
+        jobs: Episodes to play.
         episodes: How many episodes of each.
         console: Where to; it knows whether it is a terminal.
     """

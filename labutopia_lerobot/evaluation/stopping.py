@@ -22,7 +22,7 @@ from labutopia_lerobot.evaluation.uncertainty.intervals import require_precision
 
 @dataclass(frozen=True)
 class StoppingRule:
-    """Tells from counts whether enough is known.
+    """Decides from counts whether enough is known.
 
     It may look after every episode, since it uses what is valid at all times together (see
     `uncertainty.anytime`).
@@ -138,7 +138,7 @@ def find_rival(
 
     Args:
         place: Folder of its result.
-        conditions: What is to be played.
+        conditions: Conditions to play.
         seeds: Which episodes of each.
 
     Raises:

@@ -28,7 +28,7 @@ def dataset_repository(
     Args:
         root: Folder of the dataset.
         repo_id: Its name on the Hub, for the commands in its card.
-        results: What was measured, for its card.
+        results: Evaluations, for its card.
         tasks_dir: A further folder of tasks, which the user trusts.
 
     Raises:

@@ -41,7 +41,7 @@ def card_of_dataset(
     Args:
         facts: What the dataset is.
         repo_id: Its name on the Hub, or one that begins with `local/`.
-        results: What was measured; the expert's rates in the task of the dataset are shown.
+        results: Evaluations; the expert's rates in the task of the dataset are shown.
         strip: Address of its strip of pictures, or None.
     """
     config, info = facts.config, facts.info

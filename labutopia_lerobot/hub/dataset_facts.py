@@ -29,7 +29,7 @@ _FILES = (
 )
 """Files of a dataset that are sent, and nothing else that lies beside them."""
 
-_TOLD = ("min", "max", "mean", "std")
+_STATISTICS = ("min", "max", "mean", "std")
 """The statistics that a card shows; LeRobot stores more."""
 
 
@@ -75,7 +75,7 @@ class DatasetFacts:
         return cls(
             info=read_info(root),
             statistics={
-                key: {name: values[name] for name in _TOLD if name in values}
+                key: {name: values[name] for name in _STATISTICS if name in values}
                 for key, values in statistics.items()
             },
             recording=recording,

@@ -29,7 +29,7 @@ _CONFIG = "config.json"
 _TRAINING = "train_config.json"
 _PLACES = ("", "pretrained_model", "checkpoints/last/pretrained_model")
 
-_PLACES_TOLD = ("output_dir", "root", "config_path", "checkpoint_path", "job_name")
+_LOCAL_PLACES = ("output_dir", "root", "config_path", "checkpoint_path", "job_name")
 """Entries of the training's configuration that say something of the machine only."""
 
 
@@ -87,7 +87,7 @@ def _without_places(value: Any, key: str = "") -> Any:
         return {name: _without_places(inner, name) for name, inner in value.items()}
     if isinstance(value, list):
         return [_without_places(inner, key) for inner in value]
-    local = isinstance(value, str) and (key in _PLACES_TOLD or leaves_folder(value))
+    local = isinstance(value, str) and (key in _LOCAL_PLACES or leaves_folder(value))
     return None if local else value
 
 

@@ -49,7 +49,7 @@ def publish(repository: Repository, repo_id: str, *, private: bool, replace: boo
     """Send a repository, and return the address of the commit.
 
     Args:
-        repository: What is to lie there.
+        repository: The folder to send.
         repo_id: Owner and name.
         private: Whether only its owner sees it.
         replace: Whether anything else that lies there is to give way.

@@ -373,7 +373,7 @@ class Liquid:
         self.kept.portion.temperatures[:] = temperature
 
     def all_at(self, temperature: float) -> bool:
-        """Tell whether all liquid has a temperature [K]."""
+        """Return whether all liquid has a temperature [K]."""
         return bool((self.temperatures == temperature).all())
 
     def mix(self, period: float) -> None:

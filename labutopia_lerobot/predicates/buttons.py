@@ -43,7 +43,7 @@ def aligned(world: World, button: Button, *, within: float, within_deg: float) -
 
     Args:
         world: The world.
-        button: What is pointed at.
+        button: The button pointed at.
         within: How far from the axis [m].
         within_deg: How far the hand may lean from it [deg].
     """

@@ -36,7 +36,7 @@ class Count:
     """Something that is to happen a number of times, or to add up to an amount.
 
     Attributes:
-        name: What is counted; it shows every threshold.
+        name: Name of the count; it shows every threshold.
         counter: Returns a memory that has counted nothing yet.
         needed: How much of it is enough.
     """
@@ -70,7 +70,7 @@ def swings(vessel: Thing, *, needed: float, beyond_deg: float) -> Count:
     by as much is the first about another.
 
     Args:
-        vessel: What is swung.
+        vessel: The swung vessel.
         needed: How many swings, one tilt to each side, are enough.
         beyond_deg: How far it must lean to each side [deg].
     """

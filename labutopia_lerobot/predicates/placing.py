@@ -70,7 +70,7 @@ def struck(
 
     Args:
         world: The world.
-        *things: What is to be left alone.
+        *things: Things to leave alone.
         but_for: Contact names of what may touch them.
         force: What may touches with this force [N] or less.
     """

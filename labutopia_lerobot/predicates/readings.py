@@ -18,7 +18,7 @@ class Readable(Protocol):
 
 @predicate("{instrument} reads {low:g} to {high:g}")
 def reads(world: World, instrument: Readable, *, low: float, high: float) -> bool:
-    """What is shown lies between two values, in the unit of the reading; dashes never do."""
+    """The shown value lies between two values, in the unit of the reading; dashes never do."""
     return low <= world.reading(instrument.name).shown <= high
 
 

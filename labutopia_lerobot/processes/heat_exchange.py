@@ -85,7 +85,7 @@ class HeatExchange(Process):
         return {mass.name: mass for mass in self.masses}
 
     def _calm(self, apparatus: Apparatus) -> bool:
-        """Tell whether nothing is warmer than the room, and nothing is heated."""
+        """Return whether nothing is warmer than the room, and nothing is heated."""
         memories = (apparatus.memory(mass) for mass in self.masses)
         calm = all(m[0] == apparatus.ambient and m[1] == 0.0 for m in memories)
         return calm and (apparatus.liquid is None or apparatus.liquid.all_at(apparatus.ambient))
@@ -108,7 +108,7 @@ class HeatExchange(Process):
         b.warm(apparatus, heat)
 
     def _meet(self, apparatus: Apparatus, vessel: ThermalMass) -> bool:
-        """Let a vessel and what it stands on or in exchange heat; tell whether it is inside."""
+        """Let a vessel and what it stands on or in exchange heat; return whether it is inside."""
         assert vessel.wall is not None
         around = False
         for mass, zone in self._zones_at(apparatus, apparatus.data.body(vessel.body).xpos):

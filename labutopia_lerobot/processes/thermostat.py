@@ -70,7 +70,7 @@ class Thermostat(Process):
             apparatus.memory(heated)[1] += self.watt * memory[1] * apparatus.period
 
     def on(self, apparatus: Apparatus) -> bool:
-        """Tell whether it is switched on."""
+        """Return whether it is switched on."""
         return not self.switch or apparatus.reading(self.switch).value > 0.5
 
     def set_point(self, apparatus: Apparatus) -> float:

@@ -50,7 +50,7 @@ class ActionFilter:
         """Return the command that acts, shape (elements,); it is exactly representable in float32.
 
         Args:
-            action: What is wanted, shape (elements,).
+            action: Commanded positions, shape (elements,).
             commands: What has been commanded, the last in the last row, shape (>= 2, elements).
 
         Raises:

@@ -21,7 +21,7 @@ def locked(folder: Path, option: str, refusal: type[UserError]) -> Iterator[None
     Args:
         folder: The folder.
         option: Which option names it.
-        refusal: What is raised otherwise.
+        refusal: Exception to raise otherwise.
 
     Raises:
         UserError: Of the kind `refusal`, if it cannot be used, or another process uses it.

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from types import FrameType, TracebackType
 
 INTERRUPTED = "Interrupted. What was finished before is intact."
-"""What a program says when it is told to end."""
+"""What a program says when it is asked to end."""
 
 
 class Terminated(KeyboardInterrupt):
@@ -32,7 +32,7 @@ def terminated_like_interrupted() -> Iterator[None]:
 
 @contextmanager
 def ended_at_once() -> Iterator[None]:
-    """End this process in one line if it is told to end here, where nothing has begun: in imports.
+    """End this process in one line if it is asked to end here, where nothing has begun: in imports.
 
     Nothing is raised. A `KeyboardInterrupt` may come to a library that clears it, or is written in
     C++ and makes an `ImportError` of it, as mujoco and scipy do.
@@ -50,32 +50,51 @@ def ended_at_once() -> Iterator[None]:
             signal.signal(number, handler)
 
 
-def tell_interrupt_in_one_line() -> None:
-    """Let an interrupt that nobody takes care of be told in one line, if it is the next to be."""
+def report_interrupt_in_one_line() -> None:
+    """Report the next exception in one line if it is an interrupt that nobody handles."""
     before = sys.excepthook
 
-    def tell(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+    def report(
+        kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
         sys.excepthook = before
         if issubclass(kind, KeyboardInterrupt):
             sys.stderr.write(f"{INTERRUPTED}\n")
         else:
             before(kind, error, trace)
 
-    sys.excepthook = tell
+    sys.excepthook = report
 
 
 @contextmanager
 def interrupts_held() -> Iterator[None]:
-    """Hold Ctrl-C back for as long as this lasts.
+    """Hold Ctrl-C and SIGTERM back for as long as this lasts; then they do what they do.
 
-    A process that is started here holds it back too, until `let_interrupts_through`: in its imports
-    it would be printed with a traceback.
+    A process that is started here holds Ctrl-C back too, until `let_interrupts_through`: in its
+    imports it would be printed with a traceback. SIGTERM ends it at once.
     """
     before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
     try:
-        yield
+        with _termination_held():
+            yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+@contextmanager
+def _termination_held() -> Iterator[None]:
+    """Hold SIGTERM back in this process alone: a blocked signal would be inherited."""
+    if threading.current_thread() is not threading.main_thread():
+        yield  # handlers run, and are set, in the main thread only
+        return
+    came: list[int] = []
+    before = signal.signal(signal.SIGTERM, lambda number, frame: came.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
+        if came:
+            signal.raise_signal(signal.SIGTERM)
 
 
 def let_interrupts_through() -> None:

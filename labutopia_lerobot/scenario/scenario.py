@@ -32,7 +32,7 @@ def scenario_seeds(setting: Setting, seed: int, attempt: int = 0) -> list[int]:
     """Return the seeds of everything random in an episode.
 
     Args:
-        setting: What is played; tasks and splits never share a scene.
+        setting: Task, split and the other options; tasks and splits never share a scene.
         seed: Seed of the episode.
         attempt: How many starts of this episode have been discarded.
     """

@@ -45,9 +45,9 @@ def task_function(task_id: str, tasks_dir: str | Path | None = None) -> Callable
 def located_in_play(
     task_id: str, tasks_dir: str | Path | None = None
 ) -> AbstractContextManager[None]:
-    """Return what tells of a mistake in a task's predicates or skills with its file and line.
+    """Return what reports a mistake in a task's predicates or skills with its file and line.
 
-    Whoever plays episodes does so within it: a task's code is called wherever one is judged, by
+    Episodes are played within it: a task's code is called wherever one is judged, by
     the expert, and by what measures and explains. What the files of this package raise stays what
     it is, a bug.
 
@@ -60,7 +60,7 @@ def located_in_play(
 
 
 def _located(path: Path, *, playing: bool = False) -> AbstractContextManager[None]:
-    """Return what tells of mistakes in a task's file, and in those beside it; ours are bugs."""
+    """Return what reports mistakes in a task's file, and in those beside it; ours are bugs."""
     if path.is_relative_to(PACKAGED):
         return nullcontext()
     folder = path.parents[2 if path.parent.name == BEYOND else 1]

@@ -21,7 +21,7 @@ class CameraPose:
     Attributes:
         position_w: Where it is [m], world frame.
         direction_w: Where it looks, world frame; need not be of unit length.
-        up_w: What is up in its picture, world frame.
+        up_w: Direction that is up in its picture, world frame.
         field_of_view_deg: Vertical field of view [deg].
     """
 

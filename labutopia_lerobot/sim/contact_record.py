@@ -16,7 +16,7 @@ class ContactRecord:
     forces they need: between the second half and the next first one all of that is known.
 
     Args:
-        scene: What was compiled.
+        scene: The compiled scene.
         data: Its state.
 
     Attributes:

@@ -24,7 +24,7 @@ def segment_of_body(scene: Scene, names: tuple[str, ...]) -> NDArray[np.uint8]:
     """Return the number of every body; a moving part has that of its thing.
 
     Args:
-        scene: What is seen.
+        scene: The compiled scene.
         names: What the numbers mean.
 
     Returns:

@@ -33,7 +33,7 @@ class Simulation:
     """A compiled scene with its state.
 
     Attributes:
-        scene: What was compiled.
+        scene: The compiled scene.
         data: MuJoCo's state; positions and contacts in it always belong to the present moment.
         liquid: The liquid, or None where there is none.
         account: Where it is, as of the last control step.

@@ -35,7 +35,7 @@ class Workcell:
 
     Args:
         scenario: An episode of the variant; others may differ in all that needs no compiling.
-        setting: What is played.
+        setting: Options of the environment.
 
     Attributes:
         task: The task of the episode in play.

@@ -14,7 +14,7 @@ class Place:
     """The phases of the paper ("Place"): above, lower, align, pause, open, retract, done.
 
     Attributes:
-        thing: What is in the hand.
+        thing: The thing in the hand.
         on: Where its base goes.
         hover: Height above that from which it is lowered [m] (original: 0.2).
         align: Height above that at which it is lined up anew, before it touches down [m].

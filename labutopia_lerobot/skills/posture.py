@@ -55,7 +55,7 @@ def upright_in_hand(world: World, thing: Thing, point_w: FloatArray) -> Pose:
 
     Args:
         world: Where the thing is in the hand now.
-        thing: What is held.
+        thing: The held thing.
         point_w: Where the centre of its base should be, shape (3,), metres, world frame.
     """
     now = world.pose(thing)

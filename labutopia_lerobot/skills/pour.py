@@ -40,7 +40,7 @@ class Pour:
     point stays where it is, over the middle of the other vessel's mouth.
 
     Attributes:
-        thing: What is in the hand.
+        thing: The thing in the hand.
         into: What to pour into.
         drop: Height of the lip above the other mouth [m] (original: 0.1 to 0.2): the hand, 0.2 m
             wide, turns with the vessel and then reaches 0.09 m below the lip. Of a tall vessel the

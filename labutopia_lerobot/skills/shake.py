@@ -20,7 +20,7 @@ class Shake:
     the grasp: left and right are those of somebody who looks along the fingers.
 
     Attributes:
-        thing: What is in the hand.
+        thing: The thing in the hand.
         at: Where its base is at the start and at the end.
         angle: How far it is tilted to each side [rad].
         cycles: How many times it goes left and right (paper: "repeated three times").

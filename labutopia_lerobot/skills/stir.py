@@ -16,7 +16,7 @@ class Stir:
     The tip circles counterclockwise, seen from above, about the axis of the vessel.
 
     Attributes:
-        rod: What is in the hand; the origin of its frame is its tip.
+        rod: The rod in the hand; the origin of its frame is its tip.
         vessel: Where to stir.
         turns: How often the tip goes round.
         radius: Radius of the circle as a share of the mouth's (original: 9 mm of 28 mm).

@@ -86,7 +86,7 @@ def pour(
     degrees, and 30 for upright.
 
     Args:
-        vessel: What is in the hand.
+        vessel: The vessel in the hand.
         into: What to pour into.
         share: How much of what was filled in must have arrived.
         of: What it was filled into, if not into the vessel in the hand.
@@ -115,10 +115,10 @@ def pour_by_reading(
     """Pour until the balance below the other vessel reads a mass, and right the vessel.
 
     Args:
-        vessel: What is in the hand.
+        vessel: The vessel in the hand.
         into: What to pour into.
         balance: What the balance reads.
-        mass: What is to be read [g].
+        mass: Reading to reach [g].
         within: How near [g].
     """
     there = (reads(balance, low=mass - within, high=mass + within), settled(balance))
@@ -147,7 +147,7 @@ def place(
     Only then can the next action begin: around what stands there, the hand can go nowhere else.
 
     Args:
-        thing: What is in the hand.
+        thing: The thing in the hand.
         on: Where to.
         within: Greatest distance from the place [m].
         hover: Height above that from which the expert lowers it [m].

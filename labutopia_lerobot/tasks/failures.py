@@ -30,7 +30,7 @@ def handling(
     """Return what must not happen to a vessel that is handled.
 
     Args:
-        vessel: What is handled.
+        vessel: The handled vessel.
         spill: Share of its content that may be spilled (paper: "without spilling"; the number is
             ours); None for an empty one.
         into: What it is poured into, if anything.

@@ -279,7 +279,7 @@ def test_a_file_that_cannot_be_written_is_reported_before_anything_is_built(tmp_
         require_writable(tmp_path / "centrifuge.usda")
 
 
-def test_the_program_writes_and_tells(tmp_path, monkeypatch, capsys):
+def test_the_program_writes_and_says_so(tmp_path, monkeypatch, capsys):
     out = tmp_path / "beaker.xml"
     command = ["export", "beaker_low", "--size", "250 ml", "--out", str(out)]
     monkeypatch.setattr(sys, "argv", ["labutopia-scene", *command])

@@ -73,7 +73,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "mine"
 
 
-def told_by(program: str, words: str, monkeypatch, capsys) -> list[str]:
+def reported_by(program: str, words: str, monkeypatch, capsys) -> list[str]:
     """Run a program that stops; return what it says of why, line by line."""
     monkeypatch.setattr(sys, "argv", [f"labutopia-{program}", *words.split(), "tasks_dir=mine"])
     with pytest.raises(SystemExit, match="2"):
@@ -93,14 +93,14 @@ def told_by(program: str, words: str, monkeypatch, capsys) -> list[str]:
     ],
     ids=["view", "record", "evaluate"],
 )
-def test_every_program_that_plays_tells_the_line(monkeypatch, capsys, program, words, task):
-    told = told_by(program, f"{task} {words}", monkeypatch, capsys)
+def test_every_program_that_plays_names_the_line(monkeypatch, capsys, program, words, task):
+    told = reported_by(program, f"{task} {words}", monkeypatch, capsys)
     assert told[0] == TOLD[task]
     assert len([line for line in told if not line.startswith(("In the episode", "What was"))]) == 1
 
 
 @pytest.mark.parametrize("task", TOLD)
-def test_a_check_tells_the_line_and_goes_on(monkeypatch, capsys, task):
+def test_a_check_names_the_line_and_goes_on(monkeypatch, capsys, task):
     names = ("doing_nothing_does_not_succeed", "the_expert_touches_only_what_its_phases_list")
     wanted = [each for each in CHECKS if each.__name__ in names]
     monkeypatch.setattr(check, "CHECKS", wanted)
@@ -116,7 +116,7 @@ def test_a_check_tells_the_line_and_goes_on(monkeypatch, capsys, task):
 
 
 def test_what_was_finished_before_is_kept(monkeypatch, capsys):
-    told = told_by(
+    told = reported_by(
         "evaluate",
         "task=[level1/pick,level1/judged] policy=still episodes=1 videos=0 workers=1 out=here",
         monkeypatch,

@@ -137,7 +137,7 @@ def test_the_page_needs_nothing_from_elsewhere(written_page: Path) -> None:
     assert not re.search(r"https?://|<script|@import|url\(", text)
 
 
-def test_the_page_shows_all_that_rows_tell(written_page: Path) -> None:
+def test_the_page_shows_all_that_rows_hold(written_page: Path) -> None:
     text = written_page.read_text()
     for heading in ("Level 1 and level 2", "Level 3", "Size test", "Under shift"):
         assert f"<h2>{heading}</h2>" in text

@@ -48,11 +48,22 @@ def test_a_display_shows_a_number_or_dashes_or_what_is_open(kind, part, shut, mo
     assert display.of.text(apparatus) == moved
 
 
-def test_a_display_shows_what_a_knob_is_set_to():
+def run(apparatus: Apparatus, seconds: float) -> None:
+    """Let every process of an instrument go on, while its parts stay where they are."""
+    for _ in range(round(seconds / apparatus.period)):
+        apparatus.step()
+
+
+def test_a_display_of_a_speed_shows_what_turns_not_what_the_knob_is_set_to():
     apparatus, _ = at_rest("stirring_hot_plate")
     display = instrument("stirring_hot_plate").displays[1]
-    assert display.of.text(apparatus) == "0 rpm"
     apparatus.data.joint("stirring_hot_plate_speed_hinge").qpos[0] = np.radians(300.0)
+    assert display.of.text(apparatus) == "0 rpm"
+    run(apparatus, 1.0)
+    assert display.of.text(apparatus) == "set 1500 rpm"
+    run(apparatus, 2.0)
+    assert display.of.text(apparatus) == "750 rpm"
+    run(apparatus, 5.0)
     assert display.of.text(apparatus) == "1500 rpm"
 
 
@@ -88,8 +99,10 @@ def test_pictures_show_the_reading_of_now():
     assert np.array_equal(cold, renderer.color(data, "front"))
     speed = apparatus.data.joint("stirring_hot_plate_speed_hinge")
     speed.qpos[0] = np.radians(300.0)  # without forward kinematics nothing else has moved
+    run(apparatus, 1.0)
     assert not np.array_equal(cold, renderer.color(data, "front"))
     speed.qpos[0] = 0.0
+    run(apparatus, 3.0)
     back = renderer.color(data, "front")
     renderer.close()
     assert np.abs(back.astype(int) - cold).max() <= 1

@@ -14,6 +14,7 @@ SOURCES = sorted(PACKAGE.rglob("*.py"))
 
 LAYERS = (
     "errors foreign_files kernel registry world",
+    "chemistry",
     "substances places",
     "processes",
     "labware robots scenes",
@@ -200,3 +201,14 @@ def test_what_is_written_for_those_who_work_here_exists():
     example = {"name.py", "name_model.py", "tasks/levelN/name.py"}
     lost = {path for path in paths - example if not any((p / path).exists() for p in places)}
     assert not lost
+
+
+def test_docstrings_and_names_use_the_words_of_the_field():
+    dialect = re.compile(r"\b(?i:tell|tells|told|spelt|whoever|berth)\b|(: |\"\"\")What (is|was)\b")
+    used = {
+        f"{path.relative_to(ROOT)}:{number}: {line.strip()}"
+        for path in SOURCES
+        for number, line in enumerate(path.read_text().replace("_", " ").splitlines(), 1)
+        if dialect.search(line)
+    }
+    assert not used, "\n".join(sorted(used))

@@ -56,7 +56,7 @@ def test_two_of_one_name_are_refused():
         apparatus_of(Counter("a"), Forgetful("a"))
 
 
-def test_one_that_remembers_without_slots_is_told_to_name_them():
+def test_one_that_remembers_without_slots_is_asked_to_name_them():
     with pytest.raises(ProcessError, match=r"'a' \(Forgetful\) remembers nothing.*`slots`"):
         apparatus_of(Forgetful("a")).step()
 

@@ -124,7 +124,7 @@ def test_every_option_of_every_program_has_its_help():
         assert shared <= option_help(options).keys()
 
 
-def test_a_program_tells_of_its_own_options_first():
+def test_a_program_lists_its_own_options_first():
     from labutopia_lerobot.datasets.recording_config import RecordingConfig
 
     config = RecordingConfig(task=PICK)

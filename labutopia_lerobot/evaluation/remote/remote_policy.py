@@ -55,7 +55,7 @@ def named(
     """Return what is observed under the names that a policy uses.
 
     Args:
-        setting: What is observed.
+        setting: Options of the environment.
         names: Our key, as in datasets -> what the policy calls it; others keep their key.
         observation: From the environment.
     """
@@ -87,7 +87,7 @@ class RemotePolicy:
 
     Args:
         server: Who is asked.
-        setting: What is observed.
+        setting: Options of the environment.
         names: Our key -> what the policy calls it.
         actions: How many actions of an answer are played, or None for all of them.
         patience_s: For how long the simulation stands still for an answer [s].
@@ -189,7 +189,7 @@ class RemoteServer:
     """A server and how to ask it; calling it makes the policy that does.
 
     Attributes:
-        setting: What is played and observed.
+        setting: Task, robot, observation and the other options.
         address: Host and port.
         protocol: One of `PROTOCOLS`.
         path: Where LeRobot's server finds the checkpoint; None for openpi's.

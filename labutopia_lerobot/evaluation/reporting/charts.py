@@ -33,7 +33,7 @@ def failure_shares(entry: ReportEntry, causes: Sequence[str]) -> dict[str, Any]:
     """Return the shares of causes among the failures: in each step side by side, and in all.
 
     Args:
-        entry: What was played.
+        entry: The evaluation of one condition.
         causes: Every cause of the page; its place in there is its colour.
     """
     counts = failures(entry)

@@ -126,7 +126,7 @@ def step_tables(entries: Sequence[ReportEntry], *, brief: bool = False) -> list[
     paper's numbers.
 
     Args:
-        entries: What was played, ordered by task.
+        entries: Evaluations, ordered by task.
         brief: Whether it is for a terminal, of one policy: per cent only, and no line with each
             step given the one before.
     """

@@ -115,7 +115,7 @@ class TextTable:
     lines; or else its columns in bands below each other, each with the words that head the lines.
 
     Attributes:
-        table: What is shown.
+        table: The table to show.
     """
 
     table: Table
@@ -207,7 +207,7 @@ def _band(
     """Return the lines of columns side by side, each as wide as there is room for.
 
     Args:
-        columns: What is shown.
+        columns: Columns to show.
         width: Characters of a line.
         ruled: Whether there is a rule below the head.
         below: What stands below each line, if anything does.

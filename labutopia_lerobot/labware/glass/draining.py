@@ -60,7 +60,7 @@ class Bore:
         (Hagen-Poiseuille) and the speed of the jet (Torricelli); all carry the same flow.
 
         Args:
-            opening: What is open of the hole [m^2].
+            opening: Open part of the hole [m^2].
             head: From the outlet up to the surface [m].
             density: Of the liquid [kg/m^3].
             viscosity: Of the liquid, dynamic [Pa s].
@@ -89,7 +89,7 @@ class Draining(Process):
         inlet: Name of the frame where the liquid leaves the cavity.
         outlet: Name of the frame where it comes out, z the way that it leaves.
         bore: The way between them.
-        graduation: Of its scale [ml]; 0 if it has none that tells what has left.
+        graduation: Of its scale [ml]; 0 if it has none of what has left.
         column: Whether the vessel is narrow, see `Narrow`.
         vented: Whether air gets in when the mouth is closed.
     """
@@ -108,7 +108,7 @@ class Draining(Process):
     @property
     @override
     def slots(self) -> tuple[str, ...]:
-        """What is due of the next particle; what has left [m^3]."""
+        """Share of the next particle that is due, and volume that has left [m^3]."""
         return ("due", "left")
 
     @override
@@ -162,7 +162,7 @@ class Draining(Process):
         return float(surface[2])
 
     def _closed(self, apparatus: Apparatus) -> bool:
-        """Tell whether a stopper or a lid closes the mouth.
+        """Return whether a stopper or a lid closes the mouth.
 
         Five lines of sight go up through it, one in the middle; all must end on something.
         """
@@ -172,7 +172,7 @@ class Draining(Process):
         return all(self._covered(apparatus, rim, rim.rotation_w[:, :2] @ at) for at in offsets)
 
     def _covered(self, apparatus: Apparatus, rim: Pose, aside_w: FloatArray) -> bool:
-        """Tell whether something lies over a point of the mouth."""
+        """Return whether something lies over a point of the mouth."""
         groups = np.zeros(6, dtype=np.uint8)
         groups[COLLISION_GROUP] = 1
         start = rim.position_w + aside_w - _PLUG_DEPTH * rim.z_axis

@@ -32,9 +32,9 @@ class Scale(Process):
     """A scale: what a knob is set to, or how far something has moved.
 
     Attributes:
-        of: What is turned or moved; the reading has its name.
-        lowest: What is read at 0.
-        highest: What is read at its stop.
+        of: The part that is turned or moved; the reading has its name.
+        lowest: Reading at 0.
+        highest: Reading at its stop.
         unit: Of the reading.
         resolution: Step of the last digit.
     """

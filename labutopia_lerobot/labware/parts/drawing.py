@@ -121,7 +121,7 @@ class Drawing(Process):
         """Move whole particles, so that they are what is inside, rounded.
 
         Returns:
-            What is missing of it [m^3].
+            Volume that is missing of it [m^3].
         """
         stock = liquid.stock(self.piece, tip.position_w)
         volume = 0.0 if stock is None else stock.volume

@@ -26,7 +26,7 @@ speed is kept within 1 to 2 parts in 100."""
 
 
 def all_on(apparatus: Apparatus, names: tuple[str, ...]) -> bool:
-    """Tell whether all these readings are above 0."""
+    """Return whether all these readings are above 0."""
     return all(apparatus.reading(name).value > 0.0 for name in names)
 
 

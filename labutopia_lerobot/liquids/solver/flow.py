@@ -91,7 +91,7 @@ class Mixing:
         depth: How deep all of it would be [m].
 
     Attributes:
-        flow: What is common to all.
+        flow: Numbers common to all particles.
         density: Of the lightest substance [kg/m^3], which relative masses refer to.
     """
 

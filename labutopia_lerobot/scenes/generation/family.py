@@ -54,7 +54,7 @@ class Chamber:
         name: Prefix of its pieces where there are several rooms.
         width: From west to east.
         depth: From south to north.
-        needs: What is in it.
+        needs: Furniture and instruments that it must have.
         windows: Least and most of them.
         door: Width of its door [m].
     """
@@ -73,7 +73,7 @@ class Corridor:
 
     Attributes:
         width: From south to north.
-        needs: What is in it.
+        needs: Furniture and instruments that it must have.
         door: Width of the entrance [m].
     """
 

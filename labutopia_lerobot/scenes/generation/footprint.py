@@ -33,7 +33,7 @@ class Region:
         x: Least and greatest [m].
         y: Least and greatest [m].
         outer: Its outer walls, by the way that they face.
-        needs: What is in it.
+        needs: Furniture and instruments that it must have.
     """
 
     name: str

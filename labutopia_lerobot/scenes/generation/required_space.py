@@ -27,7 +27,7 @@ class RequiredSpace:
     Attributes:
         solids: What it takes.
         frees: What must be free of others' solids.
-        walkway: What is to be free of other furniture.
+        walkway: Floor to keep free of other furniture.
         is_furniture: Whether it keeps out of walkways.
     """
 

@@ -78,7 +78,7 @@ class Autoclave(Instrument):
 
     @property
     def cycle(self) -> Countdown:
-        """What is left of its cycle; it starts when its knob is turned, with its lid shut."""
+        """Time left of its cycle; it starts when its knob is turned, with its lid shut."""
         setting = Scale(self.time, 0, 60, "min")
         return Countdown(f"{self.name}_left", setting, guards=(Shut(self.lid),))
 

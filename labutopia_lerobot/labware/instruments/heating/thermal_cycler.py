@@ -69,7 +69,7 @@ class ThermalCycler(Instrument):
 
     @property
     def program(self) -> Countdown:
-        """What is left of its program, an hour and a half; it runs with its lid shut."""
+        """Time left of its program, an hour and a half; it runs with its lid shut."""
         start, stop = (key.name for key in self.keys)
         return Countdown(f"{self.name}_time", 90.0, start, stop, (Shut(self.lid),))
 

@@ -61,7 +61,7 @@ class UltrasonicBath(Instrument):
 
     @property
     def timer(self) -> Countdown:
-        """What is left of the time that it sounds; it starts when its knob is turned."""
+        """Time left of its sounding; it starts when its knob is turned."""
         setting = Scale(self.minutes, 0, 30, "min", resolution=5)
         return Countdown(f"{self.name}_left", setting)
 

@@ -106,7 +106,7 @@ class Centrifuge(Instrument):
 
     @property
     def timer(self) -> Countdown:
-        """What is left of its run; it does not start with its lid open."""
+        """Time left of its run; it does not start with its lid open."""
         setting, buttons = Scale(self.time, 0, 30, "min"), (self.start.name, self.stop.name)
         return Countdown(f"{self.name}_left", setting, *buttons, (self.closed, self.balanced))
 

@@ -14,7 +14,7 @@ from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions, failures
 
 MASS, WITHIN = 50.0, 1.0
-"""What is to be poured, and how near [g]; ours."""
+"""Mass to pour, and its tolerance [g]; ours."""
 YAW = (-math.radians(10), math.radians(10))  # ours: as far as the button stays within easy reach
 
 
