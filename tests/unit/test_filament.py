@@ -156,14 +156,18 @@ def test_a_display_shows_the_reading_of_now():
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     apparatus = Apparatus(model, data, instrument("stirring_hot_plate", "plate").processes)
+    apparatus.start(np.random.default_rng(0))
     renderer = FilamentRenderer(model, 200, 200, (), apparatus)
-    cold = renderer.color(data, "front")
-    heat = data.joint("plate_heat_hinge")
-    heat.qpos[0] = np.radians(300.0)  # without forward kinematics nothing else has moved
-    hot = renderer.color(data, "front")
-    assert 3 < differ(cold, hot).sum() < 2000
-    heat.qpos[0] = 0.0
-    assert np.array_equal(renderer.color(data, "front"), cold)
+    slow = renderer.color(data, "front")
+    speed = data.joint("plate_speed_hinge")
+    speed.qpos[0] = np.radians(300.0)  # without forward kinematics nothing else has moved
+    apparatus.step()
+    fast = renderer.color(data, "front")
+    assert 3 < differ(slow, fast).sum() < 2000
+    speed.qpos[0] = 0.0
+    for _ in range(round(3.0 / apparatus.period)):
+        apparatus.step()
+    assert np.array_equal(renderer.color(data, "front"), slow)
     renderer.close()
 
 
