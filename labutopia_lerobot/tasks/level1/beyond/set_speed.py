@@ -18,8 +18,8 @@ _WITHIN = 50.0
 _TRAIN, _TEST = (600, 400, 800, 1000), (500, 700, 900)
 """Speeds that are asked for [rpm]; ours: within reach of one or two grips."""
 YAW = (-math.radians(40), -math.radians(20))
-"""How the stirrer is turned [rad]; ours. Its front looks to the robot's left: of a hand that points straight
-ahead joint 5 is at its end, of one that points to the right all joints stay 0.5 rad from theirs."""
+"""How the stirrer is turned [rad]; ours. Its front looks to the robot's left: of a hand that points
+straight ahead joint 5 is at its end, of one that points to the right no joint comes near its."""
 
 
 def set_speed(draw: Draw) -> Task:
