@@ -17,8 +17,8 @@ _CLICK, _STOP = 0.001, 0.003
 _PRELOAD, _STIFFNESS = 3.0, 1500.0
 """Force under which it begins to give [N], and its spring [N/m]; ours: it switches at 4.5 N, less
 what the cup weighs. A tube that stands in it with 10 ml weighs 0.4 N: it does not run."""
-_DAMPING = 8.0
-"""Of the cup in its guide [N s/m]; ours: it comes up within 30 ms, and does not swing."""
+_DAMPING = 40.0
+"""Of the cup in its guide [N s/m]; ours: it comes up within 40 ms, and does not swing."""
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,8 @@ _ORBIT = 0.0025
 """From the axis of the motor to that of the cup [m]: an orbit of 5 mm."""
 _IN_TUBE = 0.025
 """Height above the cup's origin that is in a tube that stands in it [m]; ours."""
+_RUBBER = (1.0, 0.005, 0.0001)
+"""Friction of the cup: rubber on dry glass holds it about as well as its weight; ours."""
 _LEAN = 20.0
 """Angle by which the front leans back [deg]."""
 _HIGHEST = 3000.0
@@ -75,7 +77,7 @@ class VortexMixer(Instrument):
     def cup(self) -> Seat:
         """Where the end of a tube is pressed in: flat below, and wider above."""
         at = (0.0, 0.0, 0.010)
-        return Seat(f"{self.name}_cup_middle", self.sprung_cup.name, at, width=0.012, depth=0.012)
+        return Seat(f"{self.name}_cup_middle", self.sprung_cup.name, at, width=0.028, depth=0.012)
 
     @property
     def places(self) -> tuple[Seat, ...]:
@@ -126,7 +128,7 @@ class VortexMixer(Instrument):
         spec.add_exclude(bodyname1=carrier.name, bodyname2=cup.name)
         forms: list[Form] = [
             Turned(((0, 0), (0.014, 0), (0.022, 0.010), (0, 0.010)), "rubber"),
-            Bowl(0.012, 0.036, 0.046, (0.010, 0.026), "rubber"),
+            Bowl(0.028, 0.036, 0.046, (0.010, 0.026), "rubber"),
             Turned(
                 ((0.018, 0.024), (0.023, 0.024), (0.026, 0.030), (0.018, 0.024)),
                 "rubber",
@@ -134,5 +136,7 @@ class VortexMixer(Instrument):
             ),
         ]
         assemble(spec, cup, self.name, forms, mass=0.08)
+        for geom in cup.geoms:
+            geom.friction = _RUBBER
         cup.add_site(name=f"{self.name}_tube", pos=(0, 0, _IN_TUBE), group=COLLISION_GROUP)
         self.cup.add_to(cup)
