@@ -10,10 +10,12 @@ from labutopia_lerobot.skills.pour import Pour
 from labutopia_lerobot.skills.pour_to_mass import PourToMass
 from labutopia_lerobot.skills.press import Press
 from labutopia_lerobot.skills.press_into import PressInto
+from labutopia_lerobot.skills.push_lid import PushLid
 from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 from labutopia_lerobot.skills.turn_knob import TurnKnob
+from labutopia_lerobot.skills.watch import Watch
 
 __all__ = [
     "Close",
@@ -26,8 +28,10 @@ __all__ = [
     "PourToMass",
     "Press",
     "PressInto",
+    "PushLid",
     "Shake",
     "Squeeze",
     "Stir",
     "TurnKnob",
+    "Watch",
 ]
