@@ -9,7 +9,7 @@ from labutopia_lerobot.predicates.buttons import (
     switched_on,
     touched,
 )
-from labutopia_lerobot.predicates.counting import Count, pulled, swings, turns
+from labutopia_lerobot.predicates.counting import Count, lasted, pulled, swings, turns
 from labutopia_lerobot.predicates.damage import (
     broken,
     collided,
@@ -38,6 +38,7 @@ from labutopia_lerobot.predicates.openables import (
 from labutopia_lerobot.predicates.placing import (
     near,
     released,
+    seated,
     standing_on,
     struck,
     touching,
@@ -80,6 +81,7 @@ __all__ = [
     "gripped",
     "immersed",
     "knocked_over",
+    "lasted",
     "latched",
     "less_open",
     "lifted",
@@ -97,6 +99,7 @@ __all__ = [
     "pushed",
     "reads",
     "released",
+    "seated",
     "settled",
     "spilled",
     "spout_over",

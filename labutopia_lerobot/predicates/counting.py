@@ -12,6 +12,7 @@ from typing import Protocol
 import numpy as np
 
 from labutopia_lerobot.predicates.openables import Bar, Openable, grasped
+from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.world import FloatArray, OpenVessel, Thing, World
 
 _TURN = 2 * math.pi
@@ -91,6 +92,17 @@ def pulled(part: Openable, by: Bar, *, to: float, slack: float) -> Count:
     """
     name = f"{part.name} pulled by {by.name}, slack {part.format_position(slack)}"
     return Count(name, lambda: _Pulled(part, by, slack), to)
+
+
+def lasted(*facts: Predicate, needed: float) -> Count:
+    """Measure for how long facts have held together without a break [s].
+
+    Args:
+        *facts: What must hold.
+        needed: How long is enough [s].
+    """
+    name = f"seconds of {' and '.join(fact.name for fact in facts)}"
+    return Count(name, lambda: _Lasted(facts), needed)
 
 
 @dataclass
@@ -201,3 +213,16 @@ class _Pulled:
             self.reached = max(self.reached, now)
         self.before = now
         return self.reached
+
+
+@dataclass
+class _Lasted:
+    facts: tuple[Predicate, ...]
+    since: float | None = None
+
+    def add(self, world: World) -> float:
+        if not all(fact.holds(world) for fact in self.facts):
+            self.since = None
+            return 0.0
+        self.since = world.time if self.since is None else self.since
+        return world.time - self.since

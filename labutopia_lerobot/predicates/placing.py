@@ -47,6 +47,27 @@ def _level_errors(world: World, thing: Thing, place: Destination) -> Mapping[str
     return {"deg": math.degrees(world.pose(thing).tilt)}
 
 
+@predicate("{thing} seated within {within:g} m of {place}")
+def seated(world: World, thing: Thing, place: Destination, *, within: float) -> bool:
+    """Foot of the thing is at a place in all directions [m], and touches what bears the place.
+
+    For what leans a little where it is held, as a tube in a rack or a bore.
+    """
+    return _off(world, thing, place) < within and world.touching(thing.name, place.support)
+
+
+@seated.measure
+def _seat_errors(
+    world: World, thing: Thing, place: Destination, *, within: float
+) -> Mapping[str, float]:
+    return {"mm": 1e3 * _off(world, thing, place)}
+
+
+def _off(world: World, thing: Thing, place: Destination) -> float:
+    """Return how far the foot of a thing is from a place [m]."""
+    return math.dist(world.pose(thing).position_w, place.position_w(world))
+
+
 @predicate("{thing} released")
 def released(world: World, thing: Thing) -> bool:
     """No part of the hand touches the thing."""

@@ -97,8 +97,8 @@ near that a button fills 24 of 256 pixels, and overhead. The original looks from
 the robot, through what is a wall here, along the panel."""
 
 KNOB_VIEW = View(
-    front=CameraPose((-0.4, -0.8, 1.5), (0.84, 0.78, -0.33), _UP, 20.0),
+    front=CameraPose((-0.15, 1.25, 1.5), (0.574, -1.10, -0.26), _UP, 20.0),
     top=DOOR_VIEW.top,
 )
-"""Over the robot's right shoulder, where the knob and the display of an instrument on a stand are
+"""Over the robot's left shoulder, where the knob and the display of an instrument on a stand are
 in view; and as `DOOR_VIEW`."""

@@ -2,28 +2,36 @@
 
 from labutopia_lerobot.skills.close import Close
 from labutopia_lerobot.skills.go import Go
+from labutopia_lerobot.skills.insert import Insert
 from labutopia_lerobot.skills.open import Open
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.pour import Pour
 from labutopia_lerobot.skills.pour_to_mass import PourToMass
 from labutopia_lerobot.skills.press import Press
+from labutopia_lerobot.skills.press_into import PressInto
+from labutopia_lerobot.skills.push_lid import PushLid
 from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 from labutopia_lerobot.skills.turn_knob import TurnKnob
+from labutopia_lerobot.skills.watch import Watch
 
 __all__ = [
     "Close",
     "Go",
+    "Insert",
     "Open",
     "Pick",
     "Place",
     "Pour",
     "PourToMass",
     "Press",
+    "PressInto",
+    "PushLid",
     "Shake",
     "Squeeze",
     "Stir",
     "TurnKnob",
+    "Watch",
 ]

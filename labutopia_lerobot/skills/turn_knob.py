@@ -12,9 +12,10 @@ from labutopia_lerobot.world import Pose, World
 
 _HALF = math.radians(50.0)
 """How far the hand turns to either side of how it is comfortable [rad]; ours."""
-_COMFORT = math.radians(135.0)
-"""How the hand is turned to a knob on an upright panel, its fingers aslant, from where its back
-looks up [rad]; ours: the default robot reaches the knob, and backs off, from 90 to 225 degrees."""
+_COMFORT = math.radians(30.0)
+"""How the hand is turned to a knob on an upright panel from where its back looks up [rad]; ours:
+turned by up to 80 degrees to either side of that the default robot keeps all joints 0.5 rad from
+their ends, where the panel looks 20 to 40 degrees to its left."""
 _SQUEEZE = 0.014
 """How much narrower than the knob the closed gripper is commanded [m]."""
 _NEAR = math.radians(1.5)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.setting import Setting
 
 
@@ -38,3 +39,19 @@ def test_it_succeeds_once_the_stirrer_has_turned_right_for_two_seconds():
 @pytest.mark.parametrize("share", [0.93, 1.07])
 def test_another_speed_is_no_success(share):
     assert played(share, 9.0)["outcome"] == "running"
+
+
+@pytest.mark.slow
+def test_no_joint_of_the_expert_comes_near_its_end():
+    env = LabEnv(Setting("level1/set_speed", obs="state"))
+    env.reset(seed=100032)
+    script, nearest = env.expert(), np.inf
+    script.start()
+    least, greatest = np.array([(joint.lower, joint.upper) for joint in PANDA.joints]).T
+    while not (script.finished or script.failure):
+        env.step(script.act())
+        joints = env.workcell.simulation.measured[:-1]
+        nearest = min(nearest, (joints - least).min(), (greatest - joints).min())
+    env.close()
+    assert script.failure is None
+    assert nearest > 0.5  # at its end a wrist swings to and fro, and hits the panel

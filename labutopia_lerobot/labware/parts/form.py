@@ -268,6 +268,53 @@ class Ring:
             yield Primitive(BOX, size, (x, y, low + half), quat, volume)
 
 
+@dataclass(frozen=True)
+class Bowl:
+    """An upright round wall whose inside widens upwards: a rubber cup, a funnel.
+
+    Attributes:
+        lower: Inner diameter below [m].
+        upper: Inner diameter above, less than the outer one [m].
+        outer: Outer diameter [m].
+        z: From where to where [m].
+        look: Its finish.
+        touch: Whether it can be touched.
+        facets: Flat pieces that are touched around it.
+    """
+
+    lower: float
+    upper: float
+    outer: float
+    z: Span
+    look: str
+    touch: bool = True
+    facets: int = 16
+
+    def shell(self) -> Shell:
+        """Return what is seen of it."""
+        near, far, wide, (low, high) = self.lower / 2, self.upper / 2, self.outer / 2, self.z
+        wall = [(near, low), (wide, low), (wide, high), (far, high), (near, low)]
+        return shell.turned(wall, shell.SEGMENTS)
+
+    def primitives(self) -> Iterator[Primitive]:
+        """Yield what can be touched of it."""
+        half, (low, high) = math.pi / self.facets, self.z
+        edges = [(r, low) for r in (self.lower / 2, self.outer / 2)]
+        edges += [(r, high) for r in (self.upper / 2, self.outer / 2)]
+        mesh, nowhere = mujoco.mjtGeom.mjGEOM_MESH, (0.0, 0.0, 0.0)
+        inside = self.lower**2 + self.lower * self.upper + self.upper**2
+        volume = math.pi / 4 * (high - low) * (self.outer**2 - inside / 3) / self.facets
+        for facet in range(self.facets):
+            turns = [2 * half * facet + side * half for side in (-1, 1)]
+            points = [
+                (r / math.cos(half) * math.cos(a), r / math.cos(half) * math.sin(a), z)
+                for r, z in edges
+                for a in turns
+            ]
+            flat = tuple(float(part) for point in points for part in point)
+            yield Primitive(mesh, nowhere, nowhere, UNTURNED, volume, flat)
+
+
 def towards(direction: Vector) -> Quaternion:
     """Return how to turn so that z points along a direction, scalar-first; the shortest way."""
     x, y, z = np.asarray(direction) / np.linalg.norm(direction)

@@ -35,6 +35,7 @@ class Knob:
         steps: Positions at which it clicks, evenly from 0 to `widest`; 0 for none.
         look: Its finish.
         pointer: Finish of its pointer.
+        begins: Where it is turned to when an episode begins [rad].
     """
 
     name: str
@@ -44,6 +45,7 @@ class Knob:
     steps: int = 0
     look: str = "anthracite"
     pointer: str = "white"
+    begins: float = 0.0
 
     @property
     def joint(self) -> str:
@@ -91,6 +93,7 @@ class Knob:
             quat=(w, x, y, z),
             friction=_FRICTION,
             damping=_DAMPING,
+            begins=self.begins,
         )
         radius, depth = self.diameter / 2, self.depth
         skirt = [(0, 0), (radius, 0), (radius, 0.2 * depth), (0.82 * radius, 0.3 * depth)]

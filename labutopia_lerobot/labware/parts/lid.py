@@ -26,17 +26,24 @@ class Lid:
         widest: Where it stops [rad].
         reach: From the hinge to its front edge [m].
         friction: Of the hinge [N m].
+        begins: How far it is open when an episode begins [rad].
     """
 
     name: str
     widest: float
     reach: float
     friction: float = 0.15
+    begins: float = 0.0
 
     @property
     def joint(self) -> str:
         """Name of its hinge [rad]; 0 is closed."""
         return f"{self.name}_hinge"
+
+    @property
+    def closed_within(self) -> float:
+        """Position below which there is no gap [rad]; ours, as that of what feels whether it is."""
+        return math.radians(2.0)
 
     @property
     def effort(self) -> float:
@@ -71,6 +78,7 @@ class Lid:
             friction=self.friction,
             damping=0.3 * self.friction,
             balanced=True,
+            begins=self.begins,
         )
         body.add_site(name=self.name, pos=(-self.reach, 0, 0), group=COLLISION_GROUP)
         box.add_site(name=self.joint, pos=hinge, quat=_ALONG_Y, group=COLLISION_GROUP)

@@ -4,6 +4,7 @@ import math
 from typing import Protocol
 
 import mujoco
+from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.labware.parts.solid import UNTURNED, Quaternion, Vector
 from labutopia_lerobot.world.model import SOLIMP, SOLREF
@@ -64,6 +65,7 @@ def add_moving(
     friction: float = 0.0,
     damping: float = 0.0,
     balanced: bool = False,
+    begins: float = 0.0,
 ) -> mujoco.MjsBody:
     """Build the body of a mechanism, still without forms, and its joint.
 
@@ -79,10 +81,16 @@ def add_moving(
         friction: Dry friction [N m or N].
         damping: Of its grease [N m s/rad or N s/m].
         balanced: Whether a counterweight or a gas spring carries it.
+        begins: Angle of a hinge at which an episode begins [rad].
 
     Returns:
         The body.
     """
+    if begins:
+        turn = Rotation.from_quat(quat, scalar_first=True)
+        turn *= Rotation.from_rotvec([begins * part for part in axis])
+        w, x, y, z = (float(part) for part in turn.as_quat(scalar_first=True))
+        quat = (w, x, y, z)
     body = parent.add_body(name=mechanism.name, pos=pos, quat=quat, gravcomp=float(balanced))
     body.add_joint(
         name=mechanism.joint,
@@ -93,6 +101,7 @@ def add_moving(
         frictionloss=friction,
         damping=damping,
         armature=0.0 if slides else _ARMATURE,
+        ref=begins,
         solref_limit=SOLREF,
         solimp_limit=SOLIMP,
     )

@@ -1,7 +1,7 @@
 """A bench centrifuge with a latched lid and a rotor of twelve bores."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mujoco
 
@@ -32,6 +32,8 @@ _BORE, _DEEP = 0.0175, 0.060
 
 _HIGHEST = 4000.0
 """Its highest speed [rpm]."""
+_LONGEST = 30.0
+"""The longest time that it can be set to [min]."""
 _UNEVEN = 0.005
 """The most that it bears on one side only, in the circle of its bores [kg]; ours: makers of bench
 centrifuges allow 2 to 10 g between opposite tubes."""
@@ -43,16 +45,33 @@ class Centrifuge(Instrument):
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
+        set_to: What its speed is set to when an episode begins [rpm].
+        minutes: What its time is set to then [min].
+        lid_open: How far its lid is open then [rad].
     """
 
     name: str
+    set_to: float = 0.0
+    minutes: float = 0.0
+    lid_open: float = 0.0
     size = (0.520, 0.400, 0.300)
     mass = 32.0
     source = "400 x 520 x 300 mm, rotor of 200 mm, usual for 4 x 100 ml; from memory"
 
     @property
     def lid(self) -> Lid:
-        return Lid(f"{self.name}_lid", widest=math.radians(75.0), reach=0.350, friction=0.5)
+        return Lid(
+            f"{self.name}_lid",
+            widest=math.radians(75.0),
+            reach=0.350,
+            friction=0.5,
+            begins=self.lid_open,
+        )
+
+    @property
+    def lid_thickness(self) -> float:
+        """Height of the lid's upper side above its frame [m]."""
+        return 0.028
 
     @property
     def rotor(self) -> Rotor:
@@ -60,11 +79,15 @@ class Centrifuge(Instrument):
 
     @property
     def speed(self) -> Knob:
-        return Knob(f"{self.name}_speed", diameter=0.036)
+        return self._knob("speed", self.set_to / _HIGHEST)
 
     @property
     def time(self) -> Knob:
-        return Knob(f"{self.name}_time", diameter=0.036)
+        return self._knob("time", self.minutes / _LONGEST)
+
+    def _knob(self, knob: str, share: float) -> Knob:
+        dial = Knob(f"{self.name}_{knob}", diameter=0.036)
+        return replace(dial, begins=share * dial.widest)
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
@@ -85,7 +108,7 @@ class Centrifuge(Instrument):
 
     def _key(self, key: str, look: str) -> PushButton:
         color = FINISHES[look].rgba
-        return PushButton(f"{self.name}_{key}", color, radius=0.011, travel=0.004, proud=0.008)
+        return PushButton(f"{self.name}_{key}", color, radius=0.011, travel=0.004, proud=0.014)
 
     @property
     def buttons(self) -> tuple[PushButton, ...]:
@@ -107,7 +130,7 @@ class Centrifuge(Instrument):
     @property
     def timer(self) -> Countdown:
         """Time left of its run; it does not start with its lid open."""
-        setting, buttons = Scale(self.time, 0, 30, "min"), (self.start.name, self.stop.name)
+        setting, buttons = Scale(self.time, 0, _LONGEST, "min"), (self.start.name, self.stop.name)
         return Countdown(f"{self.name}_left", setting, *buttons, (self.closed, self.balanced))
 
     @property
@@ -146,7 +169,7 @@ class Centrifuge(Instrument):
             self.closed,
             self.balanced,
             Scale(self.speed, 0, _HIGHEST, "rpm", resolution=50),
-            Scale(self.time, 0, 30, "min"),
+            Scale(self.time, 0, _LONGEST, "min"),
             self.timer,
             self.drive,
             self.lock,
@@ -195,7 +218,9 @@ class Centrifuge(Instrument):
         lid = self.lid.add_to(spec, body, (0.215, 0.0, 0.270))
         self._bolt.add_to(spec)
         forms: list[Form] = [
-            Block((-0.350, 0.0), (-0.190, 0.190), (0.000, 0.028), "petrol", edge=0.010),
+            Block(
+                (-0.350, 0.0), (-0.190, 0.190), (0.000, self.lid_thickness), "petrol", edge=0.010
+            ),
             Rod((-0.175, 0, 0.0282), (-0.175, 0, 0.0295), 0.080, "smoked", touch=False),
             Block((-0.356, -0.340), (-0.040, 0.040), (0.004, 0.018), "anthracite"),
         ]

@@ -17,6 +17,9 @@ _WITHIN = 50.0
 """How far the speed may be off [rpm]; ours: 7.5 degrees of the knob."""
 _TRAIN, _TEST = (600, 400, 800, 1000), (500, 700, 900)
 """Speeds that are asked for [rpm]; ours: within reach of one or two grips."""
+YAW = (-math.radians(40), -math.radians(20))
+"""How the stirrer is turned [rad]; ours. Its front looks to the robot's left: of a hand that points
+straight ahead joint 5 is at its end, of one that points to the right no joint comes near its."""
 
 
 def set_speed(draw: Draw) -> Task:
@@ -33,7 +36,7 @@ def set_speed(draw: Draw) -> Task:
             f"Make the display of the stirrer read {rpm} rpm by its knob, then leave it.",
         ),
         start={
-            stirrer: OnBench((0.52, 0.58), (-0.10, 0.06), (-math.radians(10), math.radians(10)))
+            stirrer: OnBench((0.50, 0.58), (0.02, 0.14), YAW),
         },
         steps=(
             Step(
