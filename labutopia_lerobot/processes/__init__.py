@@ -3,6 +3,7 @@
 from labutopia_lerobot.processes.heat import DoorGap, HeatZone, ThermalMass
 from labutopia_lerobot.processes.heat_exchange import HeatExchange
 from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
+from labutopia_lerobot.processes.probe import Probe
 from labutopia_lerobot.processes.process import (
     Apparatus,
     Process,
@@ -18,6 +19,7 @@ __all__ = [
     "HeatExchange",
     "HeatZone",
     "LiquidHandling",
+    "Probe",
     "Process",
     "ProcessError",
     "Stock",

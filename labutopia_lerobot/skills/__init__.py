@@ -12,6 +12,7 @@ from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 from labutopia_lerobot.skills.turn_knob import TurnKnob
+from labutopia_lerobot.skills.wait import WaitUntil
 
 __all__ = [
     "Close",
@@ -26,4 +27,5 @@ __all__ = [
     "Squeeze",
     "Stir",
     "TurnKnob",
+    "WaitUntil",
 ]
