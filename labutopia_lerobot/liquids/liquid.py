@@ -15,7 +15,7 @@ from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
 from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.liquids.vortex import stir
-from labutopia_lerobot.processes import Warmth
+from labutopia_lerobot.processes import AMBIENT, Warmth
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake
 from labutopia_lerobot.substances.substance import ZERO_C, Substance
@@ -76,7 +76,7 @@ class Liquid:
         self._particles = particles
         self._waiting = {bottle.name: 0 for bottle in bottles}
         self._waiting_at_start = dict(self._waiting)
-        self._room = temperature.ROOM
+        self._room = AMBIENT
         self._own = np.full(len(self.names), np.nan)
         self._held = dict.fromkeys(self._waiting, self.substances[0])
         columns = [vessel for vessel in self.vessels if is_column(vessel)]
