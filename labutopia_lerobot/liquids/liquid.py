@@ -15,10 +15,10 @@ from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
 from labutopia_lerobot.liquids.surroundings import Surroundings
 from labutopia_lerobot.liquids.vortex import stir
-from labutopia_lerobot.processes import Warmth
+from labutopia_lerobot.processes import AMBIENT, Warmth
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake
-from labutopia_lerobot.substances.substance import Substance
+from labutopia_lerobot.substances.substance import ZERO_C, Substance
 from labutopia_lerobot.world import FloatArray, LiquidAccount, Pose
 
 _SETTLE_STEPS = 120
@@ -76,7 +76,8 @@ class Liquid:
         self._particles = particles
         self._waiting = {bottle.name: 0 for bottle in bottles}
         self._waiting_at_start = dict(self._waiting)
-        self._room = temperature.ROOM
+        self._room = AMBIENT
+        self._own = np.full(len(self.names), np.nan)
         self._held = dict.fromkeys(self._waiting, self.substances[0])
         columns = [vessel for vessel in self.vessels if is_column(vessel)]
         self.kept = Kept(len(self.substances))
@@ -125,7 +126,7 @@ class Liquid:
         self.diverged = False
         self.origins = origins
         self.amounts = amounts
-        self.temperatures: FloatArray = np.full(len(positions), self._room)
+        self.temperatures = self._beginning(origins)
         self._inside: NDArray[np.int64] = np.full(len(positions), -1)
         self._speeds: FloatArray = np.zeros(len(self.names))
         self._last_held: NDArray[np.int64] = origins.copy()
@@ -152,6 +153,8 @@ class Liquid:
         heaps, origins, kinds, last = [np.empty((0, 3))], [], [], 0.0
         for vessel, filling in contents.items():
             first, last = last, last + filling.volume
+            if filling.celsius is not None:
+                self._own[self.names.index(vessel.name)] = filling.celsius + ZERO_C
             counts = [round(volume / total * self._particles) for volume in (first, last)]
             share = counts[1] - counts[0]
             if isinstance(vessel, Dispenser):
@@ -231,8 +234,13 @@ class Liquid:
         self.add(positions, velocities, self._portion(here, amounts))
 
     def _portion(self, here: NDArray[np.int64], amounts: FloatArray) -> Portion:
-        """Return what particles are that come from where they are, as warm as the room."""
-        return Portion(here, here, np.full(len(here), self._room), amounts)
+        """Return what particles are that come from where they are, as warm as they begin."""
+        return Portion(here, here, self._beginning(here), amounts)
+
+    def _beginning(self, origins: NDArray[np.int64]) -> FloatArray:
+        """Return how warm particles begin: as their filling says, or else as the room [K]."""
+        own = np.append(self._own, np.nan)[origins]  # the last is that of no origin, -1
+        return np.where(np.isnan(own), self._room, own)
 
     def add(self, positions: FloatArray, velocities: FloatArray, portion: Portion) -> None:
         """Add particles.
@@ -367,10 +375,10 @@ class Liquid:
         self.temperatures[held] += heat / self._capacities()[held].sum()
 
     def warm_to(self, temperature: float) -> None:
-        """Bring all liquid to a temperature [K], and what comes later."""
+        """Bring all liquid, and what comes later, to where it begins in a room so warm [K]."""
         self._room = temperature
-        self.temperatures[:] = temperature
-        self.kept.portion.temperatures[:] = temperature
+        self.temperatures[:] = self._beginning(self.origins)
+        self.kept.portion.temperatures[:] = self._beginning(self.kept.portion.origins)
 
     def all_at(self, temperature: float) -> bool:
         """Return whether all liquid has a temperature [K]."""

@@ -9,8 +9,6 @@ from labutopia_lerobot.processes import Warmth
 from labutopia_lerobot.substances.substance import WATER, Substance
 from labutopia_lerobot.world import FloatArray
 
-ROOM = 293.15
-"""Of what nobody has warmed [K]: 20 degrees C."""
 _TURNOVER = 5.0
 """Time in which what is in a vessel at rest mixes by itself [s]; ours: 0.05 m at the 1 to 2 cm/s
 that a difference of 2 to 5 K drives, sqrt(g beta dT L)."""

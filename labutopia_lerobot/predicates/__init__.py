@@ -48,7 +48,7 @@ from labutopia_lerobot.predicates.predicate import Predicate, predicate
 from labutopia_lerobot.predicates.readings import reads, settled
 from labutopia_lerobot.predicates.squeezing import dispensed, spout_over
 from labutopia_lerobot.predicates.stirring import immersed, over_mouth
-from labutopia_lerobot.predicates.temperatures import on_hot_surface, temperature_between
+from labutopia_lerobot.predicates.temperatures import hotter, on_hot_surface, temperature_between
 from labutopia_lerobot.predicates.vessels import (
     falling,
     gripped,
@@ -79,6 +79,7 @@ __all__ = [
     "given",
     "grasped",
     "gripped",
+    "hotter",
     "immersed",
     "knocked_over",
     "lasted",

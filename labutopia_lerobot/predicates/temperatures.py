@@ -17,6 +17,12 @@ def _celsius(world: World, vessel: Thing, *, low_c: float, high_c: float) -> Map
     return {"c": world.reading(f"{vessel.name}_temperature").value}
 
 
+@predicate("{vessel} hotter than {than_c:g} C")
+def hotter(world: World, vessel: Thing, *, than_c: float) -> bool:
+    """What a thermometer in a vessel reads is above a temperature [degrees C]."""
+    return world.reading(f"{vessel.name}_temperature").value > than_c
+
+
 @predicate("hand on a surface above {above_c:g} C")
 def on_hot_surface(world: World, *, above_c: float) -> bool:
     """The hand touches a surface that would burn a person's [degrees C]."""

@@ -3,7 +3,9 @@
 from labutopia_lerobot.processes.heat import DoorGap, HeatZone, ThermalMass
 from labutopia_lerobot.processes.heat_exchange import HeatExchange
 from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
+from labutopia_lerobot.processes.probe import Probe
 from labutopia_lerobot.processes.process import (
+    AMBIENT,
     Apparatus,
     Process,
     ProcessError,
@@ -13,11 +15,13 @@ from labutopia_lerobot.processes.process import (
 from labutopia_lerobot.processes.thermostat import Thermostat
 
 __all__ = [
+    "AMBIENT",
     "Apparatus",
     "DoorGap",
     "HeatExchange",
     "HeatZone",
     "LiquidHandling",
+    "Probe",
     "Process",
     "ProcessError",
     "Stock",

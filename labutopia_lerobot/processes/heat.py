@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING, override
 import numpy as np
 
 from labutopia_lerobot.processes.process import Apparatus, Process
+from labutopia_lerobot.substances.substance import ZERO_C
 from labutopia_lerobot.world import Reading
 
 if TYPE_CHECKING:
     from labutopia_lerobot.labware.glass.profile import Profile
 
-ZERO_C = 273.15
-"""0 degrees Celsius [K]."""
 CELSIUS = "\u00b0C"
 """Unit of readings of temperature."""
 UPWARDS, UPRIGHT = 1.32, 1.42

@@ -9,8 +9,9 @@ from typing import override
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.processes.heat import CELSIUS, ZERO_C, HeatZone, ThermalMass
+from labutopia_lerobot.processes.heat import CELSIUS, HeatZone, ThermalMass
 from labutopia_lerobot.processes.process import Apparatus, Process
+from labutopia_lerobot.substances.substance import ZERO_C
 from labutopia_lerobot.world import FloatArray, Reading
 
 _INTO_LIQUID = 500.0
@@ -55,6 +56,8 @@ class HeatExchange(Process):
         apparatus.memory(self)[:] = 0.0
         if apparatus.liquid is not None:
             apparatus.liquid.warm_to(apparatus.ambient)
+            if not apparatus.liquid.all_at(apparatus.ambient):
+                self._begin_with_the_liquid(apparatus)
 
     @override
     def step(self, apparatus: Apparatus) -> None:
@@ -79,6 +82,13 @@ class HeatExchange(Process):
     def reading(self, apparatus: Apparatus) -> Reading:
         touched = float(apparatus.memory(self)[2])
         return Reading(touched - ZERO_C if touched else math.nan, CELSIUS, 0.1)
+
+    def _begin_with_the_liquid(self, apparatus: Apparatus) -> None:
+        """Let every vessel begin as warm as what it holds."""
+        for mass in self.masses:
+            held = None if apparatus.liquid is None else apparatus.liquid.warmth(mass.body)
+            if mass.wall is not None and held is not None:
+                apparatus.memory(mass)[0] = held.temperature
 
     @cached_property
     def _by_name(self) -> dict[str, ThermalMass]:

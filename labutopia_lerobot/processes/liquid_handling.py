@@ -97,7 +97,7 @@ class LiquidHandling(Protocol):
         ...
 
     def warm_to(self, temperature: float) -> None:
-        """Bring all liquid to a temperature [K]."""
+        """Bring all liquid to where it begins in a room of a temperature [K]."""
         ...
 
     def all_at(self, temperature: float) -> bool:

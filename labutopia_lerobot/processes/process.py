@@ -14,6 +14,9 @@ from labutopia_lerobot.processes.liquid_handling import LiquidHandling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
 from labutopia_lerobot.world.reading import Reading
 
+AMBIENT = 293.15
+"""Temperature of a room, unless an episode has drawn another [K]: 20 degrees C."""
+
 
 class ProcessError(UserError, ValueError):
     """A process that cannot be; the message names it and says what to change."""
@@ -114,7 +117,7 @@ class Apparatus:
             )
         self.processes = {process.name: process for process in order}
         self.liquid: LiquidHandling | None = None
-        self.ambient = 293.15
+        self.ambient = AMBIENT
         self.paintings: dict[int, int] = {}
         self._painted: dict[str, Hashable] = {}
         self._memory: dict[str, FloatArray] = {}

@@ -6,8 +6,9 @@ from typing import override
 
 import numpy as np
 
-from labutopia_lerobot.processes.heat import CELSIUS, ZERO_C, ThermalMass
+from labutopia_lerobot.processes.heat import CELSIUS, ThermalMass
 from labutopia_lerobot.processes.process import Apparatus, Process, ProcessError
+from labutopia_lerobot.substances.substance import ZERO_C
 from labutopia_lerobot.world import Reading
 
 _AJAR = math.radians(2.0)

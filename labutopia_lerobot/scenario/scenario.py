@@ -7,7 +7,12 @@ from dataclasses import dataclass, field, replace
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario.draw import Draw, Value
 from labutopia_lerobot.scenario.task_function import task_function
-from labutopia_lerobot.scenario.variation import Variation, draw_instruction, draw_variation
+from labutopia_lerobot.scenario.variation import (
+    Variation,
+    draw_ambient,
+    draw_instruction,
+    draw_variation,
+)
 from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import ALL, Setting
 from labutopia_lerobot.task import Task
@@ -79,6 +84,7 @@ def _scenario(setting: Setting, draw: Draw) -> Scenario:
 def _drawn(setting: Setting, draw: Draw) -> tuple[Task, Variation]:
     task = task_function(setting.task, setting.tasks_dir)(draw)
     variation = draw_variation(draw, len(load_robot(setting.robot).joints))
+    variation = replace(variation, ambient=draw_ambient(draw, task))
     instruction = draw_instruction(draw, task)
     if instruction != task.instruction:
         task = replace(task, instruction=instruction)

@@ -2,7 +2,7 @@
 
 How bench and walls look, the light, where cameras and robot start, what else stands around, how the
 instruction is said, in which room: `material`, `wall`, `light`, `camera`, `robot_start`, `layout`,
-`instruction`, `room`.
+`instruction`, `room`. And one of those in which something heats or cools: `ambient`.
 Nothing of this varies unless the user (`axes=`) or the task (`Draw.vary`) says so. The ranges are
 ours; the bench tops, and which of them are for tests, are the original's (level 3).
 """
@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.processes import ThermalMass
 from labutopia_lerobot.scenario.distractors import distractor_sets
 from labutopia_lerobot.scenario.draw import Draw
 from labutopia_lerobot.scenes import rooms_to_draw
@@ -38,6 +39,7 @@ class Variation:
         robot_start: Displacement of the arm at the start, shape (joints,), radians.
         distractors: Things that stand around.
         room: Where it is, instead of the room of the setting.
+        ambient: Temperature of the room [degrees C]; None for the usual one.
     """
 
     bench: str | None = None
@@ -47,6 +49,7 @@ class Variation:
     robot_start: FloatArray | None = None
     distractors: tuple[Piece, ...] = ()
     room: str | None = None
+    ambient: float | None = None
 
 
 def draw_variation(draw: Draw, joints: int) -> Variation:
@@ -79,6 +82,20 @@ def draw_variation(draw: Draw, joints: int) -> Variation:
         train, test = rooms_to_draw()
         drawn["room"] = draw.choice("room", train=train, test=test)
     return Variation(**drawn)
+
+
+def draw_ambient(draw: Draw, task: Task) -> float | None:
+    """Draw how warm the room is [degrees C], where something in the task heats or cools.
+
+    What is in the room begins as warm as that. Ours: training is a room that is kept warm or cool,
+    a test a cold or a hot day.
+    """
+    processes = (process for piece in task.start for process in piece.processes)
+    if not any(isinstance(process, ThermalMass) for process in processes):
+        return None
+    if not draw.varies("ambient"):
+        return None
+    return draw.uniform("ambient", train=(18.0, 25.0), test=[(12.0, 17.0), (26.0, 32.0)])
 
 
 def draw_instruction(draw: Draw, task: Task) -> str:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.layout import Workspace, sample_layout
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
+from labutopia_lerobot.processes import AMBIENT
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.robots.action_filter import ActionFilter
@@ -27,6 +28,7 @@ from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
 from labutopia_lerobot.skills.skill import Skill
+from labutopia_lerobot.substances.substance import ZERO_C
 from labutopia_lerobot.task import DIVERGED, SUCCESS, Step, TaskError
 
 
@@ -123,6 +125,8 @@ class Workcell:
         self._halt = None
         variation = scenario.variation
         self._appearance.show(variation)
+        celsius = variation.ambient
+        self.simulation.apparatus.ambient = AMBIENT if celsius is None else celsius + ZERO_C
         layout = sample_layout(task.start, rng)
         layout |= place_distractors(
             variation.distractors,

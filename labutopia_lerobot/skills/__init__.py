@@ -15,6 +15,7 @@ from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 from labutopia_lerobot.skills.turn_knob import TurnKnob
+from labutopia_lerobot.skills.wait import WaitUntil
 from labutopia_lerobot.skills.watch import Watch
 
 __all__ = [
@@ -33,5 +34,6 @@ __all__ = [
     "Squeeze",
     "Stir",
     "TurnKnob",
+    "WaitUntil",
     "Watch",
 ]

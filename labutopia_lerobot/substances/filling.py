@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.substances.substance import Substance, substance
+from labutopia_lerobot.substances.substance import ZERO_C, Substance, substance
 from labutopia_lerobot.world import Thing
 
 if TYPE_CHECKING:
@@ -74,10 +74,13 @@ class Filling:
     Attributes:
         ml: Volume [ml].
         of: Name of the substance.
+        celsius: How warm it is at the start, and its vessel with it [degrees C]; None for as warm
+            as the room.
     """
 
     ml: float
     of: str = "water"
+    celsius: float | None = None
 
     @property
     def substance(self) -> Substance:
@@ -125,6 +128,12 @@ def require_fillable[Present: Thing](
             raise ImpossibleFillingError(
                 f"{vessel.name} cannot hold {filling.ml:g} ml of {filling.of}: "
                 f"it takes more than 0 and at most {capacity:.0f} ml"
+            )
+        boiling = filling.substance.boiling_point - ZERO_C
+        if filling.celsius is not None and not -ZERO_C < filling.celsius < boiling:
+            raise ImpossibleFillingError(
+                f"{vessel.name} cannot hold {filling.of} of {filling.celsius:g} degrees C: it is "
+                f"liquid below {boiling:g}"
             )
 
 

@@ -12,6 +12,9 @@ from dataclasses import dataclass, fields
 
 from labutopia_lerobot.errors import UserError
 
+ZERO_C = 273.15
+"""0 degrees Celsius [K]."""
+
 type Color = tuple[float, float, float, float]
 
 

@@ -20,18 +20,23 @@ from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
-from labutopia_lerobot.substances.filling import Filling
+from labutopia_lerobot.substances.filling import (
+    Filling,
+    ImpossibleFillingError,
+    require_fillable,
+)
 
 HEATER = Heater("heater")
 BEAKER = glassware("beaker", "150 ml")
 ROOM = 293.15
 
 
-def on_the_plate(ml: float = 100.0, particles: int = 200) -> Simulation:
+def on_the_plate(
+    ml: float = 100.0, particles: int = 200, celsius: float | None = None
+) -> Simulation:
     """Return a beaker of water on a hot plate that is off."""
-    scene = compile_scene(
-        [HEATER, BEAKER], PANDA, LABORATORY, DOOR_VIEW, {BEAKER: Filling(ml)}, particles
-    )
+    held = {BEAKER: Filling(ml, celsius=celsius)}
+    scene = compile_scene([HEATER, BEAKER], PANDA, LABORATORY, DOOR_VIEW, held, particles)
     simulation = Simulation(scene)
     top = HEATER.top_height + 0.0005
     simulation.reset(
@@ -310,3 +315,22 @@ def test_a_task_can_ask_how_warm_a_vessel_is():
     simulation.liquid.warm_to(308.15)
     assert not temperature_between(BEAKER, low_c=19.0, high_c=21.0).holds(world)
     assert temperature_between(BEAKER, low_c=33.0, high_c=37.0).holds(world)
+
+
+def test_a_cold_filling_begins_cold_with_its_glass_and_warms_up_in_a_warm_room():
+    simulation = on_the_plate(20.0, 60, celsius=5.0)
+    apparatus = simulation.apparatus
+    assert celsius(simulation, f"{BEAKER.name}_temperature") == pytest.approx(5.0)
+    glass = apparatus.processes[f"{BEAKER.name}_temperature"]
+    assert apparatus.memory(glass)[0] == pytest.approx(278.15)
+    assert celsius(simulation, HEATER.hot.name) == pytest.approx(20.0)
+    total = energy(simulation)[0]
+    warm_up(simulation, 60.0)
+    now, _, lost = energy(simulation)
+    assert 5.2 < celsius(simulation, f"{BEAKER.name}_temperature") < 20.0
+    assert now - total == pytest.approx(-lost, rel=1e-9)
+
+
+def test_water_that_would_boil_is_refused():
+    with pytest.raises(ImpossibleFillingError, match="120 degrees C: it is liquid below 100"):
+        require_fillable({BEAKER: Filling(20.0, celsius=120.0)}, {BEAKER: None})

@@ -14,14 +14,19 @@ from labutopia_lerobot.labware.instruments.button_post import ButtonPost
 from labutopia_lerobot.registry import tasks_of_levels
 from labutopia_lerobot.scenario import AxisError, Draw, Scenario, canonical_task, draw_scenario
 from labutopia_lerobot.scenario.task_function import task_function
-from labutopia_lerobot.scenario.variation import AXES, draw_instruction, draw_variation
+from labutopia_lerobot.scenario.variation import (
+    AXES,
+    draw_ambient,
+    draw_instruction,
+    draw_variation,
+)
 from labutopia_lerobot.setting import ALL, Setting
 from labutopia_lerobot.skills import Press
 from labutopia_lerobot.tasks.level3.press import TRAIN
 
 TASKS = tasks_of_levels([3])
 OWN = {
-    "level3/heat_beaker": {"color", "position", "liquid"},
+    "level3/heat_beaker": {"color", "position", "liquid", "ambient"},
     "level3/open_door": {"object"},
     "level3/pick": {"object"},
     "level3/pick_sizes": {"size"},
@@ -57,6 +62,7 @@ def declared(task: str) -> dict[str, dict[str, Any]]:
     draw = Declared("id", (ALL,), (0, 1))
     value = task_function(task)(draw)
     draw_variation(draw, 7)
+    draw_ambient(draw, value)
     draw_instruction(draw, value)
     return draw.declared
 

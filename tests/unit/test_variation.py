@@ -141,3 +141,31 @@ def test_each_axis_that_a_message_lists_works():
         LabEnv(Setting("level3/pick", axes=(axis,)))
         if axis not in fixed:
             LabEnv(Setting("level3/pick", axes=(axis,), split="ood"))
+
+
+def test_a_room_is_as_warm_as_was_drawn_and_so_is_what_is_in_it():
+    plain, warm = begun("level2/heat_beaker"), begun("level2/heat_beaker", axes=("ambient",))
+    for seed in range(2):
+        first, info = plain.reset(seed=seed)
+        assert "ambient" not in info["drawn"]
+        assert plain.workcell.world.reading("heater_surface").value == pytest.approx(20.0)
+        second, info = warm.reset(seed=seed)
+        assert np.array_equal(first["environment_state"], second["environment_state"])
+        for name in ("heater_surface", "beaker_temperature"):
+            now = warm.workcell.world.reading(name).value
+            assert now == pytest.approx(info["drawn"]["ambient"])
+
+
+def test_the_room_is_colder_or_hotter_in_a_test_than_it_ever_is_in_training():
+    def degrees(split):
+        setting = Setting("level2/heat_beaker", obs="state", split=split, axes=("ambient",))
+        return [draw_scenario(setting, seed).drawn["ambient"] for seed in SEEDS]
+
+    trained, shifted = degrees("id"), degrees("ood")
+    assert not any(min(trained) <= value <= max(trained) for value in shifted)
+    assert min(shifted) < min(trained) < max(trained) < max(shifted)
+
+
+def test_where_nothing_heats_the_temperature_of_the_room_is_no_axis():
+    with pytest.raises(UnknownOptionError, match="axes=ambient is no axis of level1/pick"):
+        begun(PICK, axes=("ambient",))

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.colors import COLORS
+from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.materials import add_materials
+from labutopia_lerobot.labware.parts.panel import ON_TOP
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Quaternion, Vector, add_look, add_part
 from labutopia_lerobot.labware.parts.switch import Switch
-from labutopia_lerobot.processes import HeatZone, Process, ThermalMass, Thermostat
+from labutopia_lerobot.processes import HeatZone, Probe, Process, ThermalMass, Thermostat
 from labutopia_lerobot.processes.heat import UPWARDS
 from labutopia_lerobot.processes.hot_surface import ON_CERAMIC
 
@@ -27,6 +29,8 @@ _BUTTON_X = -_SIDE / 2 - 0.045
 """Position of the button [m]; 0.09 m from a beaker in the middle, so that a hand fits between."""
 _LAMP_Y = 0.045
 """Position of the lamp, to the left of the button [m]."""
+_DISPLAY_Y = -0.053
+"""Position of the display, to the right of the button [m]."""
 _ZONE = 0.060
 """Radius of the zone printed on the top, which gets hot [m]."""
 _WATT, _SET_POINT = 500.0, 300.0
@@ -52,10 +56,13 @@ class Heater(Equipment):
     Attributes:
         name: Name of its root body; prefix of all its elements.
         button_color: Colour of the button, one of `COLORS`.
+        probe_in: Name of the vessel that its temperature probe is in, which a display then shows;
+            none for a hot plate without.
     """
 
     name: str
     button_color: str = "green"
+    probe_in: str = ""
     size = (0.240, 0.160, 0.060)
     mass = 3.0
     source = "a usual size, ours"
@@ -93,6 +100,17 @@ class Heater(Equipment):
         """What keeps it at its set point while it is switched on."""
         name = f"{self.name}_thermostat"
         return Thermostat(name, self.hot.name, _WATT, _SET_POINT, self.switch.name)
+
+    @property
+    def probe(self) -> Probe:
+        """Its temperature probe, if it has one."""
+        return Probe(f"{self.name}_probe", self.probe_in)
+
+    @property
+    def displays(self) -> tuple[Display, ...]:
+        ink = (255, 130, 90)
+        display = Display(f"{self.name}_display", (0.048, 0.020), self.probe, ink)
+        return (display,) if self.probe_in else ()
 
     @property
     def top_height(self) -> float:
@@ -162,3 +180,5 @@ class Heater(Equipment):
         add_look(body, f"{self.name}_socket", socket, at_lamp, metal, shape=CYLINDER)
         self.switch.add_lamp_to(body, at_lamp)
         button.add_to(spec, body, at_button, _DOWN)
+        for display in self.displays:
+            display.add_to(spec, body, (_BUTTON_X, _DISPLAY_Y, _DECK_HEIGHT + 0.0005), ON_TOP)
