@@ -75,7 +75,8 @@ def parse(text: str) -> Formula:
         times, rest = _leading_number(part, text)
         for element, count in _atoms(rest, text).items():
             atoms[element] += times * count
-    return Formula(plain, MappingProxyType(dict(atoms)), charge)
+    raised = f"^{abs(charge) if abs(charge) > 1 else ''}{'+' if charge > 0 else '-'}"
+    return Formula(body + raised * (charge != 0), MappingProxyType(dict(atoms)), charge)
 
 
 def plain_text(text: str) -> str:
