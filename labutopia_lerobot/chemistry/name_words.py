@@ -39,14 +39,14 @@ osm uran thall hydr hydro oxy oxo ox peroxo perox peroxy azo diazo imin imid sil
 _GROUPS = """
 chloro bromo iodo fluoro nitro nitroso amino hydroxy methoxy ethoxy propoxy butoxy phenoxy cyano
 thiocyanato cyanato isocyanato acetyl acetoxy benzoyl benzyl carboxy keto sulfo mercapto imino
-hydrazino ammine aqua chlorido cyanido hydroxido oxalato nitrito sulfato benzene toluene phenol ether
-ester acid
+hydrazino ammine aqua chlorido cyanido hydroxido oxalato nitrito sulfato benzene toluene phenol
+ether ester acid
 """
 _ENDINGS = """
 ane ene yne an en yn ol al one diol triol dione dial thiol dioic dioate oic oate oyl yl ylene
-idene amine amide imide imine nitrile ose ulose ide ate ite ic ous ine in ium onium hydride hydroxide
-oxide peroxide sulfide anhydride hydrate carbonate hydrogen idine azine azole ole ano anol anal anone
-anoic eno onic uric aric itol ane inic onate inate ous
+idene amine amide imide imine nitrile ose ulose ide ate ite ic ous ine in ium onium hydride
+hydroxide oxide peroxide sulfide anhydride hydrate carbonate hydrogen idine azine azole ole ano anol
+anal anone anoic eno onic uric aric itol ane inic onate inate ous
 """
 _PARTS = frozenset(" ".join((_ELEMENTS, _COUNTS, _STEMS, _GROUPS, _ENDINGS)).split())
 _LONGEST = max(map(len, _PARTS))
