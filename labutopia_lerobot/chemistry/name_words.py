@@ -60,7 +60,7 @@ _SERIES = (
     (
         "sulf chlor brom iod nitr phosph fluor selen tellur arsen cyan chrom perchlor perbrom "
         "period hypochlor hypobrom hypoiod thiosulf thiocyan bisulf silic bor carb azid antimon "
-        "bismuth vanad molybd tungst mangan permangan alumin stann plumb zinc ferr titan zircon",
+        "bismuth vanad molybd tungst alumin stann plumb zinc ferr titan zircon",
         "ide ite ate",
     ),
     (
@@ -74,6 +74,7 @@ _SERIES = (
         "gallic pic picr",
         "ic ate ate",
     ),
+    ("mangan permangan manganes", "ate ic ous"),
     ("tolu xyl benz styr naphthal pyrid anil pyrrol quinol", "ene ine ole idine"),
     ("gluc fruct galact mann rib arabin xyl lact malt sucr cellul", "ose itol"),
     ("chlor brom iod fluor", "ine o obenzene oform omethane oethane"),
