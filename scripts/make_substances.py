@@ -1,4 +1,4 @@
-"""`python scripts/make_substances.py`: `docs/substances.md`, every compound of the chemical table."""
+"""`python scripts/make_substances.py`: `docs/substances.md`, every compound of the table."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -43,12 +43,13 @@ def _lines() -> Iterator[str]:
     yield "[To the README](../README.md)"
     yield ""
     yield "Made by `python scripts/make_substances.py` from"
-    yield "`labutopia_lerobot/chemistry/data/substances.json`; do not edit. The file has more of each:"
-    yield "enthalpies of formation, heat capacities, viscosities, absorption maxima, colours as sRGB,"
-    yield "synonyms, hazard statements, and the source of every value."
+    yield "`labutopia_lerobot/chemistry/data/substances.json`; do not edit. The file has more"
+    yield "of each: enthalpies of formation, heat capacities, viscosities, absorption maxima, colours as"
+    yield "sRGB, synonyms, hazard statements, and the source of every value."
     yield ""
-    yield f"{len(everything.substances)} compounds, {len(everything.ions)} dissolved species. All is at"
-    yield "25 °C and 101,325 Pa; solubilities are per litre of water. What is not known is left out."
+    count = f"{len(everything.substances)} compounds, {len(everything.ions)} dissolved species."
+    yield f"{count} All is at 25 °C and"
+    yield "101,325 Pa; solubilities are per litre of water. What is not known is left out."
     for title, chosen in _chapters(everything.substances):
         yield from ("", f"## {title}", "", f"| {' | '.join(_HEAD)} |", "| --- " * len(_HEAD) + "|")
         for one in sorted(chosen, key=lambda one: one.name.lower()):
