@@ -44,7 +44,7 @@ def test_a_formula_is_its_compound_or_lists_its_isomers():
 
 
 def test_a_slip_never_turns_one_compound_into_another():
-    """Three random slips in every word of every name."""
+    """Two random slips in every word of every name."""
     rng = np.random.default_rng(11)
     tried = mended = 0
     for one in TABLE:
@@ -52,7 +52,7 @@ def test_a_slip_never_turns_one_compound_into_another():
             written = list(words(name))
             for at, word in enumerate(written):
                 slips = sorted(set(one_slip_away(word)) - {word, ""})
-                for slip in rng.choice(slips, size=3):
+                for slip in rng.choice(slips, size=2):
                     text = " ".join([*written[:at], str(slip), *written[at + 1 :]])
                     other = resolved(text)
                     exact = other is not None and words(text) in {
