@@ -61,7 +61,7 @@ def test_a_slip_never_turns_one_compound_into_another():
                     assert other in (None, one) or exact or resolves_as_formula(text), text
                     if len(word) >= SHORTEST_WITH_SLIPS + 1:
                         tried, mended = tried + 1, mended + (other is one)
-    assert mended / tried > 0.8
+    assert mended / tried > 0.7
 
 
 def resolves_as_formula(text: str) -> bool:
@@ -128,6 +128,9 @@ def test_what_could_be_several_is_not_guessed(text, candidates):
         "6-propanol",
         "3-butanone",
         "D-lactic acid",
+        "prenol",
+        "menthane",
+        "(-)-tartaric acid",
     ],
 )
 def test_a_real_or_possible_compound_that_is_not_here_is_unknown(text):
