@@ -87,8 +87,7 @@ KIN = frozenset(_ELEMENTS.split()) | {
 """Words of chemicals that a misspelt word may just as well have been."""
 
 
-_OTHERS = frozenset(
-    """
+_OTHER_NAMES = """
 abine acetoine acetoxy alacine anilino arine arpon batyl brominex brotane burine butanex carbazide
 carbinom carbizol carbona cardinol carvon celestene celestone chlordane chopper cooper diazale
 diazan diazene diron ethazol ethrane ethysene florane florite formarin fortalin gexane glutimic
@@ -98,12 +97,14 @@ naphthacene natac natrin naturon navron nitex nitrek nitrex nitrofen nitron nitr
 oxirane oxocane pentrane phenod phosphino phosphonous prenol prenyl prenylamine propanex propazone
 prophene propiolic pyridione pyrodine rutine silicea silicom silvex stone sulfana suxar thfam
 tichlor tiron titanio trilite tropane tropanone tropene
-""".split()
-)
+"""
 """Names of other chemicals and products that are one slip away from a word of the table.
 
 Source: the names of all compounds in the package `chemicals` 1.5.2.
 """
+
+
+_OTHERS = frozenset(_OTHER_NAMES.split())
 
 
 def is_chemical(word: str) -> bool:

@@ -3,8 +3,9 @@
 Taken, in this order: an id, a CAS number, a formula, a name or synonym in any case, spacing,
 hyphenation and spelling (sulphate, aluminium), then the same with slips. A slip is one letter too
 many, missing, wrong, or swapped with its neighbour: one in each word of five letters or more, not
-its first. Numerals and shorter words have none. A word that is a chemical's (`name_words`) is never a slip,
-and a slip that could be mended in two ways is not mended: one compound never turns into another.
+its first. Numerals and shorter words have none. A word that is a chemical's (`name_words`) is
+never a slip, and a slip that could be mended in two ways is not mended: one compound never turns
+into another.
 """
 
 import difflib

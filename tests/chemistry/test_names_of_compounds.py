@@ -44,10 +44,10 @@ def test_a_formula_is_its_compound_or_lists_its_isomers():
 
 
 def test_a_slip_never_turns_one_compound_into_another():
-    """Two random slips in every word of every name."""
+    """Two random slips in every word of every third compound's names."""
     rng = np.random.default_rng(11)
     tried = mended = 0
-    for one in TABLE:
+    for one in TABLE[::3]:
         for name in (one.name, *one.synonyms[:1]):
             written = list(words(name))
             for at, word in enumerate(written):
