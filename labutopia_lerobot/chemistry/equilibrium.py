@@ -190,7 +190,7 @@ def _solve(constants, species, phase_constants, phases, totals, longest):  # typ
         slack[p] = max(-saturation, 1.0)
         amounts[p] = 0.1 * largest / slack[p]
     matrix, step = np.empty((components, components)), np.empty(components)
-    for iteration in range(_MOST_STEPS):
+    for _ in range(_MOST_STEPS):
         _balance(constants, species, totals, x, concentrations, residual, scale)
         complementarity = 0.0
         error = 0.0
