@@ -1,10 +1,10 @@
 """From what a person writes to the one compound that is meant.
 
-Taken, in this order: an id, a CAS number, a formula, a name or synonym in any case, spaces, hyphens
-and either spelling (sulphate, aluminium), then the same with slips. A slip is one letter too many,
-missing, wrong, or swapped with its neighbour: one in each word of five letters or more. Numerals and
-shorter words have none. A word that is a chemical's (`name_words`) is never a slip, and a slip that
-could be mended in two ways is not mended: one real compound never turns into another.
+Taken, in this order: an id, a CAS number, a formula, a name or synonym in any case, spacing,
+hyphenation and spelling (sulphate, aluminium), then the same with slips. A slip is one letter too
+many, missing, wrong, or swapped with its neighbour: one in each word of five letters or more.
+Numerals and shorter words have none. A word that is a chemical's (`name_words`) is never a slip,
+and a slip that could be mended in two ways is not mended: one compound never turns into another.
 """
 
 import difflib
@@ -19,7 +19,7 @@ from functools import cache
 
 from labutopia_lerobot.chemistry.errors import AmbiguousCompoundError, UnknownCompoundError
 from labutopia_lerobot.chemistry.formula import Formula, FormulaError, parse
-from labutopia_lerobot.chemistry.name_words import made_of_parts
+from labutopia_lerobot.chemistry.name_words import KIN, made_of_parts
 from labutopia_lerobot.chemistry.substance import Substance, substances
 
 type _Words = tuple[str, ...]
@@ -61,15 +61,15 @@ def resolve(text: str) -> Substance:
     wanted = unicodedata.normalize("NFC", text).strip()
     if not wanted or len(wanted) > _LONGEST_TEXT:
         raise UnknownCompoundError(
-            f"a compound's name has 1 to {_LONGEST_TEXT} letters, this one {len(wanted)}. Name one, "
-            "for example 'sodium chloride'"
+            f"a compound's name has 1 to {_LONGEST_TEXT} letters, this one {len(wanted)}. "
+            "Name one, for example 'sodium chloride'"
         )
-    found = _by_number(wanted) or _by_formula(wanted) or _by_name(wanted)
-    if not found:
+    ids = _by_number(wanted) or _by_formula(wanted) or _by_name(wanted)
+    if not ids:
         raise UnknownCompoundError(f"compound {wanted!r} is unknown.{_near(wanted)}")
-    if len(found) > 1:
-        raise _ambiguous(wanted, found)
-    return substances()[next(iter(found))]
+    if len(ids) > 1:
+        raise _ambiguous(wanted, ids)
+    return substances()[next(iter(ids))]
 
 
 def _ambiguous(wanted: str, ids: Iterable[str], why: str = "") -> AmbiguousCompoundError:
@@ -92,8 +92,8 @@ def _near(wanted: str) -> str:
 def _by_number(wanted: str) -> frozenset[str]:
     if wanted.lower() in substances():
         return frozenset({wanted.lower()})
-    found = _CAS.fullmatch(wanted) and _index().cas.get(wanted)
-    return frozenset({found} if found else ())
+    numbered = _CAS.fullmatch(wanted) and _index().cas.get(wanted)
+    return frozenset({numbered} if numbered else ())
 
 
 def _by_formula(wanted: str) -> frozenset[str]:
@@ -103,12 +103,12 @@ def _by_formula(wanted: str) -> frozenset[str]:
         return frozenset()
     if formula.charge:
         raise UnknownCompoundError(
-            f"{wanted!r} is an ion, and no compound is made of it alone. Name a compound that has it"
+            f"{wanted!r} is an ion, no compound is made of it alone. Name a compound that has it"
         )
     same = _index().formulas.get(formula.text, frozenset())
-    return same or (
-        _index().atoms.get(_composition(formula), same) if _molecular(formula) else same
-    )
+    if same or not _molecular(formula):
+        return same
+    return _index().atoms.get(_composition(formula), same)
 
 
 def _molecular(formula: Formula) -> bool:
@@ -130,16 +130,19 @@ def _by_name(wanted: str) -> frozenset[str]:
     readings = list(itertools.islice(itertools.product(*choices), 65))
     if len(readings) > 64 or readings == [written]:
         return frozenset()
-    found = frozenset[str]().union(*(_of_words(wanted, reading) for reading in readings))
-    if found and len(readings) > 1:
-        raise _ambiguous(
-            wanted, found, f", it is misspelt ({' or '.join(map(' '.join, readings))})"
-        )
-    return found
+    ids = frozenset[str]().union(*(_of_words(wanted, reading) for reading in readings))
+    if ids and len(readings) > 1:
+        either = " or ".join(map(" ".join, readings))
+        raise _ambiguous(wanted, ids, f", it is misspelt ({either})")
+    return ids
 
 
 def _of_words(wanted: str, written: _Words) -> frozenset[str]:
-    """Return what has this name; without its numeral, of which there may be others, it is unclear."""
+    """Return what has this name.
+
+    Raises:
+        AmbiguousCompoundError: It lacks the numeral: there may be others.
+    """
     key = _key(written)
     exact = _index().names.get(key, frozenset())
     if not exact and key in _index().unnumbered:
@@ -152,7 +155,7 @@ def _mended(word: str) -> list[str]:
     known = _index().words
     if len(word) < SHORTEST_WITH_SLIPS or word in known or made_of_parts(word):
         return [word]
-    near = {other for other in one_slip_away(word) if other in known or made_of_parts(other)}
+    near = {other for other in one_slip_away(word) if other in known or other in KIN}
     return sorted(near) or [word]
 
 
@@ -171,8 +174,8 @@ def one_slip_away(word: str) -> Iterator[str]:
 def words(name: str) -> _Words:
     """Return the words of a name in one spelling, numbers as words of their own."""
     plain = unicodedata.normalize("NFKC", name).casefold()
-    for letter, spelt in _GREEK.items():
-        plain = plain.replace(letter, spelt)
+    for letter, latin in _GREEK.items():
+        plain = plain.replace(letter, latin)
     for ours, other in ((numeral, f"({n}+)") for n, numeral in enumerate(_NUMERALS, 1)):
         plain = plain.replace(other, f"({ours})")
     for british, american in _SPELLINGS:

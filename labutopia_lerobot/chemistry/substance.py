@@ -154,7 +154,7 @@ class Substance(_Record):
         ions: What a formula unit gives in water, by formula of the ion or of a molecule; empty if
             it dissolves as it is, or not at all, or reacts.
         appearance: What one sees, in words.
-        phase: At 25 C and 101,325 Pa.
+        phase: At 25 C and 101,325 Pa; None for what exists only in water.
         density: At 25 C, of a gas at 101,325 Pa [kg/m^3].
         melting_point: [K].
         boiling_point: At 101,325 Pa [K].
@@ -188,7 +188,7 @@ class Substance(_Record):
     smiles: str | None = None
     ions: Mapping[str, int] = {}
     appearance: str | None = None
-    phase: Matter
+    phase: Matter | None
     density: float | None = _si("kg/m^3", above=0)
     melting_point: float | None = _si("K", above=0)
     boiling_point: float | None = _si("K", above=0)
