@@ -23,6 +23,8 @@ WATER = "H2O(l)"
 PROTON = "H^+(aq)"
 HYDROXIDE = "OH^-(aq)"
 
+LETTERS: Mapping[str, SpeciesPhase] = {"solid": "s", "liquid": "l", "gas": "g"}
+
 _LN10 = math.log(10)
 
 
@@ -144,7 +146,8 @@ class Network:
             only_dissolves=record.only_dissolves,
         )
         self.species[key] = one
-        self.by_composition.setdefault(_fingerprint(composition, record.phase), key)
+        if record.provenance:  # of the file: a substance that is only an isomer is another one
+            self.by_composition.setdefault(_fingerprint(composition, record.phase), key)
         return one
 
     def dissolved(self, formula: str) -> Species:
@@ -162,9 +165,7 @@ class Network:
         return self.by_composition.get(_fingerprint(parse(formula), phase))
 
 
-def _fingerprint(
-    composition: Formula, phase: str
-) -> tuple[frozenset[tuple[str, int]], int, str]:
+def _fingerprint(composition: Formula, phase: str) -> tuple[frozenset[tuple[str, int]], int, str]:
     return frozenset(composition.atoms.items()), composition.charge, phase
 
 
@@ -279,15 +280,19 @@ def without_water(made: Network, formula: str) -> str | None:
 
 def _add_pure(made: Network, substance: Substance) -> None:
     """Add the pure substance as a phase, with its solubility where that is known."""
-    phase: SpeciesPhase = {"solid": "s", "liquid": "l", "gas": "g"}[substance.phase]  # type: ignore[assignment]
-    if substance.formula == "H2O" or made.same(substance.formula, phase) is not None:
+    if substance.phase is None or substance.formula == "H2O":
+        return
+    phase = LETTERS[substance.phase]
+    if made.same(substance.formula, phase) is not None:
         return
     parts: dict[str, int] = {}
     log_k = 0.0
     molar = None
-    if isinstance(substance.solubility, float | int) and substance.solubility > 0:
+    if substance.solubility == "miscible":
+        molar = _MISCIBLE
+    elif substance.solubility:
         molar = substance.solubility / substance.molar_mass / 1000.0
-    if substance.ions and phase == "s":
+    if substance.ions:
         ions = dict(substance.ions)
         moving = {name: n for name, n in ions.items() if name != "H2O"}
         if substance.log_ksp is not None:
@@ -313,6 +318,9 @@ def _add_pure(made: Network, substance: Substance) -> None:
         )
     )
 
+
+_MISCIBLE = 100.0
+"""Counts as the solubility of what mixes with water in every proportion [mol/l]."""
 
 _ASSUMED_SOLUBILITY = 3.0
 """Of a salt that dissolves and whose solubility the table does not know [mol/l]; an estimate."""

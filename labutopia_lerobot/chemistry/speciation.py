@@ -1,6 +1,7 @@
 """Which species a solution holds once everything that is fast has come to equilibrium."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -17,11 +18,19 @@ from labutopia_lerobot.chemistry.network import (
     network,
 )
 
-ESCAPE_PRESSURE = {"CO2(g)": 0.1, "NH3(g)": 0.004}
-"""Pressure at which a gas leaves an open, stirred vessel [bar]; estimates of ours. Carbon dioxide
-leaves in bubbles, ammonia is smelt but leaves only when warm or concentrated."""
+_WARM = 320.0
+"""Temperature from which an open vessel loses ammonia within minutes [K]; an estimate of ours."""
 
-_OTHER_ESCAPE_PRESSURE = 0.01
+
+def escape_pressure(gas: str, temperature: float) -> float:
+    """Return the pressure at which a gas leaves an open, stirred vessel [bar]; estimates of ours.
+
+    Carbon dioxide leaves in bubbles; ammonia is smelt, but leaves only when warm or concentrated.
+    """
+    if gas == "NH3(g)":
+        return 0.004 if temperature > _WARM else 0.1
+    return 0.1 if gas == "CO2(g)" else 0.01
+
 
 _TRACE = 1e-25
 """Amount below which a species is left out of the answer [mol]."""
@@ -40,7 +49,12 @@ class _Selection:
 
 
 def settle(
-    amounts: dict[str, float], volume: float, temperature: float, *, open_system: bool
+    amounts: Mapping[str, float],
+    volume: float,
+    temperature: float,
+    *,
+    open_system: bool,
+    ph: float | None = None,
 ) -> dict[str, float]:
     """Return the amounts of species at equilibrium, oxidation numbers unchanged.
 
@@ -49,6 +63,7 @@ def settle(
         volume: Of the solution [m^3].
         temperature: [K].
         open_system: Whether gases leave at their escape pressure, else at 1 bar.
+        ph: What a buffer that is not modelled holds; protons are not conserved then.
 
     Raises:
         NoEquilibriumError: None was reached.
@@ -67,7 +82,7 @@ def settle(
     totals.setdefault(PROTON, 0.0)
     present = frozenset(name for name, n in totals.items() if n > 0.0 or name == PROTON)
     dissolving = frozenset(k for k in amounts if k in made and made[k].only_dissolves)
-    chosen = _select(present, dissolving, round(temperature, 6), open_system)
+    chosen = _select(present, dissolving, round(temperature, 6), open_system, ph)
     right = np.array([totals[name] / litres for name in chosen.components])
     possible = _possible(chosen, right)
     answer = solve(
@@ -77,10 +92,10 @@ def settle(
         np.ascontiguousarray(chosen.phase_matrix[possible]),
         right,
     )
-    for one, concentration in zip(chosen.dissolved, answer.concentrations, strict=True):
+    for one, concentration in zip(chosen.dissolved, answer.concentrations.tolist(), strict=True):
         kept[one.key] = concentration * litres
         water -= one.components.get(WATER, 0.0) * concentration * litres
-    for index, amount in zip(possible, answer.phases, strict=True):
+    for index, amount in zip(possible, answer.phases.tolist(), strict=True):
         one = chosen.phases[index]
         if amount > 0.0:
             kept[one.key] = amount * litres
@@ -103,7 +118,11 @@ def _takes_part(key: str) -> bool:
 
 @lru_cache(maxsize=4096)
 def _select(
-    present: frozenset[str], dissolving: frozenset[str], temperature: float, open_system: bool
+    present: frozenset[str],
+    dissolving: frozenset[str],
+    temperature: float,
+    open_system: bool,
+    ph: float | None,
 ) -> _Selection:
     allowed = present | {WATER}
     chosen = [
@@ -116,7 +135,7 @@ def _select(
     ]
     dissolved = tuple(one for one in chosen if one.phase == "aq")
     phases = tuple(one for one in chosen if one.phase != "aq")
-    components = tuple(sorted(present))
+    components = tuple(sorted(present if ph is None else present - {PROTON}))
 
     def matrix(rows: tuple[Species, ...]) -> NDArray[np.float64]:
         numbers = [[one.components.get(name, 0.0) for name in components] for one in rows]
@@ -125,7 +144,9 @@ def _select(
     def constant(one: Species) -> float:
         log_k = log_k_at(one, temperature) * math.log(10)
         if one.phase == "g" and open_system:
-            log_k -= math.log(ESCAPE_PRESSURE.get(one.key, _OTHER_ESCAPE_PRESSURE))
+            log_k -= math.log(escape_pressure(one.key, temperature))
+        if ph is not None:
+            log_k -= one.components.get(PROTON, 0.0) * ph * math.log(10)
         return log_k
 
     return _Selection(
