@@ -37,7 +37,7 @@ _WORD = re.compile(r"[a-z]+|\d+")
 
 @dataclass(frozen=True)
 class _Index:
-    """Ids of the compounds that each way of writing stands for."""
+    """Ids of the compounds that each way of writing stands for, and how names are written."""
 
     names: Mapping[str, frozenset[str]]
     unnumbered: Mapping[str, frozenset[str]]
@@ -45,6 +45,7 @@ class _Index:
     formulas: Mapping[str, frozenset[str]]
     atoms: Mapping[frozenset[tuple[str, int]], frozenset[str]]
     words: frozenset[str]
+    written: Mapping[str, str]
 
 
 def resolve(text: str) -> Substance:
@@ -82,10 +83,10 @@ def _ambiguous(wanted: str, ids: Iterable[str], why: str = "") -> AmbiguousCompo
 
 def _near(wanted: str) -> str:
     """Return a sentence with near names, or with where all are listed."""
-    by_key = {_key(words(name)): name for one in substances().values() for name in _names(one)}
-    near = difflib.get_close_matches(_key(words(wanted)), by_key, n=4, cutoff=0.6)
+    written = _index().written
+    near = difflib.get_close_matches(_key(words(wanted)), written, n=4, cutoff=0.6)
     if near:
-        return f" Near names: {', '.join(by_key[key] for key in near)}"
+        return f" Near names: {', '.join(written[key] for key in near)}"
     return " docs/substances.md lists all compounds"
 
 
@@ -208,8 +209,11 @@ def _index() -> _Index:
     formulas: dict[str, set[str]] = defaultdict(set)
     atoms: dict[frozenset[tuple[str, int]], set[str]] = defaultdict(set)
     vocabulary: set[str] = set()
+    shown: dict[str, str] = {}
     for one in substances().values():
-        for written in map(words, _names(one)):
+        for name in _names(one):
+            written = words(name)
+            shown.setdefault(_key(written), name)
             vocabulary.update(written)
             names[_key(written)].add(one.id)
             bare = tuple(word for word in written if word not in _NUMERALS)
@@ -222,9 +226,14 @@ def _index() -> _Index:
     cas = {one.cas: one.id for one in substances().values() if one.cas}
     vocabulary = {word for word in vocabulary if not word.isdigit()}
     return _Index(
-        _frozen(names), _frozen(unnumbered), cas, _frozen(formulas), _frozen(atoms),
+        _frozen(names),
+        _frozen(unnumbered),
+        cas,
+        _frozen(formulas),
+        _frozen(atoms),
         frozenset(vocabulary),
-    )  # fmt: skip
+        shown,
+    )
 
 
 def _frozen[Key](sets: Mapping[Key, set[str]]) -> dict[Key, frozenset[str]]:
