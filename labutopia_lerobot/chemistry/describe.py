@@ -21,11 +21,14 @@ from labutopia_lerobot.chemistry.rules import (
     precipitation,
 )
 
-_RULES = (precipitation, gas_evolution, complexation, dissolution, hydrolysis, neutralization)
+_RULES = (hydrolysis, precipitation, gas_evolution, complexation, dissolution, neutralization)
 """In this order: the first that explains a reaction names it."""
 
 _WORTH_SAYING = 0.02
 """Part of a reactant that has to react for a reaction to be listed; an estimate of ours."""
+
+_LEAST_HYDROLYSIS = 5e-6
+"""The same for hydrolysis of a salt in water, which one sees by its pH; an estimate of ours."""
 
 _SOLUTION_FIRST = 10.0
 """How much a dissolved reactant counts before a solid of the same amount; an estimate of ours."""
@@ -74,17 +77,54 @@ def describe(
             ),
             default=0.0,
         )
-        if used < _WORTH_SAYING:
-            continue
         one = _named(Change(balanced, extent, "", "", used=min(used, 1.0)))
-        if alone or one.kind != hydrolysis.KIND or _is_solid_hydrolysis(one):
+        if _is_worth_saying(one, alone=alone):
             found.append(one)
-    found.sort(key=lambda one: -_size(one))
-    return found
+    found.sort(key=lambda one: -_weight(one))
+    return _fullest_complexes(found)
 
 
-def _size(one: Change) -> float:
-    return one.extent * (0.1 if one.kind in (hydrolysis.KIND, dissolution.KIND) else 1.0)
+def _is_worth_saying(one: Change, *, alone: bool) -> bool:
+    if one.kind == hydrolysis.KIND and not _is_solid_hydrolysis(one):
+        return alone and one.used > _LEAST_HYDROLYSIS
+    if one.kind == complexation.KIND and alone:
+        return False  # of a salt's own ions: it did not meet anything
+    return one.used > _WORTH_SAYING
+
+
+def _weight(one: Change) -> float:
+    """Return how early a reaction is listed: what one sees counts thrice, water a tenth."""
+    seen = {precipitation.KIND: 3.0, gas_evolution.KIND: 3.0}
+    rest = {hydrolysis.KIND: 0.1, dissolution.KIND: 0.1}
+    return one.extent * seen.get(one.kind, 1.0) * rest.get(one.kind, 1.0)
+
+
+def _fullest_complexes(found: list[Change]) -> list[Change]:
+    """Leave of the steps of one metal with one ligand that with most ligands which matters."""
+    made = network().species
+    kept = list(found)
+    for one in found:
+        parts = _complex_parts(one)
+        rivals = [other for other in found if parts and _complex_parts(other) == parts]
+        most = max((other.extent for other in rivals), default=0.0)
+        ranked = [other for other in rivals if other.extent >= 0.25 * most]
+        if ranked:
+            best = max(
+                ranked, key=lambda o: max(sum(made[k].components.values()) for k in o.products)
+            )
+            if one is not best:
+                kept.remove(one)
+    return kept
+
+
+def _complex_parts(one: Change) -> frozenset[str]:
+    """Return the components of the complex that forms, or nothing if none does."""
+    made = network().species
+    if one.kind != complexation.KIND:
+        return frozenset()
+    return frozenset(
+        part for key in one.products if made[key].is_complex for part in made[key].components
+    )
 
 
 def _is_solid_hydrolysis(one: Change) -> bool:

@@ -152,8 +152,8 @@ class Network:
 
     def dissolved(self, formula: str) -> Species:
         """Return a dissolved species, or water, by formula; an unknown one becomes a component."""
-        key = WATER if formula == "H2O" else f"{formula}(aq)"
-        if key in self.species:
+        key = WATER if formula == "H2O" else self.same(formula, "aq")
+        if key is not None:
             return self.species[key]
         return self.add(_ion_record(formula))
 

@@ -6,10 +6,10 @@ constants. `docs/chemistry.md` says which, and what they do not know.
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from labutopia_lerobot.chemistry import colour, observe
-from labutopia_lerobot.chemistry.change import Change
+from labutopia_lerobot.chemistry.change import Change, whole, with_acid_of
 from labutopia_lerobot.chemistry.describe import describe
 from labutopia_lerobot.chemistry.errors import ImpossibleConditionsError
 from labutopia_lerobot.chemistry.hazards import Charge, refuse
@@ -27,7 +27,7 @@ from labutopia_lerobot.chemistry.reaction import (
     Yield,
 )
 from labutopia_lerobot.chemistry.rules import indicator, known, redox
-from labutopia_lerobot.chemistry.rules.step import Step
+from labutopia_lerobot.chemistry.rules.step import Step, in_what_is_there
 from labutopia_lerobot.chemistry.speciation import ph_of, settle
 from labutopia_lerobot.chemistry.substance import Substance
 
@@ -175,10 +175,17 @@ def _first_step(
     present = vessel.catalysts | {key.removesuffix("(aq)") for key in settled}
     pool = settled if vessel.is_wet else state
     for step in known.steps(pool, temperature=vessel.temperature, ph=ph, catalysts=present):
-        done = _done(step, state)
+        done = _done(_in_solution(step, state) if vessel.is_wet else step, state)
         if done is not None:
             return done
     return None
+
+
+def _in_solution(step: Step, state: Mapping[str, float]) -> Step:
+    """Return a step with the forms, the acid and the base that the solution holds."""
+    numbers = with_acid_of(in_what_is_there(step.coefficients, state), state, 14.0)
+    balanced = None if numbers is None else whole(numbers)
+    return step if balanced is None else replace(step, coefficients=balanced)
 
 
 def _done(step: Step, state: Mapping[str, float]) -> Change | None:

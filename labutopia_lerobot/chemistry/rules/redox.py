@@ -169,6 +169,7 @@ def steps(
             continue
         voltage = _potential(pair.taker, ph, settled, temperature)
         voltage -= _potential(pair.giver, ph, settled, temperature)
+        voltage += _plenty(pair.giver, settled, litres, temperature)
         if voltage > _LEAST_VOLTAGE:
             found.append((voltage, pair))
     found.sort(key=lambda one: -one[0])
@@ -210,6 +211,15 @@ def _potential(
     potential = couple.record.potential - decade * (protons * ph - 14.0 * basic)
     potential += decade * _free(couple.oxidised, settled) - decade * _free(couple.reduced, settled)
     return potential - (_ESCAPE_VOLTAGE if couple.record.least.get("Cl^-") else 0.0)
+
+
+def _plenty(
+    couple: Couple, settled: Mapping[str, float], litres: float, temperature: float
+) -> float:
+    """Return what more than 1 mol/l of the reduced form adds, in concentrated acids [V]."""
+    molar = max(settled.get(couple.reduced, 0.0) / litres, 1.0)
+    times = couple.coefficients.get(couple.reduced, 0) / couple.electrons
+    return _NERNST * temperature * times * math.log10(molar)
 
 
 def _free(key: str, settled: Mapping[str, float]) -> float:
