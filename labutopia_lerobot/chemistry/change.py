@@ -57,6 +57,11 @@ def _side(coefficients: Mapping[str, int], sign: int) -> str:
 def whole(coefficients: Mapping[str, float]) -> dict[str, int] | None:
     """Return the smallest whole numbers in these ratios, or None if there are none below 100."""
     largest = max((abs(n) for n in coefficients.values()), default=0.0)
+    near = {key: round(n) for key, n in coefficients.items() if round(n)}
+    if near and all(abs(n - near.get(key, 0)) < 1e-9 for key, n in coefficients.items()):
+        divisor = math.gcd(*near.values())
+        near = {key: n // divisor for key, n in near.items()}
+        return near if max(map(abs, near.values())) <= 100 and is_balanced(near) else None
     kept = {key: n for key, n in coefficients.items() if abs(n) > 1e-7 * largest}
     if not kept:
         return None

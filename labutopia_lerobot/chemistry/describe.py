@@ -53,6 +53,7 @@ def describe(
     }
     basis = _basis(before, after, rows, len(components))
     matrix = np.array([rows[key] for key in basis]).T
+    inverse = np.linalg.pinv(matrix)
     found: list[Change] = []
     for key in names:
         change = after.get(key, 0.0) - before.get(key, 0.0)
@@ -60,8 +61,8 @@ def describe(
             continue
         if change > 0 and before.get(key, 0.0) > 0 and key in (PROTON, HYDROXIDE):
             continue
-        parts, *_ = np.linalg.lstsq(matrix, rows[key], rcond=None)
-        if not np.allclose(matrix @ parts, rows[key], atol=1e-9):
+        parts = inverse @ rows[key]
+        if np.abs(matrix @ parts - rows[key]).max() > 1e-9:
             continue
         numbers = {part: -n for part, n in zip(basis, parts.tolist(), strict=True)}
         numbers[key] = 1.0
@@ -150,8 +151,11 @@ def _basis(
     def weight(key: str) -> float:
         return before[key] * (_SOLUTION_FIRST if key.endswith("(aq)") else 1.0)
 
+    def weight_after(key: str) -> float:
+        return after[key] * (_SOLUTION_FIRST if key in (PROTON, HYDROXIDE) else 1.0)
+
     first = sorted((key for key in before if key in rows), key=weight, reverse=True)
-    later = sorted((k for k in after if k in rows and k not in before), key=lambda k: -after[k])
+    later = sorted((k for k in after if k in rows and k not in before), key=weight_after)[::-1]
     chosen: list[str] = []
     reduced: list[NDArray[np.float64]] = []
     for key in [WATER, *first, *later]:

@@ -9,8 +9,8 @@ from typing import Any
 from labutopia_lerobot.chemistry import colour
 from labutopia_lerobot.chemistry.errors import HazardRefusedError
 from labutopia_lerobot.chemistry.formula import parse
-from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion
 from labutopia_lerobot.chemistry.react import react
+from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion
 
 _FILE = Path(__file__).with_name("reference_reactions.json")
 
