@@ -132,21 +132,39 @@ def proceed(before: Mapping[str, float], vessel: Vessel) -> tuple[dict[str, floa
         vessel: Where it happens.
     """
     state = {key: before[key] for key in sorted(before)}
-    changes: list[Change] = []
+    steps: list[Change] = []
+    equilibria: list[Change] = []
     settled = _settled(state, vessel)
     for _ in range(_MOST_STEPS):
         done = _first_step(state, settled, vessel)
+        if done is None and vessel.is_wet and state != settled:
+            done = _first_step(settled, settled, vessel)  # with what came into solution only now
+            if done is not None:
+                equilibria += describe(state, settled, alone=False)
+                state = dict(settled)
         if done is None:
             break
         for key, n in done.coefficients.items():
             left = state.get(key, 0.0) + n * done.extent
             state[key] = left if abs(left) > 1e-13 * done.extent else 0.0
         state = {key: mol for key, mol in state.items() if mol}
-        changes.append(done)
+        _join(steps, done)
         settled = _settled(state, vessel)
     if vessel.is_wet:
-        changes += describe(state, settled, alone=vessel.alone and not changes)
-    return settled, changes
+        equilibria += describe(state, settled, alone=vessel.alone and not steps)
+    for one in equilibria:
+        _join(steps, one)
+    return settled, steps
+
+
+def _join(changes: list[Change], one: Change) -> None:
+    """Add a reaction to the list, or its extent to the same reaction that is there."""
+    for index, other in enumerate(changes):
+        if other.coefficients == one.coefficients:
+            used = max(other.used, one.used)
+            changes[index] = replace(other, extent=other.extent + one.extent, used=used)
+            return
+    changes.append(one)
 
 
 def _settled(state: Mapping[str, float], vessel: Vessel) -> dict[str, float]:
