@@ -278,12 +278,24 @@ def _solve(
     active = np.empty(limits, dtype=np.bool_)
     for p in range(limits):
         active[p] = amounts[p] > slack[p] * 1e-6 * largest
+    inside, inside_amounts = x.copy(), amounts.copy()
     for _ in range(2 * limits + 4):
         solved = _polish(
             constants, species, phase_constants, phases, totals, x, amounts, active, longest
         )
-        if not solved:
-            return x, amounts, False
+        if not solved:  # two phases that hardly differ: leave out the one there is least of
+            least = -1
+            for p in range(limits):
+                if active[p] and (least < 0 or inside_amounts[p] < inside_amounts[least]):
+                    least = p
+            if least < 0:
+                return x, amounts, False
+            active[least] = False
+            for i in range(components):
+                x[i] = inside[i]
+            for p in range(limits):
+                amounts[p] = inside_amounts[p]
+            continue
         worst, which, joins = 1e-11, -1, False
         for p in range(limits):
             if active[p]:
