@@ -66,23 +66,31 @@ def describe(
             continue
         numbers = {part: -n for part, n in zip(basis, parts.tolist(), strict=True)}
         numbers[key] = 1.0
-        balanced = whole({k: (n if change > 0 else -n) for k, n in numbers.items()})
+        signed = {k: (n if change > 0 else -n) for k, n in numbers.items()}
+        if _used(signed, abs(change), before) <= (_LEAST_HYDROLYSIS if alone else _WORTH_SAYING):
+            continue
+        balanced = whole(signed)
         if balanced is None:
             continue
         extent = abs(change) / abs(balanced[key])
-        used = max(
-            (
-                -n * extent / before[k]
-                for k, n in balanced.items()
-                if n < 0 and k != WATER and before.get(k, 0.0) > 0
-            ),
-            default=0.0,
-        )
+        used = _used(balanced, extent, before)
         one = _named(Change(balanced, extent, "", "", used=min(used, 1.0)))
         if _is_worth_saying(one, alone=alone):
             found.append(one)
     found.sort(key=lambda one: -_weight(one))
     return _fullest_complexes(found)
+
+
+def _used(coefficients: Mapping[str, float], extent: float, before: Mapping[str, float]) -> float:
+    """Return the largest part of a reactant that a reaction uses up."""
+    return max(
+        (
+            -n * extent / before[key]
+            for key, n in coefficients.items()
+            if n < -1e-9 and key != WATER and before.get(key, 0.0) > 0.0
+        ),
+        default=0.0,
+    )
 
 
 def _is_worth_saying(one: Change, *, alone: bool) -> bool:

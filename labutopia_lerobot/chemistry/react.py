@@ -7,6 +7,7 @@ constants. `docs/chemistry.md` says which, and what they do not know.
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from labutopia_lerobot.chemistry import colour, observe
 from labutopia_lerobot.chemistry.change import Change, whole, with_acid_of
@@ -96,8 +97,8 @@ def react(
     if not meant:
         raise ImpossibleConditionsError("nothing is poured in. Name at least one compound")
     _check(meant, conditions)
-    compounds = [resolve(one.compound) for one in meant]
-    catalysts = [resolve(name) for name in conditions.catalysts]
+    compounds = [_resolved(one.compound) for one in meant]
+    catalysts = [_resolved(name) for name in conditions.catalysts]
     doses = sorted(
         (_dose(one, compound, conditions) for one, compound in zip(meant, compounds, strict=True)),
         key=lambda dose: (dose[0].id, dose[1], dose[2]),
@@ -231,6 +232,11 @@ def _done(step: Step, state: Mapping[str, float]) -> Change | None:
     )
 
 
+@lru_cache(maxsize=4096)
+def _resolved(name: str) -> Substance:
+    return resolve(name)
+
+
 def _check(portions: Sequence[Portion], conditions: Conditions) -> None:
     asked: list[tuple[str, float | None]] = [
         ("temperature", conditions.temperature),
@@ -248,7 +254,7 @@ def _check(portions: Sequence[Portion], conditions: Conditions) -> None:
                 f"{name} {value:g} is not possible here: choose from {lowest:g} to {highest:g} "
                 f"{unit}"
             )
-    if resolve(conditions.solvent).formula != "H2O":
+    if _resolved(conditions.solvent).formula != "H2O":
         raise ImpossibleConditionsError(
             f"solvent {conditions.solvent!r} is not modelled. Choose water, or pour pure compounds "
             "together (volume=0)"
