@@ -27,6 +27,9 @@ _RULES = (hydrolysis, precipitation, gas_evolution, complexation, dissolution, n
 _WORTH_SAYING = 0.02
 """Part of a reactant that has to react for a reaction to be listed; an estimate of ours."""
 
+_TRACE = 1e-12
+"""Part of the largest amount below which nothing is described."""
+
 _LEAST_HYDROLYSIS = 5e-6
 """The same for hydrolysis of a salt in water, which one sees by its pH; an estimate of ours."""
 
@@ -46,7 +49,12 @@ def describe(
             undergone by itself, hydrolysis, is not listed.
     """
     made = network().species
-    names = [key for key in {**before, **after} if key in made]
+    least = _TRACE * max(before.values(), default=0.0)
+    names = [
+        key
+        for key in {**before, **after}
+        if key in made and (before.get(key, 0.0) > 0.0 or after.get(key, 0.0) > least)
+    ]
     components = sorted({part for key in names for part in made[key].components})
     rows = {
         key: np.array([made[key].components.get(part, 0.0) for part in components]) for key in names

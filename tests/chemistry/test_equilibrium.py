@@ -95,7 +95,10 @@ def _chempy_ph(poured: dict[str, float]) -> float | None:
     start["H2O"] = _WATER
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        answer, _, sane = system.root(start)
+        try:
+            answer, _, sane = system.root(start)
+        except ValueError:  # it finds no way to write the equations
+            return None
     if not sane:
         return None
     return -math.log10(float(answer[system.as_substance_index("H+")]))
