@@ -18,7 +18,7 @@ from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.solver.flow import LIQUID_HZ
 from labutopia_lerobot.substances.filling import Filling
-from labutopia_lerobot.substances.substance import SUBSTANCES
+from labutopia_lerobot.substances.substance import DYES
 from liquid_experiments import FRONTS, collapse, filled, move_to, surface, swirl
 from run_over import run_over, tilt_to_barrier
 
@@ -153,7 +153,7 @@ def viscosity() -> Texts:
     """Let swirls die away, each beside the Stokes flow of its viscosity."""
     figure, axes = plt.subplots(figsize=(4.5, 2.8))
     rows = []
-    for substance in SUBSTANCES:
+    for substance in DYES:
         seconds, spins, rate, stokes = swirl(substance)
         (line,) = axes.semilogy(seconds, spins / spins[0], label=substance)
         axes.plot(seconds, np.exp(-stokes * (seconds - seconds[0])), ":", color=line.get_color())

@@ -1,15 +1,17 @@
 """Substances: what a liquid is made of.
 
-Values at 25 C and atmospheric pressure from the CRC Handbook of Chemistry and Physics (95th
-edition): densities from section 3, "Physical Constants of Organic Compounds", viscosities and
-surface tensions from section 6, "Viscosity of Liquids" and "Surface Tension of Common Liquids",
-specific heats from section 5, "Heat Capacity of Liquids", boiling points from section 3.
+They are the liquids of the table of compounds (`chemistry/data/substances.json`, which has the
+sources) of which all that a pour needs is known. Values at 25 C and atmospheric pressure.
 """
 
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 
+from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.names import resolve
+from labutopia_lerobot.chemistry.substance import Substance as Compound
+from labutopia_lerobot.chemistry.substance import substances
 from labutopia_lerobot.errors import UserError
 
 type Color = tuple[float, float, float, float]
@@ -56,28 +58,73 @@ class Substance:
         return self.viscosity / self.density
 
 
-# Clear liquids are tinted, as in laboratory practice with a dye, so that a camera sees them.
-WATER = Substance("water", 997.0, 0.890e-3, 0.0720, (0.20, 0.48, 0.85, 0.55))
-ETHANOL = Substance("ethanol", 785.0, 1.074e-3, 0.0220, (0.55, 0.82, 0.62, 0.45), 2438.0, 351.4)
-ETHYLENE_GLYCOL = Substance(
-    "ethylene glycol", 1110.0, 16.1e-3, 0.0480, (0.86, 0.35, 0.62, 0.55), 2394.0, 470.5
-)
-GLYCEROL = Substance("glycerol", 1258.0, 0.934, 0.0625, (0.93, 0.72, 0.30, 0.65), 2377.0, 563.0)
-
-SUBSTANCES: Mapping[str, Substance] = {
-    s.name: s for s in (WATER, ETHANOL, ETHYLENE_GLYCOL, GLYCEROL)
+# Clear liquids are tinted, as in laboratory practice with a dye, so that a camera sees them. These
+# four are the liquids of the tasks: recorded pictures have these colours.
+DYES: Mapping[str, Color] = {
+    "water": (0.20, 0.48, 0.85, 0.55),
+    "ethanol": (0.55, 0.82, 0.62, 0.45),
+    "ethylene glycol": (0.86, 0.35, 0.62, 0.55),
+    "glycerol": (0.93, 0.72, 0.30, 0.65),
 }
+"""Colour of the dye in a liquid, by its name."""
+
+_CLEAR: Color = (0.80, 0.87, 0.92, 0.40)
+"""Of other clear liquids: so pale that none of the dyes is mistaken for it; a choice of ours."""
+
+_COLOURED = 0.8
+"""Opacity of liquids that have a colour of their own; a choice of ours."""
+
+
+def _poured(compound: Compound) -> Substance | None:
+    """Return a compound as a liquid, or None if it is none or too little of it is known."""
+    density, viscosity, tension = compound.density, compound.viscosity, compound.surface_tension
+    capacity, boiling_point = compound.heat_capacity, compound.boiling_point
+    if compound.phase != "liquid" or density is None or viscosity is None or tension is None:
+        return None
+    if capacity is None or boiling_point is None:
+        return None
+    name = compound.name.lower()
+    specific_heat = float(round(capacity / compound.molar_mass))  # whole J/(kg K), as printed
+    return Substance(
+        name, density, viscosity, tension, _rgba(compound, name), specific_heat, boiling_point
+    )
+
+
+def _rgba(compound: Compound, name: str) -> Color:
+    if name in DYES or compound.colour is None:
+        return DYES.get(name, _CLEAR)
+    red, green, blue = (int(compound.colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    return (red, green, blue, _COLOURED)
+
+
+_BY_ID = {one.id: liquid for one in substances().values() if (liquid := _poured(one))}
+
+SUBSTANCES: Mapping[str, Substance] = {liquid.name: liquid for liquid in _BY_ID.values()}
 """Every substance by name."""
+
+WATER = SUBSTANCES["water"]
+ETHANOL = SUBSTANCES["ethanol"]
+ETHYLENE_GLYCOL = SUBSTANCES["ethylene glycol"]
+GLYCEROL = SUBSTANCES["glycerol"]
 
 
 def substance(name: str) -> Substance:
-    """Return the substance of a name.
+    """Return the substance of a name, id, formula or CAS number.
 
     Raises:
-        UnknownSubstanceError: There is none.
+        UnknownSubstanceError: There is none, or it is no liquid that can be poured.
     """
-    if name not in SUBSTANCES:
+    if name in SUBSTANCES:
+        return SUBSTANCES[name]
+    try:
+        compound = resolve(name)
+    except ChemistryError as error:
         raise UnknownSubstanceError(
-            f"substance {name!r} is unknown. Choose from: {', '.join(SUBSTANCES)}"
+            f"substance {name!r} is unknown: {error}. Choose from: {', '.join(SUBSTANCES)}"
+        ) from error
+    if compound.id not in _BY_ID:
+        raise UnknownSubstanceError(
+            f"substance {name!r} cannot be poured: {compound.name} is no liquid at 25 C, or too "
+            f"little is known of how it flows. Choose from: {', '.join(SUBSTANCES)}"
         )
-    return SUBSTANCES[name]
+    return _BY_ID[compound.id]

@@ -14,6 +14,7 @@ SOURCES = sorted(PACKAGE.rglob("*.py"))
 
 LAYERS = (
     "errors foreign_files kernel registry world",
+    "chemistry",
     "substances places",
     "processes",
     "labware robots scenes",

@@ -1,0 +1,138 @@
+"""What colour a solution has, 1 cm of it before white.
+
+Beer-Lambert: absorbances add. A band of absorption is a Gaussian in wavenumber of one width for
+all, an estimate of ours: printed are maxima, seldom widths. What has a colour but no known bands
+absorbs in each channel of linear sRGB what its colour at 0.1 mol/l says.
+"""
+
+import colorsys
+import math
+from collections.abc import Mapping
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.chemistry.network import network
+
+_WAVELENGTHS = np.arange(380.0, 781.0, 10.0)
+"""Of light [nm]."""
+
+_WIDTH = 4000.0
+"""Full width of a band at half its height [1/cm]; an estimate of ours, that of d-d bands."""
+
+_STATED_CONCENTRATION = 0.1
+"""Of the solution that a colour without bands is of [mol/l] (`SpeciesRecord`)."""
+
+Rgb = tuple[float, float, float]
+
+
+def of_solution(amounts: Mapping[str, float], volume: float) -> Rgb:
+    """Return the sRGB of what is dissolved, each channel in [0, 1].
+
+    Args:
+        amounts: By key [mol].
+        volume: Of the solution [m^3].
+    """
+    litres = volume * 1000.0
+    absorbance = np.zeros(len(_WAVELENGTHS))
+    channels = np.zeros(3)
+    for key, amount in amounts.items():
+        one = network().species.get(key)
+        if one is None or one.phase != "aq":
+            continue
+        if one.absorption:
+            absorbance += _spectrum(key) * (amount / litres)
+        elif one.colour:
+            channels -= np.log10(_linear(one.colour)) * (amount / litres / _STATED_CONCENTRATION)
+    light = (_to_linear_srgb() @ 10.0**-absorbance) * 10.0**-channels
+    return _encoded(np.clip(light, 0.0, 1.0))
+
+
+@cache
+def _spectrum(key: str) -> NDArray[np.float64]:
+    """Return the molar absorptivity at each wavelength [l/(mol cm)]."""
+    wavenumbers = 1e7 / _WAVELENGTHS
+    total = np.zeros(len(_WAVELENGTHS))
+    for band in network().species[key].absorption:
+        distance = (wavenumbers - 1e-2 / band.wavelength) / _WIDTH
+        total += 10.0 * band.absorptivity * np.exp(-4.0 * math.log(2.0) * distance**2)
+    return total
+
+
+@cache
+def _to_linear_srgb() -> NDArray[np.float64]:
+    """Return the matrix from transmittances to linear sRGB; all 1 gives white.
+
+    Colour matching functions: the fits of Wyman, Sloan and Shirley, Journal of Computer Graphics
+    Techniques 2 (2013) 1. From XYZ: IEC 61966-2-1. The light is of equal energy, adapted to white.
+    """
+
+    def lobe(height: float, centre: float, left: float, right: float) -> NDArray[np.float64]:
+        sigma = np.where(_WAVELENGTHS < centre, left, right)
+        return height * np.exp(-0.5 * ((_WAVELENGTHS - centre) * sigma) ** 2)
+
+    x = (
+        lobe(0.362, 442.0, 0.0624, 0.0374)
+        + lobe(1.056, 599.8, 0.0264, 0.0323)
+        - lobe(0.065, 501.1, 0.0490, 0.0382)
+    )
+    y = lobe(0.821, 568.8, 0.0213, 0.0247) + lobe(0.286, 530.9, 0.0613, 0.0322)
+    z = lobe(1.217, 437.0, 0.0845, 0.0278) + lobe(0.681, 459.0, 0.0385, 0.0725)
+    xyz = np.array([x, y, z])
+    white = np.array([[0.9505], [1.0], [1.089]])
+    xyz *= white / xyz.sum(axis=1, keepdims=True)
+    matrix = np.array(
+        [[3.2406, -1.5372, -0.4986], [-0.9689, 1.8758, 0.0415], [0.0557, -0.2040, 1.0570]]
+    )
+    light = matrix @ xyz
+    return np.asarray(light / light.sum(axis=1, keepdims=True))
+
+
+def rgb(colour: str) -> Rgb:
+    """Return ``#rrggbb`` as three numbers in [0, 1]."""
+    return (int(colour[1:3], 16) / 255, int(colour[3:5], 16) / 255, int(colour[5:7], 16) / 255)
+
+
+def _linear(colour: str) -> NDArray[np.float64]:
+    values = np.maximum(np.array(rgb(colour)), 0.004)
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+
+
+def _encoded(linear: NDArray[np.float64]) -> Rgb:
+    values = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    red, green, blue = (float(round(min(max(one, 0.0), 1.0), 4)) for one in values)
+    return (red, green, blue)
+
+
+def word(colour: Rgb, *, clear: str = "colourless") -> str:
+    """Return the plain word for a colour; borders are estimates of ours."""
+    hue, lightness, _ = colorsys.rgb_to_hls(*colour)
+    chroma = max(colour) - min(colour)
+    degrees = hue * 360.0
+    if chroma < 0.07:
+        return clear if lightness > 0.85 else "grey" if lightness > 0.2 else "black"
+    if lightness < 0.13:
+        return "black"
+    for end, name in _HUES:
+        if degrees < end:
+            break
+    if name == "red" and lightness > 0.72:
+        name = "pink"
+    if name in ("orange", "red") and lightness < 0.4:
+        name = "brown"
+    if name == "purple" and lightness > 0.7:
+        name = "pink"
+    return f"pale {name}" if chroma < 0.2 and name != "pink" else name
+
+
+_HUES = (
+    (12.0, "red"),
+    (42.0, "orange"),
+    (70.0, "yellow"),
+    (165.0, "green"),
+    (255.0, "blue"),
+    (330.0, "purple"),
+    (361.0, "red"),
+)
+"""Where each name ends on the circle of hues [degrees]; an estimate of ours."""

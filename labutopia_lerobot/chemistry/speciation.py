@@ -1,0 +1,171 @@
+"""Which species a solution holds once everything that is fast has come to equilibrium."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.chemistry.equilibrium import solve
+from labutopia_lerobot.chemistry.network import (
+    HYDROXIDE,
+    PROTON,
+    WATER,
+    Species,
+    log_k_at,
+    network,
+)
+
+_WARM = 320.0
+"""Temperature from which an open vessel loses ammonia within minutes [K]; an estimate of ours."""
+
+
+def escape_pressure(gas: str, temperature: float) -> float:
+    """Return the pressure at which a gas leaves an open, stirred vessel [bar]; estimates of ours.
+
+    Carbon dioxide leaves in bubbles; ammonia is smelt, but leaves only when warm or concentrated.
+    """
+    if gas == "NH3(g)":
+        return 0.004 if temperature > _WARM else 0.1
+    return 0.1 if gas == "CO2(g)" else 0.01
+
+
+_TRACE = 1e-25
+"""Amount below which a species is left out of the answer [mol]."""
+
+
+@dataclass(frozen=True)
+class _Selection:
+    components: tuple[str, ...]
+    dissolved: tuple[Species, ...]
+    phases: tuple[Species, ...]
+    dissolved_matrix: NDArray[np.float64]
+    phase_matrix: NDArray[np.float64]
+    constants: NDArray[np.float64]
+    phase_constants: NDArray[np.float64]
+    simple: tuple[bool, ...]
+
+
+def settle(
+    amounts: Mapping[str, float],
+    volume: float,
+    temperature: float,
+    *,
+    open_system: bool,
+    ph: float | None = None,
+) -> dict[str, float]:
+    """Return the amounts of species at equilibrium, oxidation numbers unchanged.
+
+    Args:
+        amounts: By key, as ``Cu^2+(aq)`` [mol].
+        volume: Of the solution [m^3].
+        temperature: [K].
+        open_system: Whether gases leave at their escape pressure, else at 1 bar.
+        ph: What a buffer that is not modelled holds; protons are not conserved then.
+
+    Raises:
+        NoEquilibriumError: None was reached.
+    """
+    made = network().species
+    litres = volume * 1000.0
+    totals: dict[str, float] = {}
+    kept: dict[str, float] = {}
+    for key, amount in amounts.items():
+        if _takes_part(key):
+            for component, number in made[key].components.items():
+                totals[component] = totals.get(component, 0.0) + number * amount
+        elif amount:
+            kept[key] = amount
+    water = totals.pop(WATER, 0.0)
+    totals.setdefault(PROTON, 0.0)
+    present = frozenset(name for name, n in totals.items() if n > 0.0 or name == PROTON)
+    dissolving = frozenset(k for k in amounts if k in made and made[k].only_dissolves)
+    chosen = _select(present, dissolving, round(temperature, 6), open_system, ph)
+    right = np.array([totals[name] / litres for name in chosen.components])
+    possible = _possible(chosen, right)
+    answer = solve(
+        chosen.constants,
+        chosen.dissolved_matrix,
+        np.ascontiguousarray(chosen.phase_constants[possible]),
+        np.ascontiguousarray(chosen.phase_matrix[possible]),
+        right,
+    )
+    for one, concentration in zip(chosen.dissolved, answer.concentrations.tolist(), strict=True):
+        kept[one.key] = concentration * litres
+        water -= one.components.get(WATER, 0.0) * concentration * litres
+    for index, amount in zip(possible, answer.phases.tolist(), strict=True):
+        one = chosen.phases[index]
+        if amount > 0.0:
+            kept[one.key] = amount * litres
+            water -= one.components.get(WATER, 0.0) * amount * litres
+    kept[WATER] = water
+    return {key: amount for key, amount in kept.items() if abs(amount) > _TRACE}
+
+
+def ph_of(amounts: dict[str, float], volume: float) -> float:
+    """Return minus the logarithm of the concentration of protons in mol/l."""
+    return -math.log10(max(amounts.get(PROTON, 0.0), 1e-30) / (volume * 1000.0))
+
+
+@lru_cache(maxsize=100_000)
+def _takes_part(key: str) -> bool:
+    """Whether a species belongs to the equilibrium; a metal or an insoluble solid does not."""
+    one = network().species.get(key)
+    return one is not None and (one.phase == "aq" or not one.is_component or key == WATER)
+
+
+@lru_cache(maxsize=4096)
+def _select(
+    present: frozenset[str],
+    dissolving: frozenset[str],
+    temperature: float,
+    open_system: bool,
+    ph: float | None,
+) -> _Selection:
+    allowed = present | {WATER}
+    chosen = [
+        one
+        for one in network().species.values()
+        if one.key != WATER
+        and allowed.issuperset(one.components)
+        and _takes_part(one.key)
+        and (not one.only_dissolves or one.key in dissolving)
+    ]
+    dissolved = tuple(one for one in chosen if one.phase == "aq")
+    phases = tuple(one for one in chosen if one.phase != "aq")
+    components = tuple(sorted(present if ph is None else present - {PROTON}))
+
+    def matrix(rows: tuple[Species, ...]) -> NDArray[np.float64]:
+        numbers = [[one.components.get(name, 0.0) for name in components] for one in rows]
+        return np.array(numbers, dtype=np.float64).reshape(len(rows), len(components))
+
+    def constant(one: Species) -> float:
+        log_k = log_k_at(one, temperature) * math.log(10)
+        if one.phase == "g" and open_system:
+            log_k -= math.log(escape_pressure(one.key, temperature))
+        if ph is not None:
+            log_k -= one.components.get(PROTON, 0.0) * ph * math.log(10)
+        return log_k
+
+    return _Selection(
+        components,
+        dissolved,
+        phases,
+        matrix(dissolved),
+        matrix(phases),
+        np.array([constant(one) for one in dissolved]),
+        np.array([constant(one) for one in phases]),
+        tuple(min(one.components.values()) > 0 and PROTON not in one.components for one in phases),
+    )
+
+
+def _possible(chosen: _Selection, totals: NDArray[np.float64]) -> list[int]:
+    """Return the phases that could be saturated if nothing else held their components."""
+    logarithms = np.log(np.maximum(totals, 1e-300))
+    most = chosen.phase_constants + chosen.phase_matrix @ logarithms
+    return [p for p in range(len(chosen.phases)) if most[p] > 0.0 or not chosen.simple[p]]
+
+
+__all__ = ["HYDROXIDE", "PROTON", "WATER", "ph_of", "settle"]
