@@ -17,10 +17,12 @@ from pathlib import Path
 
 from labutopia_lerobot.chemistry.answer import AnswerError, read_answer
 from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.model_server import ModelServer, ModelServerError
 from labutopia_lerobot.chemistry.output import PAPER_SCHEMA
 from labutopia_lerobot.chemistry.prompt import prompt
 from labutopia_lerobot.chemistry.react import react
 from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion, Reaction
+from labutopia_lerobot.foreign_files import printable
 from labutopia_lerobot.kernel import user_cache
 
 ADDRESS, MODEL, KEY = "LABUTOPIA_MODEL_URL", "LABUTOPIA_MODEL", "LABUTOPIA_MODEL_KEY"
@@ -32,10 +34,6 @@ _REPEATED = 10_000
 
 class ModelOptionError(ChemistryError):
     """A model is wanted, but not said which or where; the message says how to say it."""
-
-
-class _NoAnswerError(ChemistryError):
-    """Nobody may be asked, and no answer is kept."""
 
 
 @dataclass(frozen=True)
@@ -110,25 +108,69 @@ class LanguageModel:
             ModelServerError: If the address is none.
         """
         outcome = react(portions, conditions)
+        server = None if self._is_kept_only else self._server()
         try:
-            reactions = self._reactions(portions, conditions)
-        except _ModelFailed as failed:
-            note = f"By the rules, as {self.model} failed: {failed}"
+            reactions = self._reactions(server, portions, conditions)
+        except (AnswerError, ModelServerError) as failed:
+            note = f"By the rules, as {printable(self.model)} failed: {failed}"
             return replace(outcome, note=_joined(outcome.note, note))
-        note = f"Reactions by {self.model}; amounts, heat and pH by the rules"
-        # Extents belong to the rules' reactions.
-        amounts = replace(outcome.amounts, extents={})
+        note = f"Reactions by {printable(self.model)}; amounts, heat and pH by the rules"
+        amounts = replace(outcome.amounts, extents={})  # they are of the rules' reactions
         return Outcome(reactions, amounts, _joined(outcome.note, note))
 
+    def _server(self) -> ModelServer:
+        return ModelServer(self.base_url or "", self.model, self.key)
+
+    @property
+    def _is_kept_only(self) -> bool:
+        return self.cached_only or self.base_url is None
+
     def _reactions(
-        self, portions: Sequence[Portion], conditions: Conditions
+        self, server: ModelServer | None, portions: Sequence[Portion], conditions: Conditions
     ) -> tuple[Reaction, ...]:
+        """Return reactions of a good answer, kept or new; a server of None is not asked."""
         messages = prompt(portions, conditions)
-        kept = self._kept(messages)
-        with suppress(OSError, ValueError, AnswerError):
+        kept = self._file(messages)
+        # A file that somebody has damaged counts as none.
+        with suppress(OSError, ValueError):
             return read_answer(kept.read_text(encoding="utf-8"), portions, conditions)
-        if self.base_url is None or self.cached_only:
-            raise _NoAnswerError("no answer is kept, and nobody is asked")
-        said, reactions = self._asked(messages, portions, conditions)
+        if server is None:
+            raise ModelServerError("no answer is kept, and nobody is asked")
+        deadline = time.monotonic() + self.timeout_s
+        said = server.ask(messages, PAPER_SCHEMA, self.timeout_s)
+        try:
+            reactions = read_answer(said, portions, conditions)
+        except AnswerError as wrong:
+            repair = f"This is refused: {wrong}. Return the corrected JSON only."
+            messages += [
+                {"role": "assistant", "content": said[:_REPEATED]},
+                {"role": "user", "content": repair},
+            ]
+            left_s = deadline - time.monotonic()
+            if left_s <= 0.0:
+                raise
+            said = server.ask(messages, PAPER_SCHEMA, left_s)
+            reactions = read_answer(said, portions, conditions)
         _keep(kept, said)
         return reactions
+
+    def _file(self, messages: Sequence[dict[str, str]]) -> Path:
+        """Return where the answer to a question is kept; the address makes no other question."""
+        question = json.dumps([self.model, messages, PAPER_SCHEMA], sort_keys=True)
+        folder = self.cache or user_cache() / "chemistry"
+        return folder / f"{hashlib.sha256(question.encode()).hexdigest()}.json"
+
+
+def _keep(file: Path, said: str) -> None:
+    """Write a file at once: a process that is killed leaves none, or the whole of it."""
+    with suppress(OSError):  # nothing can be written there: the next question asks again
+        file.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile(
+            "w", dir=file.parent, suffix=".part", delete=False, encoding="utf-8"
+        ) as part:
+            part.write(said)
+        os.replace(part.name, file)
+
+
+def _joined(*notes: str) -> str:
+    return ". ".join(note for note in notes if note)

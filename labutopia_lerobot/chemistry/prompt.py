@@ -77,7 +77,7 @@ def prompt(portions: Sequence[Portion], conditions: Conditions) -> list[dict[str
         UnknownCompoundError: If a compound, the solvent or a catalyst is none of the database.
         AmbiguousCompoundError: If one of them may be several.
     """
-    reactants = [names.resolve(portion.compound).compound_name for portion in portions]
+    reactants = [names.resolve(portion.compound).name for portion in portions]
     records = chem_db.lookup({"compounds": reactants, "fields": list(FIELDS)})
     said = filled(
         json.dumps(reactants, ensure_ascii=False),
@@ -97,13 +97,13 @@ def _conditions(
 ) -> str:
     """Return conditions as the paper writes them."""
     said: dict[str, object] = {
-        "solvent": names.resolve(conditions.solvent).compound_name.lower(),
+        "solvent": names.resolve(conditions.solvent).name.lower(),
         "temperature": f"{conditions.temperature - 273.15:.6g} C",
         "concentration": f"{conditions.concentration / 1000:.6g} M",
         "open_system": conditions.open_system,
     }
     if conditions.catalysts:
-        said["catalysts"] = [names.resolve(name).compound_name for name in conditions.catalysts]
+        said["catalysts"] = [names.resolve(name).name for name in conditions.catalysts]
     if conditions.ph is not None:
         said["pH"] = conditions.ph
     amounts = {
