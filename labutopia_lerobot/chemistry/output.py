@@ -3,7 +3,7 @@
 from dataclasses import asdict
 from typing import Any, get_args
 
-from labutopia_lerobot.chemistry.reaction import Outcome, Phase, Yield
+from labutopia_lerobot.chemistry.reaction import Outcome, Phase, Reaction, Yield
 
 
 def paper_form(outcome: Outcome) -> dict[str, Any]:
@@ -11,7 +11,14 @@ def paper_form(outcome: Outcome) -> dict[str, Any]:
 
     Source: the paper's appendix, "Process Reasoning Pipeline", the listing of the prompt.
     """
-    return {"reactions": [asdict(reaction) for reaction in outcome.reactions]}
+    return {"reactions": [_reaction(reaction) for reaction in outcome.reactions]}
+
+
+def _reaction(reaction: Reaction) -> dict[str, Any]:
+    return asdict(reaction) | {
+        "expected_products": [asdict(product) for product in reaction.expected_products],
+        "observable_changes": list(reaction.observable_changes),
+    }
 
 
 def amounts_form(outcome: Outcome) -> dict[str, Any]:
