@@ -57,6 +57,11 @@ def _side(coefficients: Mapping[str, int], sign: int) -> str:
 def whole(coefficients: Mapping[str, float]) -> dict[str, int] | None:
     """Return the smallest whole numbers in these ratios, or None if there are none below 100."""
     largest = max((abs(n) for n in coefficients.values()), default=0.0)
+    near = {key: round(n) for key, n in coefficients.items() if round(n)}
+    if near and all(abs(n - near.get(key, 0)) < 1e-9 for key, n in coefficients.items()):
+        divisor = math.gcd(*near.values())
+        near = {key: n // divisor for key, n in near.items()}
+        return near if max(map(abs, near.values())) <= 100 and is_balanced(near) else None
     kept = {key: n for key, n in coefficients.items() if abs(n) > 1e-7 * largest}
     if not kept:
         return None
@@ -129,7 +134,7 @@ def with_acid_of(
     protons = numbers.pop(PROTON, 0.0) - hydroxide
     numbers[WATER] = numbers.get(WATER, 0.0) + hydroxide
     if protons < 0:
-        source = _strongest_acid(state, -protons, numbers)
+        source = _strongest_acid(state, numbers)
         if source is None:
             if weakest < 14.0:
                 return None
@@ -171,20 +176,25 @@ class _Bases(dict[str, str]):
 _BASES = _Bases()
 
 
-def _strongest_acid(
-    state: Mapping[str, float], needed: float, taken: Mapping[str, float]
-) -> str | None:
+def _strongest_acid(state: Mapping[str, float], taken: Mapping[str, float]) -> str | None:
     made = network().species
-    if state.get(PROTON, 0.0) > 1e-9:
-        return PROTON
     acids = [
         key
         for key, amount in state.items()
-        if amount > 1e-9
+        if amount > 1e-12
         and key in made
         and made[key].phase == "aq"
         and made[key].components.get(PROTON, 0.0) > 0
         and key not in taken
+        and key != PROTON
         and _BASES[key]
     ]
-    return min(acids, key=lambda k: made[k].log_k - made[_BASES[k]].log_k, default=None)
+    strongest = min(acids, key=lambda k: made[k].log_k - made[_BASES[k]].log_k, default=None)
+    free, bound = state.get(PROTON, 0.0), state.get(strongest, 0.0) if strongest else 0.0
+    if free > 1e-12 and free > _FREE_PART * bound:
+        return PROTON
+    return strongest
+
+
+_FREE_PART = 0.1
+"""Part of a weak acid from which free protons are written before it; an estimate of ours."""

@@ -2,7 +2,8 @@
 
 Beer-Lambert: absorbances add. A band of absorption is a Gaussian in wavenumber of one width for
 all, an estimate of ours: printed are maxima, seldom widths. What has a colour but no known bands
-absorbs in each channel of linear sRGB what its colour at 0.1 mol/l says.
+absorbs in each channel of linear sRGB what its colour at 0.1 mol/l says; so
+does what has a maximum out of sight, where the shape of the foot matters more than the maximum.
 """
 
 import colorsys
@@ -41,12 +42,18 @@ def of_solution(amounts: Mapping[str, float], volume: float) -> Rgb:
         one = network().species.get(key)
         if one is None or one.phase != "aq":
             continue
-        if one.absorption:
+        if one.absorption and (one.colour is None or _is_in_sight(key)):
             absorbance += _spectrum(key) * (amount / litres)
         elif one.colour:
             channels -= np.log10(_linear(one.colour)) * (amount / litres / _STATED_CONCENTRATION)
     light = (_to_linear_srgb() @ 10.0**-absorbance) * 10.0**-channels
     return _encoded(np.clip(light, 0.0, 1.0))
+
+
+@cache
+def _is_in_sight(key: str) -> bool:
+    """Whether every maximum is between 400 and 700 nm: of others one sees only the foot."""
+    return all(400e-9 < band.wavelength < 700e-9 for band in network().species[key].absorption)
 
 
 @cache
@@ -57,7 +64,7 @@ def _spectrum(key: str) -> NDArray[np.float64]:
     for band in network().species[key].absorption:
         distance = (wavenumbers - 1e-2 / band.wavelength) / _WIDTH
         total += 10.0 * band.absorptivity * np.exp(-4.0 * math.log(2.0) * distance**2)
-    return total
+    return np.asarray(total)
 
 
 @cache
@@ -69,8 +76,8 @@ def _to_linear_srgb() -> NDArray[np.float64]:
     """
 
     def lobe(height: float, centre: float, left: float, right: float) -> NDArray[np.float64]:
-        sigma = np.where(_WAVELENGTHS < centre, left, right)
-        return height * np.exp(-0.5 * ((_WAVELENGTHS - centre) * sigma) ** 2)
+        sigma = np.where(centre > _WAVELENGTHS, left, right)
+        return np.asarray(height * np.exp(-0.5 * ((_WAVELENGTHS - centre) * sigma) ** 2))
 
     x = (
         lobe(0.362, 442.0, 0.0624, 0.0374)
@@ -114,12 +121,10 @@ def word(colour: Rgb, *, clear: str = "colourless") -> str:
         return clear if lightness > 0.85 else "grey" if lightness > 0.2 else "black"
     if lightness < 0.13:
         return "black"
-    for end, name in _HUES:
-        if degrees < end:
-            break
+    name = next(name for end, name in _HUES if degrees < end)
     if name == "red" and lightness > 0.72:
         name = "pink"
-    if name in ("orange", "red") and lightness < 0.4:
+    if name in ("orange", "red") and lightness < 0.45:
         name = "brown"
     if name == "purple" and lightness > 0.7:
         name = "pink"

@@ -27,6 +27,9 @@ _RULES = (hydrolysis, precipitation, gas_evolution, complexation, dissolution, n
 _WORTH_SAYING = 0.02
 """Part of a reactant that has to react for a reaction to be listed; an estimate of ours."""
 
+_TRACE = 1e-12
+"""Part of the largest amount below which nothing is described."""
+
 _LEAST_HYDROLYSIS = 5e-6
 """The same for hydrolysis of a salt in water, which one sees by its pH; an estimate of ours."""
 
@@ -46,13 +49,19 @@ def describe(
             undergone by itself, hydrolysis, is not listed.
     """
     made = network().species
-    names = [key for key in {**before, **after} if key in made]
+    least = _TRACE * max(before.values(), default=0.0)
+    names = [
+        key
+        for key in {**before, **after}
+        if key in made and (before.get(key, 0.0) > 0.0 or after.get(key, 0.0) > least)
+    ]
     components = sorted({part for key in names for part in made[key].components})
     rows = {
         key: np.array([made[key].components.get(part, 0.0) for part in components]) for key in names
     }
     basis = _basis(before, after, rows, len(components))
     matrix = np.array([rows[key] for key in basis]).T
+    inverse = np.linalg.pinv(matrix)
     found: list[Change] = []
     for key in names:
         change = after.get(key, 0.0) - before.get(key, 0.0)
@@ -60,28 +69,36 @@ def describe(
             continue
         if change > 0 and before.get(key, 0.0) > 0 and key in (PROTON, HYDROXIDE):
             continue
-        parts, *_ = np.linalg.lstsq(matrix, rows[key], rcond=None)
-        if not np.allclose(matrix @ parts, rows[key], atol=1e-9):
+        parts = inverse @ rows[key]
+        if np.abs(matrix @ parts - rows[key]).max() > 1e-9:
             continue
         numbers = {part: -n for part, n in zip(basis, parts.tolist(), strict=True)}
         numbers[key] = 1.0
-        balanced = whole({k: (n if change > 0 else -n) for k, n in numbers.items()})
+        signed = {k: (n if change > 0 else -n) for k, n in numbers.items()}
+        if _used(signed, abs(change), before) <= (_LEAST_HYDROLYSIS if alone else _WORTH_SAYING):
+            continue
+        balanced = whole(signed)
         if balanced is None:
             continue
         extent = abs(change) / abs(balanced[key])
-        used = max(
-            (
-                -n * extent / before[k]
-                for k, n in balanced.items()
-                if n < 0 and k != WATER and before.get(k, 0.0) > 0
-            ),
-            default=0.0,
-        )
+        used = _used(balanced, extent, before)
         one = _named(Change(balanced, extent, "", "", used=min(used, 1.0)))
         if _is_worth_saying(one, alone=alone):
             found.append(one)
     found.sort(key=lambda one: -_weight(one))
     return _fullest_complexes(found)
+
+
+def _used(coefficients: Mapping[str, float], extent: float, before: Mapping[str, float]) -> float:
+    """Return the largest part of a reactant that a reaction uses up."""
+    return max(
+        (
+            -n * extent / before[key]
+            for key, n in coefficients.items()
+            if n < -1e-9 and key != WATER and before.get(key, 0.0) > 0.0
+        ),
+        default=0.0,
+    )
 
 
 def _is_worth_saying(one: Change, *, alone: bool) -> bool:
@@ -150,8 +167,11 @@ def _basis(
     def weight(key: str) -> float:
         return before[key] * (_SOLUTION_FIRST if key.endswith("(aq)") else 1.0)
 
+    def weight_after(key: str) -> float:
+        return after[key] * (_SOLUTION_FIRST if key in (PROTON, HYDROXIDE) else 1.0)
+
     first = sorted((key for key in before if key in rows), key=weight, reverse=True)
-    later = sorted((k for k in after if k in rows and k not in before), key=lambda k: -after[k])
+    later = sorted((k for k in after if k in rows and k not in before), key=weight_after)[::-1]
     chosen: list[str] = []
     reduced: list[NDArray[np.float64]] = []
     for key in [WATER, *first, *later]:

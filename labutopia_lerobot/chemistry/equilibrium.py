@@ -22,6 +22,8 @@ from numpy.typing import NDArray
 from labutopia_lerobot.chemistry.errors import ChemistryError
 from labutopia_lerobot.kernel import kernel
 
+Floats = NDArray[np.float64]
+
 _PRECISION = 1e-11
 """Largest error of a mass balance, relative to the sum of what is in it. An estimate of ours."""
 
@@ -81,7 +83,7 @@ def solve(
 
 
 @kernel
-def _solve_linear(matrix, right):  # type: ignore[no-untyped-def]
+def _solve_linear(matrix: Floats, right: Floats) -> bool:
     """Solve in place by Gauss's elimination with scaled pivots; the answer is in ``right``."""
     size = right.shape[0]
     for row in range(size):
@@ -120,7 +122,15 @@ def _solve_linear(matrix, right):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _balance(constants, species, totals, x, concentrations, residual, scale):  # type: ignore[no-untyped-def]
+def _balance(
+    constants: Floats,
+    species: Floats,
+    totals: Floats,
+    x: Floats,
+    concentrations: Floats,
+    residual: Floats,
+    scale: Floats,
+) -> None:
     """Write the concentrations at ``x``, what the balances miss and the size of what is in them."""
     for i in range(totals.shape[0]):
         residual[i] = -totals[i]
@@ -137,7 +147,13 @@ def _balance(constants, species, totals, x, concentrations, residual, scale):  #
 
 
 @kernel
-def _first_guess(constants, species, totals, x, concentrations):  # type: ignore[no-untyped-def]
+def _first_guess(
+    constants: Floats,
+    species: Floats,
+    totals: Floats,
+    x: Floats,
+    concentrations: Floats,
+) -> None:
     """Bring ``x`` near, each component by itself.
 
     Positive continuous fractions: Carrayrou, Mose and Behra, AIChE Journal 48 (2002) 894.
@@ -172,7 +188,14 @@ def _first_guess(constants, species, totals, x, concentrations):  # type: ignore
 
 
 @kernel
-def _solve(constants, species, phase_constants, phases, totals, longest):  # type: ignore[no-untyped-def]
+def _solve(
+    constants: Floats,
+    species: Floats,
+    phase_constants: Floats,
+    phases: Floats,
+    totals: Floats,
+    longest: float,
+) -> tuple[Floats, Floats, bool]:
     """Return the logarithms of the components, the amounts of the phases, whether it is solved."""
     components, limits = totals.shape[0], phase_constants.shape[0]
     x = np.empty(components)
@@ -255,12 +278,24 @@ def _solve(constants, species, phase_constants, phases, totals, longest):  # typ
     active = np.empty(limits, dtype=np.bool_)
     for p in range(limits):
         active[p] = amounts[p] > slack[p] * 1e-6 * largest
+    inside, inside_amounts = x.copy(), amounts.copy()
     for _ in range(2 * limits + 4):
         solved = _polish(
             constants, species, phase_constants, phases, totals, x, amounts, active, longest
         )
-        if not solved:
-            return x, amounts, False
+        if not solved:  # two phases that hardly differ: leave out the one there is least of
+            least = -1
+            for p in range(limits):
+                if active[p] and (least < 0 or inside_amounts[p] < inside_amounts[least]):
+                    least = p
+            if least < 0:
+                return x, amounts, False
+            active[least] = False
+            for i in range(components):
+                x[i] = inside[i]
+            for p in range(limits):
+                amounts[p] = inside_amounts[p]
+            continue
         worst, which, joins = 1e-11, -1, False
         for p in range(limits):
             if active[p]:
@@ -281,7 +316,17 @@ def _solve(constants, species, phase_constants, phases, totals, longest):  # typ
 
 
 @kernel
-def _polish(constants, species, phase_constants, phases, totals, x, amounts, active, longest):  # type: ignore[no-untyped-def]
+def _polish(
+    constants: Floats,
+    species: Floats,
+    phase_constants: Floats,
+    phases: Floats,
+    totals: Floats,
+    x: Floats,
+    amounts: Floats,
+    active: NDArray[np.bool_],
+    longest: float,
+) -> bool:
     """Solve with exactly the active phases by Newton's method; say whether it converged."""
     components, limits = totals.shape[0], phase_constants.shape[0]
     members = np.empty(limits, dtype=np.int64)

@@ -52,6 +52,7 @@ class Charge:
         return {kind for one in self.compounds for kind in one.reactivity}
 
     def of_kind(self, *kinds: str) -> list[Substance]:
+        """Return the compounds of any of these classes."""
         return [one for one in self.compounds if set(kinds) & set(one.reactivity)]
 
 

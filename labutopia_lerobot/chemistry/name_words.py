@@ -87,6 +87,31 @@ KIN = frozenset(_ELEMENTS.split()) | {
 """Words of chemicals that a misspelt word may just as well have been."""
 
 
+_OTHER_NAMES = """
+abine acetoine acetoxy alacine anilino arine arpon batyl brominex brotane burine butanex carbazide
+carbinom carbizol carbona cardinol carvon celestene celestone chlordane chopper cooper diazale
+diazan diazene diron ethazol ethrane ethysene florane florite formarin fortalin gexane glutimic
+glycemin glycerone glycon glyrol glytol haleite hectane hematine hexanes hydrogel hypro ibutane
+indane ipron magnesio menthane menthyl menthylamine meocn mescn metam methazol methylacetate nabac
+naphthacene natac natrin naturon navron nitex nitrek nitrex nitrofen nitron nitropen nutron octave
+oxirane oxocane pentrane phenod phosphino phosphonous prenol prenyl prenylamine propanex propazone
+prophene propiolic pyridione pyrodine rutine silicea silicom silvex stone sulfana suxar thfam
+tichlor tiron titanio trilite tropane tropanone tropene
+"""
+"""Names of other chemicals and products that are one slip away from a word of the table.
+
+Source: the names of all compounds in the package `chemicals` 1.5.2.
+"""
+
+
+_OTHERS = frozenset(_OTHER_NAMES.split())
+
+
+def is_chemical(word: str) -> bool:
+    """Whether a word is a chemical's, so that it is no misspelling of another."""
+    return word in _OTHERS or made_of_parts(word)
+
+
 @cache
 def made_of_parts(word: str) -> bool:
     """Whether a word is parts of chemical names, one after another.

@@ -2,9 +2,10 @@
 
 Taken, in this order: an id, a CAS number, a formula, a name or synonym in any case, spacing,
 hyphenation and spelling (sulphate, aluminium), then the same with slips. A slip is one letter too
-many, missing, wrong, or swapped with its neighbour: one in each word of five letters or more.
-Numerals and shorter words have none. A word that is a chemical's (`name_words`) is never a slip,
-and a slip that could be mended in two ways is not mended: one compound never turns into another.
+many, missing, wrong, or swapped with its neighbour: one in each word of five letters or more, not
+its first. Numerals and shorter words have none. A word that is a chemical's (`name_words`) is
+never a slip, and a slip that could be mended in two ways is not mended: one compound never turns
+into another.
 """
 
 import difflib
@@ -19,7 +20,7 @@ from functools import cache
 
 from labutopia_lerobot.chemistry.errors import AmbiguousCompoundError, UnknownCompoundError
 from labutopia_lerobot.chemistry.formula import Formula, FormulaError, parse
-from labutopia_lerobot.chemistry.name_words import KIN, made_of_parts
+from labutopia_lerobot.chemistry.name_words import KIN, is_chemical
 from labutopia_lerobot.chemistry.substance import Substance, substances
 
 type _Words = tuple[str, ...]
@@ -32,6 +33,8 @@ _NUMERALS = ("i", "ii", "iii", "iv", "v", "vi", "vii", "viii")
 _SPELLINGS = (("sulph", "sulf"), ("aluminium", "aluminum"), ("caesium", "cesium"))
 _GREEK = {"α": "alpha", "β": "beta", "γ": "gamma"}  # noqa: RUF001 - as names have them
 _CAS = re.compile(r"\d{2,7}-\d\d-\d")
+_SIGN = re.compile(r"\(([+\-±./]+)\)")
+_TURNS = {"+": "dextro", "-": "levo"}
 _WORD = re.compile(r"[a-z]+|\d+")
 
 
@@ -154,9 +157,13 @@ def _of_words(wanted: str, written: _Words) -> frozenset[str]:
 def _mended(word: str) -> list[str]:
     """Return what a word may be: itself, if it is a word or too short; else words one slip away."""
     known = _index().words
-    if len(word) < SHORTEST_WITH_SLIPS or word in known or made_of_parts(word):
+    if len(word) < SHORTEST_WITH_SLIPS or word in known or is_chemical(word):
         return [word]
-    near = {other for other in one_slip_away(word) if other in known or other in KIN}
+    near = {
+        other
+        for other in one_slip_away(word)
+        if other[:1] == word[0] and (other in known or other in KIN)
+    }
     return sorted(near) or [word]
 
 
@@ -179,6 +186,7 @@ def words(name: str) -> _Words:
         plain = plain.replace(letter, latin)
     for ours, other in ((numeral, f"({n}+)") for n, numeral in enumerate(_NUMERALS, 1)):
         plain = plain.replace(other, f"({ours})")
+    plain = _SIGN.sub(lambda sign: f" {_TURNS.get(sign[1], 'racemic')} ", plain)
     for british, american in _SPELLINGS:
         plain = plain.replace(british, american)
     return tuple(_WORD.findall(plain.replace("'", "")))

@@ -22,11 +22,11 @@ def of_reaction(change: Change) -> list[str]:
         look = colour.word(colour.rgb(one.colour), clear="white") if one.colour else "white"
         if one.phase == "s":
             if key in metals and change.kind == "redox":
-                words.append(f"a {look} deposit of {name_of(key).lower()}")
+                words.append(f"{_with_article(look)} deposit of {name_of(key).lower()}")
             elif any(made[k].phase == "aq" for k in change.reactants):
-                words.append(f"a {look} precipitate of {name_of(key)[0].lower()}{name_of(key)[1:]}")
+                words.append(f"{_with_article(look)} precipitate of {name_of(key).lower()}")
             else:
-                words.append(f"a {look} solid, {name_of(key).lower()}, is left")
+                words.append(f"{_with_article(look)} solid, {name_of(key).lower()}, is left")
         elif one.phase == "g" and key != "H2O(g)":
             words.append(
                 f"bubbles of {name_of(key).lower()}"
@@ -43,6 +43,10 @@ def of_reaction(change: Change) -> list[str]:
     if change.slow:
         words.append("slow: nothing is seen at once")
     return words
+
+
+def _with_article(look: str) -> str:
+    return f"{'an' if look[0] in 'aeiou' else 'a'} {look}"
 
 
 def _is_wet(change: Change) -> bool:

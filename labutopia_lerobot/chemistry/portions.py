@@ -80,13 +80,12 @@ def _dissolved(compound: Substance) -> dict[str, int]:
     if compound.ions:
         parts: dict[str, int] = {}
         for ion, count in compound.ions.items():
-            key = made.same(ion, "aq") or made.dissolved(ion).key
-            key = WATER if ion == "H2O" else key
+            key = WATER if ion == "H2O" else made.dissolved(ion).key
             parts[key] = parts.get(key, 0) + count
         return parts
-    key = made.same(compound.formula, "aq")
-    if key is not None:
-        return {key: 1}
+    own = made.same(compound.formula, "aq")
+    if own is not None:
+        return {own: 1}
     less = without_water(made, compound.formula)
     if less is not None:
         return {less: 1, WATER: 1}

@@ -7,6 +7,7 @@ constants. `docs/chemistry.md` says which, and what they do not know.
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from labutopia_lerobot.chemistry import colour, observe
 from labutopia_lerobot.chemistry.change import Change, whole, with_acid_of
@@ -96,8 +97,8 @@ def react(
     if not meant:
         raise ImpossibleConditionsError("nothing is poured in. Name at least one compound")
     _check(meant, conditions)
-    compounds = [resolve(one.compound) for one in meant]
-    catalysts = [resolve(name) for name in conditions.catalysts]
+    compounds = [_resolved(one.compound) for one in meant]
+    catalysts = [_resolved(name) for name in conditions.catalysts]
     doses = sorted(
         (_dose(one, compound, conditions) for one, compound in zip(meant, compounds, strict=True)),
         key=lambda dose: (dose[0].id, dose[1], dose[2]),
@@ -132,21 +133,39 @@ def proceed(before: Mapping[str, float], vessel: Vessel) -> tuple[dict[str, floa
         vessel: Where it happens.
     """
     state = {key: before[key] for key in sorted(before)}
-    changes: list[Change] = []
+    steps: list[Change] = []
+    equilibria: list[Change] = []
     settled = _settled(state, vessel)
     for _ in range(_MOST_STEPS):
         done = _first_step(state, settled, vessel)
+        if done is None and vessel.is_wet and state != settled:
+            done = _first_step(settled, settled, vessel)  # with what came into solution only now
+            if done is not None:
+                equilibria += describe(state, settled, alone=False)
+                state = dict(settled)
         if done is None:
             break
         for key, n in done.coefficients.items():
             left = state.get(key, 0.0) + n * done.extent
             state[key] = left if abs(left) > 1e-13 * done.extent else 0.0
         state = {key: mol for key, mol in state.items() if mol}
-        changes.append(done)
+        _join(steps, done)
         settled = _settled(state, vessel)
     if vessel.is_wet:
-        changes += describe(state, settled, alone=vessel.alone and not changes)
-    return settled, changes
+        equilibria += describe(state, settled, alone=vessel.alone and not steps)
+    for one in equilibria:
+        _join(steps, one)
+    return settled, steps
+
+
+def _join(changes: list[Change], one: Change) -> None:
+    """Add a reaction to the list, or its extent to the same reaction that is there."""
+    for index, other in enumerate(changes):
+        if other.coefficients == one.coefficients:
+            used = max(other.used, one.used)
+            changes[index] = replace(other, extent=other.extent + one.extent, used=used)
+            return
+    changes.append(one)
 
 
 def _settled(state: Mapping[str, float], vessel: Vessel) -> dict[str, float]:
@@ -213,6 +232,11 @@ def _done(step: Step, state: Mapping[str, float]) -> Change | None:
     )
 
 
+@lru_cache(maxsize=4096)
+def _resolved(name: str) -> Substance:
+    return resolve(name)
+
+
 def _check(portions: Sequence[Portion], conditions: Conditions) -> None:
     asked: list[tuple[str, float | None]] = [
         ("temperature", conditions.temperature),
@@ -230,7 +254,7 @@ def _check(portions: Sequence[Portion], conditions: Conditions) -> None:
                 f"{name} {value:g} is not possible here: choose from {lowest:g} to {highest:g} "
                 f"{unit}"
             )
-    if resolve(conditions.solvent).formula != "H2O":
+    if _resolved(conditions.solvent).formula != "H2O":
         raise ImpossibleConditionsError(
             f"solvent {conditions.solvent!r} is not modelled. Choose water, or pour pure compounds "
             "together (volume=0)"

@@ -104,7 +104,7 @@ def settle(
     return {key: amount for key, amount in kept.items() if abs(amount) > _TRACE}
 
 
-def ph_of(amounts: dict[str, float], volume: float) -> float:
+def ph_of(amounts: Mapping[str, float], volume: float) -> float:
     """Return minus the logarithm of the concentration of protons in mol/l."""
     return -math.log10(max(amounts.get(PROTON, 0.0), 1e-30) / (volume * 1000.0))
 

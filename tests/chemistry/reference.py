@@ -7,15 +7,17 @@ from pathlib import Path
 from typing import Any
 
 from labutopia_lerobot.chemistry import colour
-from labutopia_lerobot.chemistry.errors import HazardRefusedError
+from labutopia_lerobot.chemistry.errors import ChemistryError, HazardRefusedError
 from labutopia_lerobot.chemistry.formula import parse
-from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion
 from labutopia_lerobot.chemistry.react import react
+from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion
 
 _FILE = Path(__file__).with_name("reference_reactions.json")
 
 _SIMILAR = {"red": ("red", "pink", "orange", "pale red", "pale orange")}
 _SIMILAR["pink"] = ("pink", "red", "purple", "pale purple", "pale red")
+
+__all__ = ["ChemistryError", "atoms", "disagreement", "entries", "is_held_out", "sides"]
 
 type Side = Counter[tuple[frozenset[tuple[str, int]], int, str]]
 
@@ -46,6 +48,15 @@ def _side(text: str) -> Side:
         phase = "aq" if phase == "l" else phase
         counted[frozenset(composition.atoms.items()), composition.charge, phase] += number
     return counted
+
+
+def atoms(side: Side) -> Counter[str]:
+    counted: Counter[str] = Counter()
+    for (composition, charge, _), number in side.items():
+        counted["charge"] += charge * number
+        for element, n in composition:
+            counted[element] += n * number
+    return Counter({name: n for name, n in counted.items() if n})
 
 
 def disagreement(entry: dict[str, Any]) -> str | None:

@@ -43,6 +43,16 @@ def test_the_wheel_holds_the_package_and_nothing_else(site):
     assert installed == {"labutopia_lerobot", "lerobot_env_labutopia.py"}
 
 
+def test_the_table_of_compounds_is_in_the_wheel(site, tmp_path):
+    code = (
+        "from labutopia_lerobot.chemistry import chem_db\n"
+        f"assert chem_db.__file__.startswith({str(site)!r})\n"
+        "assert chem_db.lookup({'compounds': ['water']})[0]['chemical_formula'] == 'H2O'"
+    )
+    done = run(site, tmp_path, code)
+    assert done.returncode == 0, done.stderr
+
+
 def test_recording_from_an_empty_folder_leaves_a_dataset_and_nothing_else(site, tmp_path):
     code = (
         "import sys, labutopia_lerobot; from labutopia_lerobot.cli.record import main\n"

@@ -16,7 +16,7 @@ from pydantic import BaseModel, ConfigDict
 
 from labutopia_lerobot.chemistry.change import parse_side, whole, with_acid_of
 from labutopia_lerobot.chemistry.network import HYDROXIDE, PROTON, WATER, network
-from labutopia_lerobot.chemistry.rules.step import Step, available, in_what_is_there
+from labutopia_lerobot.chemistry.rules.step import Step, available, core, in_what_is_there
 from labutopia_lerobot.chemistry.speciation import ph_of
 
 _NERNST = math.log(10) * 8.314462618 / 96485.33212
@@ -129,6 +129,7 @@ class _Pair:
     taker: Couple
     giver: Couple
     coefficients: Mapping[str, int]
+    cores: frozenset[str]
 
 
 @cache
@@ -144,7 +145,8 @@ def _reactions() -> tuple[_Pair, ...]:
                 numbers[key] = numbers.get(key, 0) + times * n
         balanced = whole(numbers)
         if balanced is not None:
-            made.append(_Pair(taker, giver, balanced))
+            cores = {core(taker.oxidised), core(giver.reduced)} - {None, PROTON, WATER}
+            made.append(_Pair(taker, giver, balanced, frozenset(c for c in cores if c)))
     return tuple(made)
 
 
@@ -159,11 +161,17 @@ def steps(
         volume: Of the solution [m^3].
         temperature: [K].
     """
-    ph = ph_of(dict(settled), volume)
+    ph = ph_of(settled, volume)
     litres = volume * 1000.0
     found: list[tuple[float, _Pair]] = []
+    made = network().species
+    parts = {part for key in state if key in made for part in made[key].components}
     for pair in _reactions():
-        if available(state, pair.taker.oxidised) <= 0 or available(state, pair.giver.reduced) <= 0:
+        if (
+            not pair.cores <= parts
+            or available(state, pair.taker.oxidised) <= 0
+            or available(state, pair.giver.reduced) <= 0
+        ):
             continue
         if not all(_acts(one.record, ph, settled, litres) for one in (pair.taker, pair.giver)):
             continue
