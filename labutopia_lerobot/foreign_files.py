@@ -204,7 +204,7 @@ def _fits(kind: Any, said: Any) -> bool:
     if plain is tuple:
         return isinstance(said, list)
     if plain is Literal:
-        return True
+        return not isinstance(said, list | dict | bool) and said in typing.get_args(kind)
     return said is None if plain in (None, types.NoneType) else type(said) is plain
 
 

@@ -3,3 +3,8 @@
 It imports neither mujoco nor torch. Paper: "Chemical Process Modeling" and its appendix ("Database
 of Chemical Substances", "Process Reasoning Pipeline").
 """
+
+from labutopia_lerobot.chemistry.reaction import Amounts, Conditions, Outcome, Portion, Reaction
+from labutopia_lerobot.chemistry.reasoning import react
+
+__all__ = ["Amounts", "Conditions", "Outcome", "Portion", "Reaction", "react"]

@@ -15,6 +15,7 @@ with ended_at_once():
 PROGRAMS = (
     "bench",
     "check",
+    "chem",
     "compare",
     "convert",
     "evaluate",

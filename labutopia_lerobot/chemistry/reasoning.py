@@ -1,0 +1,49 @@
+"""Who says what reacts: the rules, or a language model whose answer is checked."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal, get_args
+
+from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.react import react as react_by_rules
+from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion
+
+if TYPE_CHECKING:
+    from labutopia_lerobot.chemistry.language_model import LanguageModel
+
+Reasoner = Literal["rules", "llm"]
+"""`rules`: `chemistry.react`. `llm`: `chemistry.language_model`, as in the paper."""
+
+
+class UnknownReasonerError(ChemistryError):
+    """There is no such reasoner; the message lists them."""
+
+
+def react(
+    portions: Sequence[str | Portion],
+    conditions: Conditions = Conditions(),  # noqa: B008 - frozen
+    reasoner: Reasoner = "rules",
+    model: "LanguageModel | None" = None,
+) -> Outcome:
+    """Return what happens when portions are poured together.
+
+    Args:
+        portions: At least one; a text is a portion with the defaults of `Portion`.
+        conditions: How it is done.
+        reasoner: Who infers the reactions.
+        model: Of `llm`: whom to ask; None for what the environment says.
+
+    Raises:
+        ChemistryError: Of its kinds in `chemistry.errors`, as the rules raise them; or if there is
+            no such reasoner or model.
+    """
+    if reasoner == "rules":
+        return react_by_rules(portions, conditions)
+    if reasoner != "llm":
+        raise UnknownReasonerError(
+            f"reasoner={reasoner} is unknown. Choose from: {', '.join(get_args(Reasoner))}"
+        )
+    # Here: it takes a second to import what asks.
+    from labutopia_lerobot.chemistry.language_model import LanguageModel
+
+    meant = [Portion(one) if isinstance(one, str) else one for one in portions]
+    return (model or LanguageModel.of_environment()).infer(meant, conditions)
