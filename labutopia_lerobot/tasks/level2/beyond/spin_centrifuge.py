@@ -17,7 +17,7 @@ _RPM, _WITHIN = 1000.0, 50.0
 """What its speed is set to, and how near it must be [rpm]; ours."""
 _SECONDS = 5.0
 """How long it is to run at that speed [s]; ours."""
-_OPEN = math.radians(35.0)
+_OPEN = math.radians(30.0)
 """How far its lid is open [rad]; ours: as far as the default robot reaches over it."""
 _SLAMMED = 2.0
 """Speed of the lid that is not smooth [rad/s]; ours: its bolt alone draws it shut at 1.2 rad/s."""
@@ -44,7 +44,7 @@ def spin_centrifuge() -> Task:
             "Push the lid shut, start with the green button, wait 5 s at speed, stop with the red.",
         ),
         start={
-            centrifuge: OnBench((0.31, 0.35), (0.14, 0.22), (-math.radians(35), -math.radians(25)))
+            centrifuge: OnBench((0.28, 0.32), (0.14, 0.22), (-math.radians(35), -math.radians(25)))
         },
         steps=(
             Step(
