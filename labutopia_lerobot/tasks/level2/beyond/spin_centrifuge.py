@@ -7,11 +7,19 @@ import math
 
 from labutopia_lerobot.labware.instruments.separating.centrifuge import Centrifuge
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import closed, fingers_clear_of, lasted, less_open, opened, reads
+from labutopia_lerobot.predicates import (
+    closed,
+    faster,
+    fingers_clear_of,
+    lasted,
+    less_open,
+    opened,
+    reads,
+)
 from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.skills import PushLid, Watch
 from labutopia_lerobot.task import Step, Substep, Task
-from labutopia_lerobot.tasks import actions, failures
+from labutopia_lerobot.tasks import actions
 
 _RPM, _WITHIN = 1000.0, 50.0
 """What its speed is set to, and how near it must be [rpm]; ours."""
@@ -66,7 +74,7 @@ def spin_centrifuge() -> Task:
             Step("rest", (Watch(drive, 0.0, 0.0, 0.0),), (Substep("at_rest", (*shut, still)),)),
         ),
         goal=(*shut, still, fingers_clear_of(centrifuge.stop, by=0.05)),
-        never=failures.slamming(lid, faster_than=_SLAMMED),
+        never={"slammed": faster(lid, than=_SLAMMED)},
         time_limit_s=60.0,  # ours
         view=DOOR_VIEW,
     )
