@@ -16,7 +16,7 @@ from labutopia_lerobot.predicates import (
     opened,
     reads,
 )
-from labutopia_lerobot.scenes.views import DOOR_VIEW
+from labutopia_lerobot.scenes.views import CENTRIFUGE_VIEW
 from labutopia_lerobot.skills import PushLid, Watch
 from labutopia_lerobot.task import Step, Substep, Task
 from labutopia_lerobot.tasks import actions
@@ -61,20 +61,25 @@ def spin_centrifuge() -> Task:
                 (Substep("shut", shut, (opened(lid, to=0.5 * _OPEN), less_open(lid, than=0.1))),),
                 (lid,),
             ),
-            start,
             Step(
                 "spin",
-                (Watch(drive, _RPM - _WITHIN, _RPM + _WITHIN, _SECONDS + 0.3),),
+                (*start.skills, Watch(drive, _RPM - _WITHIN, _RPM + _WITHIN, _SECONDS + 0.3)),
                 (
+                    *start.substeps,
                     Substep("at_speed", (*shut, running)),
                     Substep("spun", (*shut, running), count=lasted(running, needed=_SECONDS)),
                 ),
+                start.touches,
             ),
-            stop,
-            Step("rest", (Watch(drive, 0.0, 0.0, 0.0),), (Substep("at_rest", (*shut, still)),)),
+            Step(
+                "stop",
+                (*stop.skills, Watch(drive, 0.0, 0.0, 0.0)),
+                (*stop.substeps, Substep("at_rest", (*shut, still))),
+                stop.touches,
+            ),
         ),
         goal=(*shut, still, fingers_clear_of(centrifuge.stop, by=0.05)),
         never={"slammed": faster(lid, than=_SLAMMED)},
         time_limit_s=60.0,  # ours
-        view=DOOR_VIEW,
+        view=CENTRIFUGE_VIEW,
     )
