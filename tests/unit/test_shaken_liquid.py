@@ -1,4 +1,4 @@
-"""Liquid on shakers and mixers moves as hydrostatics and their drives have it."""
+"""Liquid on shakers, mixers and pumps moves as hydrostatics and their drives have it."""
 
 import math
 
@@ -95,3 +95,28 @@ def test_a_tube_on_a_vortex_mixer_has_a_vortex_once_it_runs():
     assert abs(spin(1.0)) < 2.0
     data.joint(mixer.power.joint).qpos[:] = mixer.power.widest
     assert spin(3.0) > 10.0  # a quarter of 157 rad/s within 6 mm, less what the wall takes
+
+
+@pytest.mark.slow
+def test_a_syringe_pump_fills_a_beaker_at_the_rate_that_it_is_set_to():
+    pump, beaker = instrument("syringe_pump", "pump"), ware("beaker_low", "100 ml", "beaker")
+    scene = compile_scene([pump, beaker], PANDA, LABORATORY, DOOR_VIEW, {pump: Filling(ml=5)})
+    simulation = Simulation(scene)
+    outlet = (0.3 + 0.030, 0.3 + 0.185)
+    simulation.reset({pump: Placement(0.3, 0.3, 0.0), beaker: Placement(*outlet, 0.0)})
+    simulation.fill(np.random.default_rng(0))
+    data = simulation.data
+    data.joint(pump.rate.joint).qpos[:] = pump.rate.widest  # 60 ml/h
+    for push in (5.0, 0.0):
+        data.joint(pump.start.joint).qfrc_applied[:] = push
+        play(simulation, 0.3)
+    play(simulation, 4.4)
+    assert simulation.account is not None
+    before, given = simulation.account.inside["beaker"], "pump_given"
+    begun = simulation.apparatus.reading(given).value
+    play(simulation, 30.0)
+    moved = simulation.account.inside["beaker"] - before
+    assert 1e6 * moved == pytest.approx(60.0 / 3600.0 * 30.0, abs=0.015)  # three particles
+    shown = simulation.apparatus.reading(given).value - begun
+    assert shown == pytest.approx(60.0 / 3600.0 * 30.0, rel=0.02)
+    assert simulation.account.spilled == 0.0
