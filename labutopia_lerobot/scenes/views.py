@@ -102,3 +102,9 @@ KNOB_VIEW = View(
 )
 """Over the robot's left shoulder, where the knob and the display of an instrument on a stand are
 in view; and as `DOOR_VIEW`."""
+
+CENTRIFUGE_VIEW = View(
+    front=CameraPose((-0.7, 1.4, 1.4), (0.60, -0.757, -0.245), _UP, 30.0),
+    top=DOOR_VIEW.top,
+)
+"""Like `DOOR_VIEW`, but so near in front that one sees which key of an instrument is pressed."""

@@ -13,7 +13,7 @@ from labutopia_lerobot.world import Approach, Pose, World
 
 _POSTURE = Approach(yaw=math.radians(-35.0), pitch=math.radians(65.0))
 """How the hand points: to the right, as for vessels, and down; ours: the default robot then keeps
-all joints 0.7 rad from their ends from where a lid is open by 35 degrees."""
+all joints 0.5 rad from their ends from where a lid is open by 30 degrees."""
 _AHEAD, _BEYOND = 0.15, 0.02
 """How far ahead of the lid the hand goes, and beyond where it is shut [rad]; ours."""
 

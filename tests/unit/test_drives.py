@@ -17,6 +17,7 @@ from labutopia_lerobot.scenes.views import DOOR_VIEW
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.substances.filling import Filling
+from labutopia_lerobot.world.model import VISUAL_GROUP
 
 RAMPS = {
     "centrifuge": (4000, 200),
@@ -286,6 +287,39 @@ def test_a_bar_on_a_stirrer_turns_the_water_around_it():
     simulation.data.joint(plate.speed.joint).qpos[0] = 0.0
     play(simulation, 6.0)
     assert spinning(simulation, middle) < 0.3 * water
+
+
+def test_what_is_seen_of_a_bar_turns_and_the_physics_do_not_know():
+    plate, bar = instrument("stirring_hot_plate", "plate"), ware("stirring_bar", "25 x 8 mm", "bar")
+    simulation = Simulation(compile_scene([plate, bar], PANDA, LABORATORY, DOOR_VIEW))
+    simulation.reset({plate: Placement(0.3, 0.3, 0.0), bar: Placement(0.9, -0.3, 0.0)})
+    x, y, z = simulation.data.site(plate.plate.name).xpos
+    layout = Placement(x, y, 0.0, height=z - LABORATORY.bench.height + 0.001)
+    simulation.reset({plate: Placement(0.3, 0.3, 0.0), bar: layout})
+    shown = (simulation.scene.model.geom_group == VISUAL_GROUP) & (
+        simulation.scene.model.geom_bodyid == simulation.data.body("bar").id
+    )
+
+    def heading() -> float:
+        """Return which way the bar seems to lie, as a double angle [rad]: both ends look alike."""
+        kept = simulation.state()
+        simulation.apparatus.show()
+        assert (simulation.state() == kept).all()
+        turn = simulation.data.geom_xmat[shown][0].reshape(3, 3) @ start.T
+        return 2 * math.atan2(turn[1, 0] - turn[0, 1], turn[0, 0] + turn[1, 1])
+
+    start = simulation.data.geom_xmat[shown][0].reshape(3, 3).copy()
+    play(simulation, 1.0)
+    assert heading() == pytest.approx(0.0, abs=0.02)
+    simulation.data.joint(plate.speed.joint).qpos[0] = 0.06 * plate.speed.widest  # 90 rpm
+    play(simulation, 3.0)
+    before, angles = heading(), []
+    for _ in range(10):
+        play(simulation, 1 / 30)
+        now = heading()
+        angles.append((now - before) % (2 * math.pi) / 2)
+        before = now
+    assert np.mean(angles) == pytest.approx(90 * RPM / 30, rel=0.05)
 
 
 def test_without_a_bar_nothing_turns():

@@ -1,13 +1,16 @@
 """Stirring: what turns in a vessel turns the liquid in it, magnets turn the bar."""
 
+import math
 from dataclasses import dataclass
 from typing import override
 
 import mujoco
 import numpy as np
+from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.parts.drive import RPM, Drive
+from labutopia_lerobot.labware.parts.drive import FASTEST, RPM, Drive
 from labutopia_lerobot.processes import Apparatus, Process
+from labutopia_lerobot.world.model import VISUAL_GROUP
 
 MAGNET = "_magnet"
 """How the name of the site in a magnet ends."""
@@ -47,7 +50,8 @@ class MagneticStirring(Process):
     """A magnet below a plate: it draws bars that lie above it to its axis, and they stir.
 
     The liquid around a bar feels its speed. The bar itself is not turned: among particles half its
-    thickness apart it would be thrown off at a tenth of the speeds that stirrers have.
+    thickness apart it would be thrown off at a tenth of the speeds that stirrers have. What is seen
+    of it turns, up to `FASTEST`.
 
     Attributes:
         name: Of this process.
@@ -59,11 +63,38 @@ class MagneticStirring(Process):
     drive: Drive
     site: str
 
+    @property
+    @override
+    def slots(self) -> tuple[str, ...]:
+        """How far what is seen of the bars is turned [rad]."""
+        return ("angle",)
+
     @override
     def step(self, apparatus: Apparatus) -> None:
-        speed = float(apparatus.memory(self.drive)[0])
+        memory, speed = apparatus.memory(self), float(apparatus.memory(self.drive)[0])
+        memory[0] = (memory[0] + RPM * min(speed, FASTEST) * apparatus.period) % (2 * math.pi)
         for bar in _bars(apparatus.model):
             self._draw(apparatus, bar, speed)
+
+    @override
+    def show(self, apparatus: Apparatus) -> None:
+        model, data = apparatus.model, apparatus.data
+        turn = Rotation.from_rotvec([0.0, 0.0, float(apparatus.memory(self)[0])]).as_matrix()
+        for bar in _bars(model):
+            if not self._near(apparatus, bar):
+                continue
+            body = int(model.site_bodyid[bar])
+            own = turn @ data.xmat[body].reshape(3, 3)
+            for geom in np.flatnonzero(model.geom_bodyid == body):
+                if model.geom_group[geom] == VISUAL_GROUP:
+                    quat = Rotation.from_quat(model.geom_quat[geom], scalar_first=True)
+                    data.geom_xpos[geom] = data.xpos[body] + own @ model.geom_pos[geom]
+                    data.geom_xmat[geom] = (own @ quat.as_matrix()).ravel()
+
+    def _near(self, apparatus: Apparatus, bar: int) -> bool:
+        """Tell whether the magnet takes a bar, a site, along."""
+        off = apparatus.data.site_xpos[bar] - apparatus.site(self.site).position_w
+        return bool(np.hypot(off[0], off[1]) < _NEAR and 0.0 < off[2] < _ABOVE)
 
     def _draw(self, apparatus: Apparatus, bar: int, speed: float) -> None:
         """Draw a bar, a site, to the axis until the next period, and stir with it."""
@@ -72,7 +103,7 @@ class MagneticStirring(Process):
         first = int(model.body_dofadr[body])
         off = data.site_xpos[bar] - apparatus.site(self.site).position_w
         push = np.zeros(2)
-        if speed and np.hypot(off[0], off[1]) < _NEAR and 0.0 < off[2] < _ABOVE:
+        if speed and self._near(apparatus, bar):
             velocity = data.qvel[first : first + 2]
             push = model.body_mass[body] * (-off[:2] / _CENTRING**2 - 2.0 * velocity / _CENTRING)
             if apparatus.liquid is not None:

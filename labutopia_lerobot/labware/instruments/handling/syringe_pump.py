@@ -1,5 +1,6 @@
 """A syringe pump."""
 
+import math
 from dataclasses import dataclass
 
 import mujoco
@@ -7,6 +8,7 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.dosing import Dosing
 from labutopia_lerobot.labware.parts.drive import Drive
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
@@ -19,21 +21,26 @@ from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.labware.parts.switch import Latched
 from labutopia_lerobot.processes import Process
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _TRAVEL, _FULL = 0.100, 50.0
 """Travel of the carriage [m], and what the syringe gives over it [ml]."""
+_HOSE, _OUTLET = 0.0005, (0.030, 0.185, 0.110)
+"""Inner radius of the hose behind the syringe [m], ours, and where it ends, pointing down [m]."""
 
 
 @dataclass(frozen=True)
 class SyringePump(Instrument):
     """A syringe pump: a screw drives the carriage against the plunger of a 50 ml syringe.
 
+    What the syringe is filled with leaves through a short hose on its left, over a vessel there.
+
     Attributes:
         name: Name of its root body; prefix of all its elements.
     """
 
     name: str
-    size = (0.220, 0.280, 0.141)
+    size = (0.220, 0.327, 0.141)
     mass = 2.7
     source = "280 x 230 x 140 mm, travel of 100 mm, as usual; from memory"
 
@@ -91,9 +98,30 @@ class SyringePump(Instrument):
         )
 
     @property
+    def spout(self) -> str:
+        """Name of the frame at the end of the hose; z the way that the liquid leaves."""
+        return f"{self.name}_outlet"
+
+    @property
+    def bore_area(self) -> float:
+        """Cross-section of the hose [m^2]."""
+        return math.pi * _HOSE**2
+
+    @property
+    def contents(self) -> float:
+        """The most that is in the syringe [m^3]."""
+        return _FULL * 1e-6
+
+    @property
+    def dosing(self) -> Dosing:
+        """What has left it."""
+        bore = self.contents / _TRAVEL
+        return Dosing(f"{self.name}_given", self, self.carriage.joint, bore)
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        """Its buttons' state, its knob and its screw."""
-        return self.running, self.scale, self.drive
+        """Its buttons' state, its knob, its screw and what leaves it."""
+        return self.running, self.scale, self.drive, self.dosing
 
     @property
     def displays(self) -> tuple[Display, ...]:
@@ -116,6 +144,8 @@ class SyringePump(Instrument):
             Rod((x, 0.022, z), (x, 0.125, z), 0.030, "glass"),
             Rod((x, 0.125, z), (x, 0.140, z), 0.008, "white"),
             Rod((x, 0.018, z), (x, 0.022, z), 0.046, "white", touch=False),
+            Rod((x, 0.140, z), (x, 0.185, z), 0.003, "white", touch=False),
+            Rod((x, 0.185, z + 0.0015), _OUTLET, 0.003, "white", touch=False),
             *(
                 Block(
                     (x - 0.0155, x - 0.0150),
@@ -130,6 +160,8 @@ class SyringePump(Instrument):
         ]
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        down = (0.0, 1.0, 0.0, 0.0)
+        body.add_site(name=self.spout, pos=_OUTLET, quat=down, group=COLLISION_GROUP)
         self.rate.add_to(spec, self.name, body, (-0.1015, -0.100, 0.043), ON_FRONT)
         self.start.add_to(spec, body, (-0.1015, -0.062, 0.043), ON_FRONT)
         self.stop.add_to(spec, body, (-0.1015, -0.034, 0.043), ON_FRONT)

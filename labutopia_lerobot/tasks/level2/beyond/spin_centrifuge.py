@@ -7,17 +7,25 @@ import math
 
 from labutopia_lerobot.labware.instruments.separating.centrifuge import Centrifuge
 from labutopia_lerobot.layout import OnBench
-from labutopia_lerobot.predicates import closed, fingers_clear_of, lasted, less_open, opened, reads
-from labutopia_lerobot.scenes.views import DOOR_VIEW
+from labutopia_lerobot.predicates import (
+    closed,
+    faster,
+    fingers_clear_of,
+    lasted,
+    less_open,
+    opened,
+    reads,
+)
+from labutopia_lerobot.scenes.views import CENTRIFUGE_VIEW
 from labutopia_lerobot.skills import PushLid, Watch
 from labutopia_lerobot.task import Step, Substep, Task
-from labutopia_lerobot.tasks import actions, failures
+from labutopia_lerobot.tasks import actions
 
 _RPM, _WITHIN = 1000.0, 50.0
 """What its speed is set to, and how near it must be [rpm]; ours."""
 _SECONDS = 5.0
 """How long it is to run at that speed [s]; ours."""
-_OPEN = math.radians(35.0)
+_OPEN = math.radians(30.0)
 """How far its lid is open [rad]; ours: as far as the default robot reaches over it."""
 _SLAMMED = 2.0
 """Speed of the lid that is not smooth [rad/s]; ours: its bolt alone draws it shut at 1.2 rad/s."""
@@ -44,7 +52,7 @@ def spin_centrifuge() -> Task:
             "Push the lid shut, start with the green button, wait 5 s at speed, stop with the red.",
         ),
         start={
-            centrifuge: OnBench((0.31, 0.35), (0.14, 0.22), (-math.radians(35), -math.radians(25)))
+            centrifuge: OnBench((0.28, 0.32), (0.14, 0.22), (-math.radians(35), -math.radians(25)))
         },
         steps=(
             Step(
@@ -53,20 +61,25 @@ def spin_centrifuge() -> Task:
                 (Substep("shut", shut, (opened(lid, to=0.5 * _OPEN), less_open(lid, than=0.1))),),
                 (lid,),
             ),
-            start,
             Step(
                 "spin",
-                (Watch(drive, _RPM - _WITHIN, _RPM + _WITHIN, _SECONDS + 0.3),),
+                (*start.skills, Watch(drive, _RPM - _WITHIN, _RPM + _WITHIN, _SECONDS + 0.3)),
                 (
+                    *start.substeps,
                     Substep("at_speed", (*shut, running)),
                     Substep("spun", (*shut, running), count=lasted(running, needed=_SECONDS)),
                 ),
+                start.touches,
             ),
-            stop,
-            Step("rest", (Watch(drive, 0.0, 0.0, 0.0),), (Substep("at_rest", (*shut, still)),)),
+            Step(
+                "stop",
+                (*stop.skills, Watch(drive, 0.0, 0.0, 0.0)),
+                (*stop.substeps, Substep("at_rest", (*shut, still))),
+                stop.touches,
+            ),
         ),
         goal=(*shut, still, fingers_clear_of(centrifuge.stop, by=0.05)),
-        never=failures.slamming(lid, faster_than=_SLAMMED),
+        never={"slammed": faster(lid, than=_SLAMMED)},
         time_limit_s=60.0,  # ours
-        view=DOOR_VIEW,
+        view=CENTRIFUGE_VIEW,
     )
