@@ -39,6 +39,7 @@ class PourToMass:
         behind_s: How far the reading is behind what has left the vessel, and goes on leaving while
             it leans back [s]: 0.6 of averaging, 0.2 of falling, 0.2 of leaning back.
         wanted_s: What is missing, over this time, is the flow that is wanted [s].
+        slowest: Least flow that is wanted while anything is missing [g/s].
         fastest: Greatest flow that is wanted [g/s].
         drop: Height of the lip above the other mouth [m].
         short: How far before the middle of the other mouth the lip is [m].
@@ -54,6 +55,7 @@ class PourToMass:
     within: float
     behind_s: float = 1.0
     wanted_s: float = 1.2
+    slowest: float = 1.5
     fastest: float = 12.0
     drop: float = 0.06
     short: float = 0.012
@@ -127,7 +129,7 @@ class _Flow:
         before = self.shown[-1 - round(_FLOW_OVER * CONTROL_HZ) :][0]
         flow = (self.shown[-1] - before) / _FLOW_OVER
         missing = pouring.mass - self.shown[-1] - pouring.behind_s * max(flow, 0.0)
-        wanted = min(missing / pouring.wanted_s, pouring.fastest)
+        wanted = min(max(missing / pouring.wanted_s, pouring.slowest), pouring.fastest)
         self.lean += (wanted - flow) / _STEEPEST / CONTROL_HZ
         furthest = _FURTHEST + pouring.thing.taper
         return missing < 0.5 * pouring.within or self.lean >= furthest

@@ -11,15 +11,16 @@ from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks.level2.beyond.pour_to_mass import weigh_from
 from labutopia_lerobot.tasks.variety import VESSELS
 
-# Ours: those of `pour_liquid` that a hand tilts over the beaker on the balance.
-TRAIN, TEST = ("150 ml beaker", "300 ml conical flask"), ("250 ml beaker",)
+# Ours: those of `pour_liquid` that a hand tilts over the beaker on the balance. A conical flask
+# slips in the hand when it is carried back, in two of six plays.
+TRAIN, TEST = ("150 ml beaker", "250 ml beaker"), ("graduated cylinder",)
 MASSES = ("30 g", "40 g", "50 g", "35 g", "45 g")
 
 
 def weigh_out(draw: Draw) -> Task:
     """Return the task that an episode has drawn."""
-    name = draw.choice("object", train=TRAIN, test=TEST)
-    mass = draw.choice("mass", train=MASSES[:3], test=MASSES[3:])
+    name = draw.choice("object", train=TRAIN, test=TEST, shifted=True)
+    mass = draw.choice("mass", train=MASSES[:3], test=MASSES[3:], shifted=True)
     source = VESSELS[name]("vessel")
     return replace(
         weigh_from(source, mass=float(mass.removesuffix(" g"))),
