@@ -1,5 +1,6 @@
 """Processes: things that pieces do by themselves, and the readings that they give."""
 
+from labutopia_lerobot.processes.energy_regulator import EnergyRegulator
 from labutopia_lerobot.processes.heat import DoorGap, HeatZone, ThermalMass
 from labutopia_lerobot.processes.heat_exchange import HeatExchange
 from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
@@ -18,6 +19,7 @@ __all__ = [
     "AMBIENT",
     "Apparatus",
     "DoorGap",
+    "EnergyRegulator",
     "HeatExchange",
     "HeatZone",
     "LiquidHandling",

@@ -47,7 +47,8 @@ class Probe(Process):
     @override
     def reading(self, apparatus: Apparatus) -> Reading:
         sensed, begun = apparatus.memory(self)
-        return Reading(float(sensed) if begun else math.nan, CELSIUS, self.resolution)
+        value = float(sensed) if begun else self._now(apparatus)
+        return Reading(value, CELSIUS, self.resolution)
 
     def _now(self, apparatus: Apparatus) -> float:
         return apparatus.reading(f"{self.vessel}_temperature").value

@@ -33,7 +33,7 @@ def at_rest(kind: str) -> tuple[Apparatus, Display]:
     [
         ("refrigerator", "upper", "4.0 \u00b0C", "DOOR OPEN"),
         ("ultra_low_freezer", "lid", "-80.0 \u00b0C", "LID OPEN"),
-        ("gas_chromatograph", "door", "--.- \u00b0C", "OVEN OPEN"),
+        ("gas_chromatograph", "door", "20.0 \u00b0C", "OVEN OPEN"),
         ("ph_meter", "electrode", "--.-- pH", "--.-- pH"),
         ("liquid_chromatograph", "purge", "--.-- ml/min", "PURGE"),
         ("desiccator_cabinet", "door", "-- %RH", "DOOR OPEN"),

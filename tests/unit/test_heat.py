@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from heat_bench import alone, celsius, turn, warm_up
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
@@ -46,18 +47,8 @@ def on_the_plate(
     return simulation
 
 
-def warm_up(simulation: Simulation, seconds: float) -> None:
-    """Let the processes work alone: nothing moves, and only heat flows."""
-    for _ in range(round(30 * seconds)):
-        simulation.apparatus.step()
-
-
 def switch_on(simulation: Simulation) -> None:
     simulation.apparatus.memory(HEATER.switch)[0] = 1.0
-
-
-def celsius(simulation: Simulation, name: str) -> float:
-    return simulation.apparatus.reading(name).value
 
 
 def energy(simulation: Simulation) -> tuple[float, float, float]:
@@ -196,17 +187,6 @@ def test_what_mixes_keeps_its_heat():
         liquid.mix(1 / 30)
     assert liquid.temperatures.sum() == pytest.approx(before, rel=1e-9)
     assert np.ptp(liquid.temperatures) < 0.2 * spread
-
-
-def alone(piece) -> Simulation:
-    """Return an instrument alone on the bench, come to rest."""
-    simulation = Simulation(compile_scene([piece], PANDA, LABORATORY, DOOR_VIEW))
-    simulation.reset({piece: Placement(1.0, 0.0, 0.0)})
-    return simulation
-
-
-def turn(simulation: Simulation, joint: str, position: float) -> None:
-    simulation.data.joint(joint).qpos[:] = position
 
 
 @pytest.mark.parametrize(

@@ -25,10 +25,16 @@ from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.timer import Countdown
 from labutopia_lerobot.labware.parts.valve import HandWheel, Tap
-from labutopia_lerobot.processes import Process
+from labutopia_lerobot.labware.parts.warmth import thermometer
+from labutopia_lerobot.processes import DoorGap, HeatZone, Process, ThermalMass, Thermostat
 
 _R, _BORE, _TOP = 0.225, 0.150, 0.860
 """Radius outside and of the chamber, height of its rim [m]."""
+_CAPACITY = 3.0 * 0.997 * 4182.0 + 12.0 * 480.0
+"""Of 3 l of water (CRC Handbook) and of a boiler of 12 kg of steel [J/K]; ours, usual for 40 l."""
+_IN_STEAM = 100.0
+"""From the chamber to what stands in it [W/m^2 K]; ours: air has 10, steam that condenses on it
+thousands, and there is something of both."""
 
 
 @dataclass(frozen=True)
@@ -83,9 +89,25 @@ class Autoclave(Instrument):
         return Countdown(f"{self.name}_left", setting, guards=(Shut(self.lid),))
 
     @property
+    def warming(self) -> tuple[Process, ...]:
+        """Water on its floor, whose steam fills the chamber, and its thermostat.
+
+        It holds 121 degrees C, at which steam sterilises in 15 min (European Pharmacopoeia, 5.1.1).
+        2 kW and the leak are ours, usual for 40 l. Its pressure is not worked out: its gauge stands
+        still, liquids in it boil at 100 C, and its valve lets nothing out.
+        """
+        zone = HeatZone((-0.13, -0.13, 0.285), (0.13, 0.13, 0.750), _IN_STEAM)
+        gap = DoorGap(self.lid.joint, math.pi * _BORE**2, 2 * _BORE, share=0.3)
+        steam = f"{self.name}_steam"
+        return (
+            ThermalMass(steam, self.name, _CAPACITY, leak=2.0, zone=zone, gap=gap),
+            Thermostat(thermometer(self.name), steam, 2000.0, 121.0, self.cycle.name),
+        )
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        """What feels its lid, its knob and its cycle."""
-        return Shut(self.lid), Scale(self.time, 0, 60, "min"), self.cycle
+        """What feels its lid, its knob and its cycle, and what heats meanwhile."""
+        return Shut(self.lid), Scale(self.time, 0, 60, "min"), self.cycle, *self.warming
 
     @property
     def displays(self) -> tuple[Display, ...]:

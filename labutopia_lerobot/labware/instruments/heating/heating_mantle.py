@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
@@ -14,10 +15,21 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.processes import EnergyRegulator, HeatZone, Process, ThermalMass
+from labutopia_lerobot.processes.heat import UPWARDS
+from labutopia_lerobot.world import ON
 
 _BOWL, _DEEP = 0.054, 0.046
 """Radius of the bowl, for a 500 ml flask, and how deep it is [m]."""
 _TOP = 0.128
+_WATT, _LEAK = 200.0, 0.25
+"""Power of a mantle for 500 ml, usual, from memory [W], and what its wool lets through [W/K]; ours:
+350 degrees C above the room with nothing in it and the knob half way, as cloth of glass bears."""
+_CAPACITY = 0.20 * 800.0
+"""Of 0.2 kg of glass cloth and heating wire [J/K]; ours, 800 J/kg K as glass."""
+_IN_CLOTH = 30.0
+"""From the cloth to the whole outside of the flask in it [W/m^2 K]; ours: 0.5 mm of air, 60, over
+the lower half of it."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +66,31 @@ class HeatingMantle(Instrument):
     @property
     def places(self) -> tuple[Seat, ...]:
         return (self.bowl,)
+
+    @property
+    def warming(self) -> tuple[Process, ...]:
+        """What knob and switch say, the cloth, and the regulator, which measures nothing."""
+        knob, power = Scale(self.heat, 0, 1, "1", resolution=0.01), Scale(self.power, 0, 1, ON)
+        floor = _TOP - _DEEP
+        low, high = (-0.030, -0.030, floor - 0.006), (0.030, 0.030, floor + 0.020)
+        cloth = ThermalMass(
+            f"{self.name}_cloth",
+            self.name,
+            _CAPACITY,
+            area=math.pi * _BOWL**2,
+            length=_BOWL / 2,  # area over circumference
+            convection=UPWARDS,
+            leak=_LEAK,
+            zone=HeatZone(low, high, _IN_CLOTH),
+        )
+        regulator = EnergyRegulator(
+            f"{self.name}_power_now", cloth.name, _WATT, knob.name, power.name
+        )
+        return knob, power, cloth, regulator
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        return self.warming
 
     def _forms(self) -> list[Form]:
         case = ((0, 0.010), (0.104, 0.010), (0.110, 0.030), (0.110, 0.100), (0.096, _TOP))

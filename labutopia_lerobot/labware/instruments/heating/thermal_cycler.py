@@ -18,10 +18,19 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_TOP, leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.temperature_program import TemperatureProgram
 from labutopia_lerobot.labware.parts.timer import Countdown
-from labutopia_lerobot.processes import Process
+from labutopia_lerobot.labware.parts.warmth import thermometer
+from labutopia_lerobot.processes import HeatZone, Process, ThermalMass, Thermostat
+from labutopia_lerobot.processes.hot_surface import IN_BORE
 
 _SLOPE = 66.0
+_FIRST, _CYCLE = (95.0, 120.0), ((95.0, 30.0), (55.0, 30.0), (72.0, 60.0))
+"""Temperatures [degrees C] and times [s] of a usual PCR with three steps; ours."""
+_CAPACITY, _WATT, _LEAK = 230.0, 700.0, 0.5
+"""Of the block [J/K]: 95 ml of aluminium, 2.4 J/cm3 K (Incropera, table A.1). What its Peltier
+elements bring in or take out [W], which is the 3 K/s that makers state; loss of the block [W/K];
+both ours."""
 
 
 @dataclass(frozen=True)
@@ -74,13 +83,36 @@ class ThermalCycler(Instrument):
         return Countdown(f"{self.name}_time", 90.0, start, stop, (Shut(self.lid),))
 
     @property
+    def cycling(self) -> tuple[Process, ...]:
+        """The block, what it is to hold, and the Peltier elements below it, heating and cooling.
+
+        Its lid has the temperature of the room. Nothing is amplified.
+        """
+        zone = HeatZone((-0.012, -0.060, 0.148), (0.072, 0.060, 0.160), IN_BORE)
+        block = ThermalMass(f"{self.name}_surface", self.name, _CAPACITY, leak=_LEAK, zone=zone)
+        wanted = TemperatureProgram(
+            f"{self.name}_wanted", self.program.name, 60.0 * 90.0, _FIRST, _CYCLE
+        )
+        on, heater = self.program.name, thermometer(self.name)
+        fast = 0.5  # s: its thermometer lies in the block
+        return (
+            wanted,
+            block,
+            Thermostat(heater, block.name, _WATT, wanted.name, on, lag=fast, resolution=0.1),
+            Thermostat(f"{self.name}_cooling", block.name, -_WATT, wanted.name, on, lag=fast),
+        )
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        """What feels its lid, and its program."""
-        return Shut(self.lid), self.program
+        """What feels its lid, its program, and what heats and cools."""
+        return Shut(self.lid), self.program, *self.cycling
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        return (Display(f"{self.name}_display", (0.110, 0.036), self.program),)
+        return (
+            Display(f"{self.name}_display", (0.110, 0.036), self.program),
+            Display(f"{self.name}_temperature", (0.066, 0.022), self.cycling[2], ink=(255, 90, 60)),
+        )
 
     def _forms(self) -> list[Form]:
         side = ((-0.225, 0.012), (0.225, 0.012), (0.225, 0.130), (-0.080, 0.130), (-0.225, 0.066))
@@ -108,6 +140,7 @@ class ThermalCycler(Instrument):
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         lean = leaning(_SLOPE)
         self.displays[0].add_to(spec, body, (-0.150, 0.040, 0.1000), lean)
+        self.displays[1].add_to(spec, body, (-0.196, 0.040, 0.0797), lean)
         for key, y in zip(self.keys, (-0.050, -0.085), strict=True):
             key.add_to(spec, body, (-0.150, y, 0.0992), lean)
         lid = self.lid.add_to(spec, body, (0.150, 0.0, 0.170))

@@ -6,17 +6,20 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
-from labutopia_lerobot.labware.parts.dials import Unmeasured
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES, finish
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned
+from labutopia_lerobot.labware.parts.guard import Shut
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
 from labutopia_lerobot.labware.parts.push_button import PushButton
+from labutopia_lerobot.labware.parts.timer import Countdown
 from labutopia_lerobot.labware.parts.valve import HandWheel
+from labutopia_lerobot.labware.parts.warmth import Regulated, chamber
+from labutopia_lerobot.processes import DoorGap, Process
 
 
 @dataclass(frozen=True)
@@ -65,9 +68,30 @@ class GasChromatograph(Instrument):
         return self.keys
 
     @property
+    def run(self) -> Countdown:
+        """What is left of its run: 20 minutes; it stops when its oven is opened."""
+        start, stop = (key.name for key in self.keys)
+        return Countdown(f"{self.name}_run", 20.0, start, stop, (Shut(self.door, "OVEN OPEN"),))
+
+    @property
+    def warming(self) -> tuple[Process, ...]:
+        """Air and liner of its oven, and the thermostat, which holds 100 degrees during a run.
+
+        1.5 kW and the leak are usual for its kind, ours; nothing is injected or measured.
+        """
+        low, high = (-0.220, -0.090, 0.060), (0.120, 0.250, 0.420)
+        width, height = high[1] - low[1], high[2] - low[2]
+        gap = DoorGap(self.door.joint, width * height, height)
+        by = Regulated(1500.0, 100.0, self.run.name, resolution=0.1, warning="OVEN OPEN")
+        return chamber(self.name, low, high, 1.0, gap, by)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        return *self.run.guards, self.run, *self.warming
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Unmeasured(f"{self.name}_temperature", "\u00b0C", 0.1, "OVEN OPEN", self.door)
-        return (Display(f"{self.name}_display", (0.120, 0.046), shown),)
+        return (Display(f"{self.name}_display", (0.120, 0.046), self.warming[-1]),)
 
     def _forms(self) -> list[Form]:
         x, y, split = 0.270, 0.300, 0.120

@@ -15,6 +15,10 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.labware.parts.warmth import Regulated, block
+from labutopia_lerobot.processes import HeatZone, Process
+from labutopia_lerobot.processes.hot_surface import IN_BORE
+from labutopia_lerobot.world import ON
 
 
 @dataclass(frozen=True)
@@ -48,9 +52,25 @@ class MeltingPointApparatus(Instrument):
         return self.lens, self.heat, self.power
 
     @property
+    def warming(self) -> tuple[Process, ...]:
+        """What knob and switch say, the block and its thermostat; no substance melts in it.
+
+        150 W, ours; a disc of aluminium of 56 by 40 mm, 0.1 l, 2.4 J/cm3 K (Incropera, table A.1).
+        """
+        knob = Scale(self.heat, 20.0, 360.0, "\u00b0C", resolution=0.1)
+        power = Scale(self.power, 0, 1, ON)
+        zone = HeatZone((0.005, -0.025, 0.155), (0.055, 0.025, 0.172), IN_BORE)
+        by = Regulated(150.0, knob.name, power.name, resolution=0.1)
+        return knob, power, *block(self.name, 240.0, 2.5e-3, zone, (), by)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        return self.warming
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat, 20.0, 360.0, "\u00b0C", resolution=0.1)
-        return (Display(f"{self.name}_display", (0.080, 0.030), heat, ink=(255, 90, 60)),)
+        block_now = self.warming[-1]
+        return (Display(f"{self.name}_display", (0.080, 0.030), block_now, ink=(255, 90, 60)),)
 
     def _forms(self) -> list[Form]:
         side = ((-0.125, 0.010), (0.125, 0.010), (0.125, 0.110), (-0.040, 0.110), (-0.125, 0.040))

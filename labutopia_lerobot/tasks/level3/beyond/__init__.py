@@ -1,1 +1,0 @@
-"""Level 3, beyond the paper: further generalised tasks."""
