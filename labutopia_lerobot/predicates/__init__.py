@@ -23,6 +23,7 @@ from labutopia_lerobot.predicates.liquids import (
     lip_over,
     liquid_moving,
     poured,
+    received,
     spilled,
 )
 from labutopia_lerobot.predicates.openables import (
@@ -96,6 +97,7 @@ __all__ = [
     "pulled",
     "pushed",
     "reads",
+    "received",
     "released",
     "settled",
     "spilled",

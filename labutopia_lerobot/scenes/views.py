@@ -102,3 +102,10 @@ KNOB_VIEW = View(
 )
 """Over the robot's right shoulder, where the knob and the display of an instrument on a stand are
 in view; and as `DOOR_VIEW`."""
+
+BURETTE_VIEW = View(
+    front=CameraPose((-0.55, 0.95, 1.45), (0.80, -0.95, -0.22), _UP, 46.0),
+    top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 31.0),
+)
+"""Over the robot's left shoulder, where a burette is in view from its mouth to the flask below it,
+and overhead."""

@@ -8,6 +8,7 @@ from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.pour import Pour
 from labutopia_lerobot.skills.pour_to_mass import PourToMass
 from labutopia_lerobot.skills.press import Press
+from labutopia_lerobot.skills.run_out import RunOut
 from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
@@ -22,6 +23,7 @@ __all__ = [
     "Pour",
     "PourToMass",
     "Press",
+    "RunOut",
     "Shake",
     "Squeeze",
     "Stir",
