@@ -36,6 +36,7 @@ from labutopia_lerobot.predicates.openables import (
     less_open,
     opened,
 )
+from labutopia_lerobot.predicates.pipetting import in_hand, tip_above, tip_in
 from labutopia_lerobot.predicates.placing import (
     near,
     released,
@@ -80,6 +81,7 @@ __all__ = [
     "grasped",
     "gripped",
     "immersed",
+    "in_hand",
     "knocked_over",
     "latched",
     "less_open",
@@ -109,6 +111,8 @@ __all__ = [
     "switched_on",
     "temperature_between",
     "tilted",
+    "tip_above",
+    "tip_in",
     "touched",
     "touching",
     "turns",

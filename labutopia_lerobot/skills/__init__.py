@@ -1,6 +1,8 @@
 """Skills: what scripted experts can do, one class per action."""
 
+from labutopia_lerobot.skills.aspirate import Aspirate
 from labutopia_lerobot.skills.close import Close
+from labutopia_lerobot.skills.dispense import Dispense
 from labutopia_lerobot.skills.go import Go
 from labutopia_lerobot.skills.open import Open
 from labutopia_lerobot.skills.pick import Pick
@@ -12,10 +14,13 @@ from labutopia_lerobot.skills.run_out import RunOut
 from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
+from labutopia_lerobot.skills.take_pipette import TakePipette
 from labutopia_lerobot.skills.turn_knob import TurnKnob
 
 __all__ = [
+    "Aspirate",
     "Close",
+    "Dispense",
     "Go",
     "Open",
     "Pick",
@@ -27,5 +32,6 @@ __all__ = [
     "Shake",
     "Squeeze",
     "Stir",
+    "TakePipette",
     "TurnKnob",
 ]

@@ -27,7 +27,7 @@ _TURNING, _EASING = 0.8, 0.25
 
 
 class Wing(Protocol):
-    """The wing of a stopcock; the frame of its name: in its middle, z into the barrel, x along it."""
+    """The wing of a stopcock; its frame is in its middle, z into the barrel, x along it."""
 
     @property
     def name(self) -> str:

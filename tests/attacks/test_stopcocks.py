@@ -1,6 +1,7 @@
 """Attacks on stopcocks, and odd ways to turn them that are right."""
 
 from dataclasses import replace
+from functools import cache
 from itertools import chain
 
 import pytest
@@ -18,7 +19,9 @@ from attacks.plays import (
     until_phase,
 )
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills import RunOut
+from labutopia_lerobot.skills.skill import Skill
 
 TASK = "level1/turn_stopcock"
 
@@ -65,6 +68,65 @@ def in_two_portions(env: LabEnv) -> Actions:
 def without_a_slit(env: LabEnv) -> Actions:
     """Open and shut it in one stroke each."""
     yield from skilled(env, replace(running(env), last_ml=0.0))
+
+
+@cache
+def titrating() -> LabEnv:
+    """Return an environment whose particles are a third of what the mark may be missed by."""
+    return LabEnv(Setting("level4/titrate_by_volume", obs="state"))
+
+
+def asked_for(env: LabEnv) -> tuple[RunOut, tuple[Skill, ...]]:
+    """Return the task's skill at the stopcock, and what comes after it."""
+    first, *rest = env.workcell.task.skills
+    assert isinstance(first, RunOut)
+    return first, tuple(rest)
+
+
+def beyond_the_mark(env: LabEnv) -> Actions:
+    """Let 0.4 ml more run."""
+    run, rest = asked_for(env)
+    yield from skilled(env, replace(run, ml=run.ml + 0.4), *rest)
+
+
+def short_of_the_mark(env: LabEnv) -> Actions:
+    """Shut it 0.4 ml before, and take the flask away."""
+    run, rest = asked_for(env)
+    yield from skilled(env, replace(run, ml=run.ml - 0.4), *rest)
+
+
+def leave_the_flask(env: LabEnv) -> Actions:
+    """Run to the mark, and no more."""
+    yield from skilled(env, asked_for(env)[0])
+
+
+def onto_the_stand_again(env: LabEnv) -> Actions:
+    """Run to the mark, lift the flask and set it down where it was."""
+    run, (pick, place) = asked_for(env)
+    under = next(piece for piece in env.workcell.task.start if piece.name == "stand").under
+    yield from skilled(env, run, pick, replace(place, on=under, through=None, hover=0.012))
+
+
+def in_drops(env: LabEnv) -> Actions:
+    """Let a part run, shut it, and run the rest."""
+    run, rest = asked_for(env)
+    yield from skilled(env, replace(run, ml=run.ml - 1.5), run, *rest)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("play", "outcomes"),
+    [
+        (beyond_the_mark, {"overshot"}),
+        (short_of_the_mark, UNFINISHED),
+        (leave_the_flask, UNFINISHED),
+        (onto_the_stand_again, UNFINISHED),
+        (in_drops, {"success"}),
+    ],
+    ids=lambda value: getattr(value, "__name__", None),
+)
+def test_a_mark_is_met_and_the_flask_taken_away(play: Play, outcomes: set[str]):
+    assert outcome(titrating(), play, 0)["outcome"] in outcomes
 
 
 @pytest.mark.parametrize("seed", SEEDS)
