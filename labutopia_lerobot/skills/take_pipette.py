@@ -20,7 +20,8 @@ class TakePipette:
         carousel: What of that carries the hooks.
         standoff: Distance from which the hand approaches, and to which it draws back [m].
         unhook: How far it is lifted off the prongs [m].
-        lift: How much higher than it hung it is held at the end [m].
+        lift: How much higher than it hung it is held at the end [m]: the hand then clears the
+            top of the stand.
     """
 
     pipette: Workable
@@ -28,7 +29,7 @@ class TakePipette:
     carousel: Thing
     standoff: float = 0.12
     unhook: float = 0.012
-    lift: float = 0.05
+    lift: float = 0.14
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield before, reach, settle, close, unhook, draw back and raise."""
@@ -43,7 +44,7 @@ class TakePipette:
         on_hook = own | {self.stand.name, self.carousel.name}
         free = grasp.moved(z=self.unhook)
         yield Phase("unhook", _at(free), shut, there, on_hook, pipette, speed=0.05)
-        back = free.advanced(-self.standoff).moved(z=0.0)
+        back = free.advanced(-self.standoff)
         yield Phase("draw back", _at(back), shut, away, on_hook, pipette, speed=0.15)
         raised = back.moved(z=self.lift)
         yield Phase("raise", _at(raised), shut, away, own, pipette, speed=0.15)

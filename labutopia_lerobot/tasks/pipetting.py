@@ -48,17 +48,17 @@ class PipetteBench:
     @property
     def start(self) -> Mapping[Piece, Start]:
         """Where they stand: the pipette hangs where the hand comes comfortably."""
-        yaw = (math.radians(120), math.radians(140))
+        yaw = (math.radians(125), math.radians(145))
         return {
-            self.stand: OnBench((0.30, 0.36), (0.10, 0.18), yaw),
+            self.stand: OnBench((0.30, 0.36), (0.18, 0.25), yaw),
             self.pipette: Inside(self.stand, at=self.stand.hanging(self.pipette), yaw=0.0),
-            self.source: OnBench(x=(0.11, 0.21), y=(-0.04, 0.04)),
+            self.source: OnBench(x=(0.11, 0.21), y=(-0.08, 0.00)),
         }
 
     @staticmethod
     def empty_place() -> OnBench:
         """Return where an empty beaker stands, to the right of the source."""
-        return OnBench(x=(0.11, 0.21), y=(-0.18, -0.10))
+        return OnBench(x=(0.11, 0.21), y=(-0.22, -0.14))
 
     @property
     def taking(self) -> TakePipette:
