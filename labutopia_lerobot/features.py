@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind, picture_names
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.setting import DEPTH, FORCES, READINGS, Setting, UnknownOptionError
-from labutopia_lerobot.substances.filling import Fillable
+from labutopia_lerobot.substances.filling import Fillable, with_mounted
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, FloatArray, World
+from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, FloatArray, Thing, World
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
@@ -181,7 +181,7 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
             *(f"{piece.name}.{part}" for part in _POSE_NAMES),
             *piece.joints,
             *(f"{body}.{axis}" for body in region.shuffled for axis in "xyz"),
-            *([f"{piece.name}.fill"] if task.contents and isinstance(piece, Fillable) else []),
+            *([f"{vessel.name}.fill" for vessel in _vessels(piece)] if task.contents else []),
         )
     )
 
@@ -195,10 +195,17 @@ def environment_state(task: Task, world: World) -> NDArray[np.float32]:
         joints = np.array([world.joint(name) for name in piece.joints])
         shuffled = [(to_base @ world.frame(name)).position_w for name in region.shuffled]
         parts += [pose_b.position_w, pose_b.x_axis, pose_b.y_axis, joints, *shuffled]
-        if world.liquid is not None and isinstance(piece, Fillable):
-            parts.append(np.array([piece.profile.depth(world.liquid.inside[piece.name])]))
+        if world.liquid is not None:
+            inside = world.liquid.inside
+            depths = [vessel.profile.depth(inside[vessel.name]) for vessel in _vessels(piece)]
+            parts.append(np.array(depths))
     state: NDArray[np.float32] = np.concatenate(parts).astype(np.float32)
     return state
+
+
+def _vessels(piece: Thing) -> list[Fillable]:
+    """Return what liquid stays in of a piece: itself, or what is mounted on it."""
+    return [thing for thing in with_mounted([piece]) if isinstance(thing, Fillable)]
 
 
 def observation_space(features: Mapping[str, Feature]) -> spaces.Dict:

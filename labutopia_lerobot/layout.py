@@ -125,17 +125,19 @@ class Inside:
     Attributes:
         holder: The other thing; it comes earlier in the task's start.
         at: Origin of the held thing in the holder's frame [m].
+        yaw: How it is turned in the holder's frame [rad]; any way round if not said.
     """
 
     holder: Piece
     at: tuple[float, float, float]
+    yaw: float | None = None
 
     @property
     def shuffled(self) -> tuple[str, ...]:
         return ()
 
     def sample(self, rng: np.random.Generator, placed: Mapping[Piece, Placement]) -> Placement:
-        """Draw one placement: a random yaw in the holder's place.
+        """Draw one placement in the holder's place, by default of a random yaw.
 
         Raises:
             ImpossibleStartError: If the holder has not been placed before.
@@ -150,7 +152,7 @@ class Inside:
         return Placement(
             holder.x + cosine * x - sine * y,
             holder.y + sine * x + cosine * y,
-            rng.uniform(-math.pi, math.pi),
+            rng.uniform(-math.pi, math.pi) if self.yaw is None else holder.yaw + self.yaw,
             holder.height + z,
         )
 

@@ -281,6 +281,18 @@ class Liquid:
         around = self._around
         return whereabouts(self.positions, around.glass, around.inner, around.smallest_first)
 
+    def column(self, vessel: int) -> tuple[float, FloatArray]:
+        """Return what stands in a narrow vessel, and what of it is each substance.
+
+        Args:
+            vessel: Which of `names`; there is something in it.
+
+        Returns:
+            Volume [m^3], and parts by volume, shape (substances,).
+        """
+        there = self.kept.portion.amounts[self.kept.holders == vessel]
+        return len(there) * self.volume, there.mean(axis=0)
+
     def step(self) -> None:
         """Move on by 1 / `hertz`, to where the bodies are now, and push them.
 

@@ -23,6 +23,7 @@ from labutopia_lerobot.predicates.liquids import (
     lip_over,
     liquid_moving,
     poured,
+    received,
     spilled,
 )
 from labutopia_lerobot.predicates.openables import (
@@ -35,6 +36,7 @@ from labutopia_lerobot.predicates.openables import (
     less_open,
     opened,
 )
+from labutopia_lerobot.predicates.pipetting import in_hand, tip_above, tip_in
 from labutopia_lerobot.predicates.placing import (
     near,
     released,
@@ -81,6 +83,7 @@ __all__ = [
     "gripped",
     "hotter",
     "immersed",
+    "in_hand",
     "knocked_over",
     "lasted",
     "latched",
@@ -99,6 +102,7 @@ __all__ = [
     "pulled",
     "pushed",
     "reads",
+    "received",
     "released",
     "seated",
     "settled",
@@ -111,6 +115,8 @@ __all__ = [
     "switched_on",
     "temperature_between",
     "tilted",
+    "tip_above",
+    "tip_in",
     "touched",
     "touching",
     "turns",

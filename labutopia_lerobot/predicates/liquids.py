@@ -117,6 +117,27 @@ def given(world: World, origin: Thing, target: Thing, *, more_than_ml: float) ->
     return liquid is not None and liquid.from_in(origin.name, target.name) * 1e6 > more_than_ml
 
 
+@predicate("{low_ml:g} to {high_ml:g} ml of what was in {origin} in {target}")
+def received(world: World, origin: Thing, target: Thing, *, low_ml: float, high_ml: float) -> bool:
+    """A volume between two [ml] of what was filled into the origin is in the target."""
+    return world.liquid is not None and low_ml <= _there(world, origin, target) <= high_ml
+
+
+@received.measure
+def _off_volume(
+    world: World, origin: Thing, target: Thing, *, low_ml: float, high_ml: float
+) -> Mapping[str, float]:
+    if world.liquid is None:
+        return {}
+    return {"ml": abs(_there(world, origin, target) - (low_ml + high_ml) / 2)}
+
+
+def _there(world: World, origin: Thing, target: Thing) -> float:
+    """Return how much of what was filled into the origin is in the target [ml], as accounts add."""
+    liquid = world.liquid
+    return 0.0 if liquid is None else round(1e6 * liquid.from_in(origin.name, target.name), 6)
+
+
 @dataclass(frozen=True)
 class Transfer:
     """A transfer that is to be poured.

@@ -108,3 +108,16 @@ CENTRIFUGE_VIEW = View(
     top=DOOR_VIEW.top,
 )
 """Like `DOOR_VIEW`, but so near in front that one sees which key of an instrument is pressed."""
+
+BURETTE_VIEW = View(
+    front=CameraPose((-0.55, 0.95, 1.45), (0.80, -0.95, -0.22), _UP, 46.0),
+    top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 31.0),
+)
+"""Over the robot's left shoulder, where a burette is in view from its mouth to the flask below it,
+and overhead."""
+
+PIPETTE_VIEW = View(
+    front=CameraPose((1.10, -0.75, 1.45), (-0.88, 0.80, -0.50), _UP, 27.0),
+    top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 31.0),
+)
+"""From the right of the bench, near enough for a pipette's tip in a beaker; and overhead."""

@@ -7,6 +7,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.layout import Piece, Placement
+from labutopia_lerobot.liquids.drawing.column import Column
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.handling import Handling
 from labutopia_lerobot.liquids.liquid import Liquid
@@ -15,7 +16,13 @@ from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.set_points import PHYSICS_STEPS, SPAN, set_points
 from labutopia_lerobot.sim.contact_record import ContactRecord
 from labutopia_lerobot.sim.scene import ROBOT_MOUNT, Scene
-from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake
+from labutopia_lerobot.substances.filling import (
+    Dispenser,
+    Fillable,
+    Filling,
+    Intake,
+    with_mounted,
+)
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 from labutopia_lerobot.world.model import PHYSICS_HZ
 
@@ -188,7 +195,12 @@ class Simulation:
                 for vessel in self.liquid.vessels
             ]
             liquid, height = self.liquid, self.scene.room.bench.height
-            self.scene.liquid.extract(liquid.positions, vessels, height, liquid.amounts)
+            columns = [
+                Column(vessels[index], *liquid.column(index))
+                for index in range(len(vessels))
+                if liquid.kept.count(index)
+            ]
+            self.scene.liquid.extract(liquid.positions, vessels, height, liquid.amounts, columns)
 
     def draw_particles(self, scene: mujoco.MjvScene) -> None:
         """Fill a user's scene, as MuJoCo's viewer has one, with the particles of the liquid."""
@@ -225,6 +237,7 @@ class Simulation:
 
 def _liquid(scene: Scene, data: mujoco.MjData) -> Liquid:
     """Return all that the contents of a scene are, still empty."""
-    vessels = [p for p in scene.pieces if isinstance(p, Fillable | Dispenser | Intake)]
+    things = with_mounted(scene.pieces)
+    vessels = [thing for thing in things if isinstance(thing, Fillable | Dispenser | Intake)]
     contents, robot = list(scene.contents.values()), scene.model.body(ROBOT_MOUNT).id
     return Liquid(scene.model, data, vessels, contents, scene.particles, robot)

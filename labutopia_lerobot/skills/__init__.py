@@ -1,6 +1,8 @@
 """Skills: what scripted experts can do, one class per action."""
 
+from labutopia_lerobot.skills.aspirate import Aspirate
 from labutopia_lerobot.skills.close import Close
+from labutopia_lerobot.skills.dispense import Dispense
 from labutopia_lerobot.skills.go import Go
 from labutopia_lerobot.skills.insert import Insert
 from labutopia_lerobot.skills.open import Open
@@ -11,15 +13,19 @@ from labutopia_lerobot.skills.pour_to_mass import PourToMass
 from labutopia_lerobot.skills.press import Press
 from labutopia_lerobot.skills.press_into import PressInto
 from labutopia_lerobot.skills.push_lid import PushLid
+from labutopia_lerobot.skills.run_out import RunOut
 from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
+from labutopia_lerobot.skills.take_pipette import TakePipette
 from labutopia_lerobot.skills.turn_knob import TurnKnob
 from labutopia_lerobot.skills.wait import WaitUntil
 from labutopia_lerobot.skills.watch import Watch
 
 __all__ = [
+    "Aspirate",
     "Close",
+    "Dispense",
     "Go",
     "Insert",
     "Open",
@@ -30,9 +36,11 @@ __all__ = [
     "Press",
     "PressInto",
     "PushLid",
+    "RunOut",
     "Shake",
     "Squeeze",
     "Stir",
+    "TakePipette",
     "TurnKnob",
     "WaitUntil",
     "Watch",

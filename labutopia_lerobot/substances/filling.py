@@ -1,7 +1,7 @@
 """Fillings of vessels."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
@@ -58,6 +58,16 @@ class Narrow(Fillable, Protocol):
 
 
 @runtime_checkable
+class Mounting(Thing, Protocol):
+    """An instrument on which ware is mounted for good, as a burette is on its stand."""
+
+    @property
+    def mounted(self) -> tuple[Fillable, ...]:
+        """The ware, each a body of its own."""
+        ...
+
+
+@runtime_checkable
 class Intake(Thing, Protocol):
     """What draws liquid in at a tip and gives it out there: pipettes, syringes."""
 
@@ -97,8 +107,17 @@ class Filling:
         return self.ml * 1e-6
 
 
+def with_mounted(pieces: Iterable[Thing]) -> tuple[Thing, ...]:
+    """Return pieces, each followed by the ware that is mounted on it."""
+    return tuple(
+        thing
+        for piece in pieces
+        for thing in (piece, *(piece.mounted if isinstance(piece, Mounting) else ()))
+    )
+
+
 def require_fillable[Present: Thing](
-    contents: Mapping[Present, Filling], present: Mapping[Present, object]
+    contents: Mapping[Present, Filling], present: Iterable[Present]
 ) -> None:
     """Make sure, before anything is compiled, that vessels can hold what a task puts into them.
 
@@ -111,10 +130,11 @@ def require_fillable[Present: Thing](
             is not in the task or not watertight.
         UnknownSubstanceError: A substance does not exist.
     """
+    there = with_mounted(present)
     for vessel, filling in contents.items():
         filling.substance  # noqa: B018 - raises if there is none of that name
-        if vessel not in present:
-            names = ", ".join(thing.name for thing in present)
+        if vessel not in there:
+            names = ", ".join(thing.name for thing in there)
             raise ImpossibleFillingError(
                 f"{vessel.name} is to be filled but not in the task, which has: {names}"
             )

@@ -80,7 +80,8 @@ def test_every_element_is_named_after_it(kind):
     catalogue()[kind]("thing").add_to(spec, spec.worldbody)
     elements = [*spec.bodies[1:], *spec.geoms, *spec.joints, *spec.sites, *spec.materials]
     elements += [*spec.meshes, *spec.textures, *spec.sensors, *spec.tendons, *spec.equalities]
-    assert [e.name for e in elements if not e.name.startswith("thing")] == []
+    # All glass of a scene shares one gleam.
+    assert {e.name for e in elements if not e.name.startswith("thing")} <= {"gleam"}
 
 
 def test_all_of_them_compile_in_one_room():

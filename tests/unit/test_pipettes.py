@@ -7,6 +7,7 @@ import pytest
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.handling.piston_pipette import PistonPipette
+from labutopia_lerobot.labware.instruments.support.pipette_stand import PipetteStand
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
@@ -119,6 +120,24 @@ def test_it_drips_when_it_is_warmed(simulation):
     assert drawn(simulation) < full - 0.1
     assert inside(simulation, "pipette") < held
     assert simulation.account.counts.sum() == 1000
+
+
+def test_it_hangs_on_a_hook_of_its_stand_and_lips_keep_it_there():
+    stand, pipette = PipetteStand("stand"), PistonPipette("pipette")
+    simulation = Simulation(compile_scene([stand, pipette], PANDA, LABORATORY, DOOR_VIEW))
+    x, y, z = stand.hanging(pipette)
+    simulation.reset(
+        {stand: Placement(0.3, 0.1, 0.0), pipette: Placement(0.3 + x, 0.1 + y, 0.0, height=z)}
+    )
+    body = simulation.data.body("pipette")
+    hung = body.xpos.copy()
+    for _ in range(60):
+        simulation.step(simulation.command)
+    assert body.xpos == pytest.approx(hung, abs=5e-4)
+    body.xfrc_applied[0] = 0.2  # N, off the column
+    for _ in range(60):
+        simulation.step(simulation.command)
+    assert np.linalg.norm(body.xpos - hung) < 0.01  # the lips keep it
 
 
 def lean(simulation: Simulation, angle: float) -> None:

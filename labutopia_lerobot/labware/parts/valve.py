@@ -42,6 +42,14 @@ class Tap:
         return math.pi / 2
 
     @property
+    def closed_within(self) -> float:
+        """Angle below which it counts as shut [rad]; ours: those of ware are shut from 18 deg on.
+
+        (`Bore.opening`)
+        """
+        return math.radians(10.0)
+
+    @property
     def effort(self) -> float:
         """Torque with which two fingers turn it [N m]."""
         return 0.2

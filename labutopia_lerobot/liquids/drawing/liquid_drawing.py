@@ -16,7 +16,13 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.drawing.surface import LiquidSurface, VesselPose, liquid_surface
+from labutopia_lerobot.liquids.drawing.column import Column, column_surface
+from labutopia_lerobot.liquids.drawing.surface import (
+    LiquidSurface,
+    VesselPose,
+    liquid_surface,
+    together,
+)
 from labutopia_lerobot.liquids.drawing.surface_colors import REACH, colors_at
 from labutopia_lerobot.substances.substance import Color
 from labutopia_lerobot.world.model import SKIN_GROUP
@@ -108,6 +114,7 @@ class LiquidDrawing:
         vessels: Sequence[VesselPose],
         bench_height: float,
         amounts: NDArray[np.float64] | None = None,
+        columns: Sequence[Column] = (),
     ) -> LiquidSurface:
         """Find the surface that the next pictures show, and return it.
 
@@ -117,11 +124,14 @@ class LiquidDrawing:
             bench_height: Height of the bench top [m].
             amounts: Part of each particle that is each substance, shape (n, substances); all is
                 the first if not said.
+            columns: What stands in narrow tubes.
 
         Raises:
             RuntimeError: There are more particles than `add_to` was given.
         """
         surface = liquid_surface(positions_w, self.spacing, vessels, bench_height)
+        loose = len(surface.quads)
+        surface = together([surface, *(column_surface(column) for column in columns)])
         if len(surface.quads) > self._capacity:
             raise RuntimeError(
                 f"The surface of {len(positions_w)} particles of {self.name} has "
@@ -130,9 +140,12 @@ class LiquidDrawing:
         self._corners = surface.vertices_w[surface.quads.ravel()]
         self._normals = surface.normals_w[surface.quads.ravel()]
         if len(self.colors) > 1:
-            middles = surface.vertices_w[surface.quads].mean(axis=1)
+            middles = surface.vertices_w[surface.quads[:loose]].mean(axis=1)
             colors = self._colors(len(positions_w), amounts)
             texels = colors_at(middles, positions_w, colors, REACH * self.spacing)
+            for column in columns:
+                quads = len(column_surface(column).quads)
+                texels = np.vstack([texels, np.tile(column.amounts @ self.colors, (quads, 1))])
             # The picture is drawn with the greatest opacity, of which a texel has a part.
             texels[:, 3] /= self.colors[:, 3].max()
             self._texels = np.rint(255 * texels).astype(np.uint8)

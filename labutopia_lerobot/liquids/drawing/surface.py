@@ -100,11 +100,17 @@ def liquid_surface(
             places, weights = strands(positions_w[these], loose[these], spacing)
             add_drops(drops, drop_grid, places, weights, space, drop_reach, spacing)
     take_away(drops, drop_grid, bodies, grid)
-    rest = LiquidSurface(*surface_of(drop_grid, drops, -drop_reach))
+    return together([body, LiquidSurface(*surface_of(drop_grid, drops, -drop_reach))])
+
+
+def together(surfaces: Sequence[LiquidSurface]) -> LiquidSurface:
+    """Return several surfaces as one; their quads keep their order."""
+    firsts = np.cumsum([0, *(len(surface.vertices_w) for surface in surfaces)])[:-1]
+    shifted = [s.quads + np.int32(first) for s, first in zip(surfaces, firsts, strict=True)]
     return LiquidSurface(
-        np.concatenate([body.vertices_w, rest.vertices_w]),
-        np.concatenate([body.normals_w, rest.normals_w]),
-        np.concatenate([body.quads, rest.quads + np.int32(len(body.vertices_w))]),
+        np.concatenate([surface.vertices_w for surface in surfaces]),
+        np.concatenate([surface.normals_w for surface in surfaces]),
+        np.concatenate(shifted),
     )
 
 

@@ -11,13 +11,12 @@ from labutopia_lerobot.labware.glass.material import (
     SOFT_RUBBER,
     STAINLESS_STEEL,
 )
-from labutopia_lerobot.labware.glass.moving_fittings import Piston
 from labutopia_lerobot.labware.glass.series import UtensilSeries
 from labutopia_lerobot.labware.glass.stirring_bar import StirringBarSeries
+from labutopia_lerobot.labware.glass.syringe import SyringeSeries, syringe
 from labutopia_lerobot.labware.glass.utensil import Shape
-from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod
+from labutopia_lerobot.labware.parts.form import Block, Form, Rod
 from labutopia_lerobot.labware.parts.pipe import Cone
-from labutopia_lerobot.labware.parts.slide import Slide
 
 
 def _lying_rod(name: str, long: float, thick: float, *, look: str) -> Shape:
@@ -60,41 +59,6 @@ def _thermometer(name: str, long: float, thick: float) -> Shape:
         ),
     )
     return Shape(forms, radius, thick)
-
-
-def _syringe(name: str, barrel: float, long: float, tip: float, *, look: str) -> Shape:
-    """Return a syringe on its tip, its plunger pushed in; it comes out by 80 %."""
-    wall, low = 0.06 * barrel, tip
-    top = low + long
-    bore = barrel - 2 * wall
-    plunger: tuple[Form, ...] = (
-        Rod((0, 0, 0), (0, 0, 0.10 * long), 0.97 * bore, "rubber"),
-        Rod((0, 0, 0.10 * long), (0, 0, 1.08 * long), 0.5 * bore, look),
-        Rod((0, 0, 1.08 * long), (0, 0, 1.08 * long + 0.002), 1.1 * barrel, look),
-    )
-    slide = Slide(f"{name}_plunger", 0.8 * long, friction=1.0, effort=6.0)
-    mass = 900.0 * 3.14 * (0.25 * bore) ** 2 * long
-    forms: tuple[Form, ...] = (
-        Cone(0.15 * barrel, 0.25 * barrel, (0.0, tip), look),
-        Rod((0, 0, low), (0, 0, low + wall), barrel, look),
-        Ring(bore, barrel, (low + wall, top), look),
-        Block(
-            (-0.9 * barrel, -0.5 * barrel),
-            (-0.35 * barrel, 0.35 * barrel),
-            (top - 0.002, top),
-            look,
-            0.0,
-        ),
-        Block(
-            (0.5 * barrel, 0.9 * barrel),
-            (-0.35 * barrel, 0.35 * barrel),
-            (top - 0.002, top),
-            look,
-            0.0,
-        ),
-    )
-    piston = Piston(slide, (0.0, 0.0, low + wall + 0.0005), plunger, mass)
-    return Shape(forms, low + 0.5 * long, barrel, (piston,))
 
 
 def _dropper(name: str, long: float, thick: float, bulb: float) -> Shape:
@@ -159,10 +123,10 @@ SERIES = (
         "300 x 6 mm as usual; from memory",
         {"300 x 6 mm": (300, 6)},
     ),
-    UtensilSeries(
+    SyringeSeries(
         "syringe_plastic",
         "A plastic syringe whose plunger is pulled.",
-        partial(_syringe, look="natural"),
+        partial(syringe, look="natural"),
         POLYPROPYLENE,
         "ISO 7886-1, bores such that they hold the volume; from memory",
         {
@@ -173,10 +137,10 @@ SERIES = (
         },
         stands=False,
     ),
-    UtensilSeries(
+    SyringeSeries(
         "syringe_glass",
         "A glass syringe whose plunger is pulled.",
-        partial(_syringe, look="glass_edge"),
+        partial(syringe, look="glass_edge"),
         BOROSILICATE,
         "as ISO 7886-1; from memory",
         {"10 ml": (18, 70, 10), "50 ml": (31, 100, 12)},

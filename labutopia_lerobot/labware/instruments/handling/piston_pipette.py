@@ -28,6 +28,8 @@ _STOP = (0.98, 0.995, 0.0001, 0.5, 2)
 """Impedance of the stops: 20 N press them in by less than 0.13 mm; ours."""
 _GRIP = 0.150
 """Height of the middle of the grips above the tip's end [m]."""
+_HOOK = 0.190
+"""Height of the underside of its hook above the tip's end [m]."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,7 @@ class PistonPipette(Instrument):
 
     name: str
     volume: float = 1e-6
-    size = (0.040, 0.044, 0.230)
+    size = (0.024, 0.044, 0.230)
     mass = 0.085
     source = "1 ml, 85 g and 230 mm with its tip, as usual; from memory"
     movable: ClassVar[bool] = True
@@ -72,6 +74,21 @@ class PistonPipette(Instrument):
         return self.size[1]
 
     @property
+    def hangs_by(self) -> float:
+        """Height of the underside of the hook above the end of the tip [m]."""
+        return _HOOK
+
+    @property
+    def stroke(self) -> float:
+        """Travel of both grips together to the first stop [m]."""
+        return 2 * _FIRST
+
+    @property
+    def full_stroke(self) -> float:
+        """Travel of both grips together to the second stop [m]."""
+        return 2 * _SECOND
+
+    @property
     def draws_at(self) -> str:
         """Name of the frame at the end of its tip; z the way that liquid leaves."""
         return f"{self.name}_tip"
@@ -93,7 +110,7 @@ class PistonPipette(Instrument):
             Turned(((0.0008, 0.0), (0.0045, 0.070), (0.0, 0.071)), "natural"),
             Rod((0, 0, 0.066), (0, 0, 0.120), 0.012, "light_grey"),
             Rod((0, 0, 0.120), (0, 0, 0.230), 0.024, "white"),
-            Block((-0.020, 0.020), (-0.010, 0.010), (0.190, 0.200), "petrol"),  # hook
+            Block((-0.010, 0.010), (-0.020, 0.020), (_HOOK, 0.200), "petrol"),
         ]
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:

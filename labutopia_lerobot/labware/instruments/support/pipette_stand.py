@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.instruments.handling.piston_pipette import PistonPipette
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.form import (
     Block,
@@ -15,11 +16,22 @@ from labutopia_lerobot.labware.parts.form import (
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.labware.parts.solid import Vector
+from labutopia_lerobot.world.model import COLLISION_GROUP
+
+_HOOKS = 6
+_CAROUSEL = 0.272
+"""Height of the carousel [m]."""
+_REACH, _APART = 0.081, 0.0165
+"""From the axis to the middle of a hook, and from there to either prong's [m]: a pipette's body of
+24 mm goes in between."""
+_PRONG = (0.002, 0.012)
+"""Underside and top of the prongs above the carousel's origin [m]."""
 
 
 @dataclass(frozen=True)
 class PipetteStand(Instrument):
-    """A round stand whose six hooks turn about its column.
+    """A round stand whose six hooks turn about its column; lips keep a pipette on its prongs.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -39,6 +51,15 @@ class PipetteStand(Instrument):
     def mechanisms(self) -> tuple[Mechanism, ...]:
         return (self.carousel,)
 
+    def hook(self, number: int) -> str:
+        """Return the name of the frame of a hook: between its prongs, x away from the column."""
+        return f"{self.name}_hook_{number}"
+
+    @staticmethod
+    def hanging(pipette: PistonPipette) -> Vector:
+        """Return where the origin of a pipette is that hangs on the first hook [m]."""
+        return (_REACH, 0.0, _CAROUSEL + _PRONG[1] - pipette.hangs_by)
+
     def _forms(self) -> list[Form]:
         return [
             Turned(
@@ -50,7 +71,7 @@ class PipetteStand(Instrument):
         ]
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
-        top = self.carousel.add_to(spec, body, (0.0, 0.0, 0.272))
+        top = self.carousel.add_to(spec, body, (0.0, 0.0, _CAROUSEL))
         forms: list[Form] = [
             Turned(
                 ((0, 0), (0.060, 0), (0.066, 0.006), (0.066, 0.016), (0, 0.020)),
@@ -62,19 +83,26 @@ class PipetteStand(Instrument):
                 "petrol",
             ),
         ]
-        for n in range(6):
-            a = 2 * math.pi * n / 6
+        for n in range(_HOOKS):
+            a = 2 * math.pi * n / _HOOKS
             turn, c, s = about((0, 0, 1), math.degrees(a)), math.cos(a), math.sin(a)
             for side in (-1, 1):
-                x, y = 0.078 * c - side * 0.011 * s, 0.078 * s + side * 0.011 * c
-                forms.append(
-                    Block(
-                        (x - 0.014, x + 0.014),
-                        (y - 0.003, y + 0.003),
-                        (0.002, 0.012),
-                        "petrol",
-                        0.002,
-                        turn,
-                    )
+                x, y = _REACH * c - side * _APART * s, _REACH * s + side * _APART * c
+                prong = Block(
+                    (x - 0.016, x + 0.016), (y - 0.003, y + 0.003), _PRONG, "petrol", 0.001, turn
                 )
+                x, y = x + 0.0145 * c, y + 0.0145 * s
+                lip = (_PRONG[1], _PRONG[1] + 0.003)
+                forms += (
+                    prong,
+                    Block(
+                        (x - 0.0015, x + 0.0015), (y - 0.003, y + 0.003), lip, "petrol", 0.001, turn
+                    ),
+                )
+            top.add_site(
+                name=self.hook(n),
+                pos=(_REACH * c, _REACH * s, _PRONG[1]),
+                quat=about((0, 0, 1), math.degrees(a)),
+                group=COLLISION_GROUP,
+            )
         assemble(spec, top, self.name, forms, mass=0.25)
