@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from labutopia_lerobot.chemistry.chem_db import record
-from labutopia_lerobot.chemistry.substance import Substance, table
+from labutopia_lerobot.chemistry.compound import Compound, table
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGE = DOCS / "substances.md"
@@ -69,14 +69,14 @@ def _lines() -> Iterator[str]:
         yield f"- `{key}`: {source}."
 
 
-def _chapters(all_of_them: tuple[Substance, ...]) -> Iterator[tuple[str, list[Substance]]]:
+def _chapters(all_of_them: tuple[Compound, ...]) -> Iterator[tuple[str, list[Compound]]]:
     """Yield the compounds in two parts: with carbon chains or rings, and without."""
     organic = [one for one in all_of_them if one.composition.atoms.keys() >= {"C", "H"}]
     yield "Organic, and salts of organic acids", organic
     yield "Inorganic", [one for one in all_of_them if one not in organic]
 
 
-def _row(one: Substance) -> Iterator[str]:
+def _row(one: Compound) -> Iterator[str]:
     printed = record(one)
     yield f"{one.name}<br>`{one.id}`"
     yield one.formula

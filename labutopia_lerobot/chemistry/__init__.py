@@ -4,7 +4,7 @@ It imports neither mujoco nor torch. Paper: "Chemical Process Modeling" and its 
 of Chemical Substances", "Process Reasoning Pipeline").
 """
 
-from labutopia_lerobot.chemistry.reaction import Amounts, Conditions, Outcome, Portion, Reaction
+from labutopia_lerobot.chemistry.reaction import Amounts, Conditions, Outcome, Reactant, Reaction
 from labutopia_lerobot.chemistry.reasoning import react
 
-__all__ = ["Amounts", "Conditions", "Outcome", "Portion", "Reaction", "react"]
+__all__ = ["Amounts", "Conditions", "Outcome", "Reactant", "Reaction", "react"]

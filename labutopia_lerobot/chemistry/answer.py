@@ -9,12 +9,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 
+from labutopia_lerobot.chemistry.compound import Compound, substances
 from labutopia_lerobot.chemistry.equation import Composition, Equation, composition, read_equation
-from labutopia_lerobot.chemistry.errors import ChemistryError
 from labutopia_lerobot.chemistry.formula import Formula, parse
 from labutopia_lerobot.chemistry.names import resolve
-from labutopia_lerobot.chemistry.reaction import Conditions, Portion, Product, Reaction
-from labutopia_lerobot.chemistry.substance import Substance, substances
+from labutopia_lerobot.chemistry.reaction import Conditions, Product, Reactant, Reaction
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 from labutopia_lerobot.foreign_files import checked, parse_json
 
 LONGEST = 50_000
@@ -57,7 +57,7 @@ class _Answer:
 
 
 def read_answer(
-    said: str, portions: Sequence[Portion], conditions: Conditions
+    said: str, portions: Sequence[Reactant], conditions: Conditions
 ) -> tuple[Reaction, ...]:
     """Return the reactions of an answer in the paper's form.
 
@@ -98,7 +98,7 @@ def read_answer(
     return answer.reactions
 
 
-def _there(portions: Sequence[Portion], conditions: Conditions) -> set[Composition]:
+def _there(portions: Sequence[Reactant], conditions: Conditions) -> set[Composition]:
     """Return what may react first."""
     words = [portion.compound for portion in portions]
     compounds = [resolve(word) for word in (*words, conditions.solvent, *conditions.catalysts)]
@@ -107,7 +107,7 @@ def _there(portions: Sequence[Portion], conditions: Conditions) -> set[Compositi
     return {composition(parse(text)) for text in formulas}
 
 
-def _forms(compound: Substance) -> Iterator[str]:
+def _forms(compound: Compound) -> Iterator[str]:
     yield compound.formula
     yield compound.formula.partition("·")[0]  # without its water of crystallisation
     yield from compound.ions

@@ -15,7 +15,7 @@ class Change:
     Attributes:
         coefficients: By key, negative for what is used up; whole numbers without common divisor.
         extent: [mol].
-        kind: What is called ``reaction_type`` in the answer.
+        kind: The ``reaction_type`` of the answer.
         rationale: Why it happens.
         confidence: From 0 to 1; an estimate of ours.
         slow: Whether it takes minutes or more.

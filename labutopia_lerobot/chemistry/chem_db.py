@@ -9,9 +9,9 @@ the fields after the nine.
 import difflib
 from collections.abc import Callable, Mapping, Sequence
 
-from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.compound import Compound
 from labutopia_lerobot.chemistry.names import resolve
-from labutopia_lerobot.chemistry.substance import Substance
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 
 type Record = dict[str, str | None]
 
@@ -36,12 +36,12 @@ def lookup(query: Mapping[str, Sequence[str]]) -> list[Record]:
     return [_record(resolve(compound), fields) for compound in compounds]
 
 
-def record(compound: Substance) -> Record:
+def record(compound: Compound) -> Record:
     """Return the paper's record of a compound."""
     return _record(compound, PAPER_FIELDS)
 
 
-def _record(compound: Substance, fields: Sequence[str]) -> Record:
+def _record(compound: Compound, fields: Sequence[str]) -> Record:
     return {field: _FORMS[field](compound) for field in fields}
 
 
@@ -77,7 +77,7 @@ def _celsius(kelvin: float | None) -> str | None:
     return f"{round(kelvin - 273.15, 2) + 0.0:,.2f} °C"  # + 0.0: no "-0.00"
 
 
-def _solubility(compound: Substance) -> str | None:
+def _solubility(compound: Compound) -> str | None:
     match compound.solubility:
         case None | "miscible" as word:
             return word
@@ -87,17 +87,17 @@ def _solubility(compound: Substance) -> str | None:
             return f"{value:,.2f} g/L" if value >= 0.1 else f"{value:.2g} g/L"
 
 
-def _ph(compound: Substance) -> str | None:
+def _ph(compound: Compound) -> str | None:
     if compound.ph is None:
         return None
     return f"{compound.ph.value:.2f} at {compound.ph.concentration / 1000:g} mol/L"
 
 
-def _molar_mass(compound: Substance) -> str:
+def _molar_mass(compound: Compound) -> str:
     return f"{compound.composition.relative_mass.normalize():f} g/mol"
 
 
-_FORMS: Mapping[str, Callable[[Substance], str | None]] = {
+_FORMS: Mapping[str, Callable[[Compound], str | None]] = {
     "compound_name": lambda compound: compound.name,
     "chemical_formula": lambda compound: compound.formula,
     "molar_mass": _molar_mass,

@@ -4,8 +4,8 @@ import re
 from collections import Counter
 from dataclasses import dataclass
 
-from labutopia_lerobot.chemistry.errors import ChemistryError
 from labutopia_lerobot.chemistry.formula import Formula, parse
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 
 type Composition = tuple[frozenset[tuple[str, int]], int]
 """Atoms and charge: what is the same of a species however its formula is written."""

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 from labutopia_lerobot.kernel import kernel
 
 Floats = NDArray[np.float64]

@@ -8,7 +8,7 @@ from decimal import Decimal
 from types import MappingProxyType
 
 from labutopia_lerobot.chemistry.atomic_weights import ATOMIC_WEIGHTS
-from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-")

@@ -1,4 +1,4 @@
-"""What is refused: mixtures that burn, explode or poison, each with its chemical name.
+"""Refusals: mixtures that burn, explode or poison, each with its chemical name.
 
 Source: Urben (ed.), Bretherick's Handbook of Reactive Chemical Hazards.
 """
@@ -6,8 +6,8 @@ Source: Urben (ed.), Bretherick's Handbook of Reactive Chemical Hazards.
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 
-from labutopia_lerobot.chemistry.errors import HazardRefusedError
-from labutopia_lerobot.chemistry.substance import Substance
+from labutopia_lerobot.chemistry.compound import Compound
+from labutopia_lerobot.chemistry.refusals import HazardRefusedError
 
 _AUTOIGNITION = 500.0
 """Temperature from which what burns is not heated in air or with an oxidiser [K]; ours, below the
@@ -34,7 +34,7 @@ class Charge:
         undiluted: Formulas of what is not in solution.
     """
 
-    compounds: Sequence[Substance]
+    compounds: Sequence[Compound]
     temperature: float
     ph: float | None
     undiluted: Set[str]
@@ -51,7 +51,7 @@ class Charge:
     def kinds(self) -> set[str]:
         return {kind for one in self.compounds for kind in one.reactivity}
 
-    def of_kind(self, *kinds: str) -> list[Substance]:
+    def of_kind(self, *kinds: str) -> list[Compound]:
         """Return the compounds of any of these classes."""
         return [one for one in self.compounds if set(kinds) & set(one.reactivity)]
 

@@ -16,12 +16,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from labutopia_lerobot.chemistry.answer import AnswerError, read_answer
-from labutopia_lerobot.chemistry.errors import ChemistryError
 from labutopia_lerobot.chemistry.model_server import ModelServer, ModelServerError
 from labutopia_lerobot.chemistry.output import PAPER_SCHEMA
 from labutopia_lerobot.chemistry.prompt import prompt
 from labutopia_lerobot.chemistry.react import react
-from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion, Reaction
+from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Reactant, Reaction
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 from labutopia_lerobot.foreign_files import printable
 from labutopia_lerobot.kernel import user_cache
 
@@ -97,7 +97,7 @@ class LanguageModel:
             cached_only=cached_only or constants.is_offline_mode(),
         )
 
-    def infer(self, portions: Sequence[Portion], conditions: Conditions) -> Outcome:
+    def infer(self, portions: Sequence[Reactant], conditions: Conditions) -> Outcome:
         """Return the reactions that the model infers, with the amounts of the rules.
 
         A model knows no amounts, heat or pH. Where it does not answer, or only with what is
@@ -126,7 +126,7 @@ class LanguageModel:
         return self.cached_only or self.base_url is None
 
     def _reactions(
-        self, server: ModelServer | None, portions: Sequence[Portion], conditions: Conditions
+        self, server: ModelServer | None, portions: Sequence[Reactant], conditions: Conditions
     ) -> tuple[Reaction, ...]:
         """Return reactions of a good answer, kept or new; a server of None is not asked."""
         messages = prompt(portions, conditions)

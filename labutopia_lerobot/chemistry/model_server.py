@@ -16,7 +16,7 @@ import httpx
 from huggingface_hub import InferenceClient
 from huggingface_hub.errors import InferenceTimeoutError
 
-from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 from labutopia_lerobot.foreign_files import printable
 
 LARGEST_ANSWER = 1_000_000

@@ -18,10 +18,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from labutopia_lerobot.chemistry.errors import AmbiguousCompoundError, UnknownCompoundError
+from labutopia_lerobot.chemistry.compound import Compound, substances
 from labutopia_lerobot.chemistry.formula import Formula, FormulaError, parse
 from labutopia_lerobot.chemistry.name_words import KIN, is_chemical
-from labutopia_lerobot.chemistry.substance import Substance, substances
+from labutopia_lerobot.chemistry.refusals import AmbiguousCompoundError, UnknownCompoundError
 
 type _Words = tuple[str, ...]
 
@@ -51,7 +51,7 @@ class _Index:
     written: Mapping[str, str]
 
 
-def resolve(text: str) -> Substance:
+def resolve(text: str) -> Compound:
     """Return the compound that a text names.
 
     Args:
@@ -197,7 +197,7 @@ def _key(written: _Words) -> str:
     return "".join(f"<{word}>" if word in _NUMERALS else word for word in written)
 
 
-def _names(one: Substance) -> Iterator[str]:
+def _names(one: Compound) -> Iterator[str]:
     yield one.name
     yield from (name for name in one.synonyms if not _is_formula(name))
 

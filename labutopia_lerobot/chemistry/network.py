@@ -14,8 +14,8 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from labutopia_lerobot.chemistry.compound import Band, Colour, Compound, substances, table
 from labutopia_lerobot.chemistry.formula import Formula, parse
-from labutopia_lerobot.chemistry.substance import Band, Colour, Substance, substances, table
 
 SpeciesPhase = Literal["aq", "s", "l", "g"]
 
@@ -238,7 +238,7 @@ def _add_first_hydrolysis(made: Network, formula: str, pka: float) -> None:
         )
 
 
-def _add_acid(made: Network, substance: Substance) -> None:
+def _add_acid(made: Network, substance: Compound) -> None:
     """Add what a substance's own steps as an acid give, the most basic form as a component."""
     for step in reversed(substance.acidity):
         if step.acid == "H2O" or step.pka < 0:
@@ -278,7 +278,7 @@ def without_water(made: Network, formula: str) -> str | None:
     return key if key in ("CO2(aq)", "SO2(aq)", "NH3(aq)", "B(OH)3(aq)") else None
 
 
-def _add_pure(made: Network, substance: Substance) -> None:
+def _add_pure(made: Network, substance: Compound) -> None:
     """Add the pure substance as a phase, with its solubility where that is known."""
     if substance.phase is None or substance.formula == "H2O":
         return

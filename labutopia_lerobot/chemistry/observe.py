@@ -5,8 +5,8 @@ from functools import cache
 
 from labutopia_lerobot.chemistry import colour
 from labutopia_lerobot.chemistry.change import Change
+from labutopia_lerobot.chemistry.compound import substances
 from labutopia_lerobot.chemistry.network import WATER, network
-from labutopia_lerobot.chemistry.substance import substances
 
 _FELT = 0.5
 """Smallest change of temperature that is worth a word [K]; an estimate of ours."""

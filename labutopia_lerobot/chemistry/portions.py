@@ -2,6 +2,7 @@
 
 import math
 
+from labutopia_lerobot.chemistry.compound import Compound
 from labutopia_lerobot.chemistry.network import (
     LETTERS,
     WATER,
@@ -9,7 +10,6 @@ from labutopia_lerobot.chemistry.network import (
     network,
     without_water,
 )
-from labutopia_lerobot.chemistry.substance import Substance
 
 WATER_PER_VOLUME = 55_345.0
 """Of water at 25 C [mol/m^3]: 997.05 kg/m^3 (CRC Handbook) over 0.018015 kg/mol."""
@@ -21,7 +21,7 @@ _VERY_SOLUBLE_GAS = 200.0
 """Solubility from which a gas is sold and poured as a solution, as ammonia is [kg/m^3]."""
 
 
-def phase_at(compound: Substance, temperature: float) -> SpeciesPhase:
+def phase_at(compound: Compound, temperature: float) -> SpeciesPhase:
     """Return the phase of a pure compound; what is not known to change stays as at 25 C."""
     if compound.phase is None:
         return "aq"
@@ -33,7 +33,7 @@ def phase_at(compound: Substance, temperature: float) -> SpeciesPhase:
 
 
 def poured(
-    compound: Substance, amount: float, volume: float, temperature: float, *, wet: bool
+    compound: Compound, amount: float, volume: float, temperature: float, *, wet: bool
 ) -> dict[str, float]:
     """Return the species that a portion consists of.
 
@@ -67,14 +67,14 @@ def poured(
     return {key: mol for key, mol in brought.items() if mol}
 
 
-def _is_bubbled(compound: Substance) -> bool:
+def _is_bubbled(compound: Compound) -> bool:
     solubility = compound.solubility
     return not compound.ions and (
         not isinstance(solubility, int | float) or solubility < _VERY_SOLUBLE_GAS
     )
 
 
-def _dissolved(compound: Substance) -> dict[str, int]:
+def _dissolved(compound: Compound) -> dict[str, int]:
     """Return what one formula unit gives in water; empty for what does not dissolve."""
     made = network()
     if compound.ions:
@@ -98,14 +98,14 @@ def _dissolved(compound: Substance) -> dict[str, int]:
     return {made.dissolved(compound.formula).key: 1}
 
 
-def _is_element_or_oxide(compound: Substance) -> bool:
+def _is_element_or_oxide(compound: Compound) -> bool:
     kinds = set(compound.reactivity)
     return bool(kinds & {"metal", "nonmetal", "noble gas", "hydrocarbon"}) or any(
         kind.endswith("oxide") for kind in kinds
     )
 
 
-def _molar_solubility(compound: Substance, pure: str) -> float:
+def _molar_solubility(compound: Compound, pure: str) -> float:
     """Return what dissolves in water alone, no protons counted [mol/l]; infinite if unlimited."""
     one = network().species.get(pure)
     if compound.solubility == "miscible" or one is None or one.is_component:

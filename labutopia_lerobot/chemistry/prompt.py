@@ -9,7 +9,7 @@ import json
 from collections.abc import Sequence
 
 from labutopia_lerobot.chemistry import chem_db, names
-from labutopia_lerobot.chemistry.reaction import Conditions, Portion
+from labutopia_lerobot.chemistry.reaction import Conditions, Reactant
 
 FIELDS = (
     "compound_name",
@@ -22,7 +22,7 @@ FIELDS = (
     "sublimation_point",
     "appearance",
 )
-"""What is retrieved of each reactant: the fields of the paper's example of a query."""
+"""Fields retrieved of each reactant: the fields of the paper's example of a query."""
 
 SYSTEM = """\
 You are a chemical process reasoning assistant. Use only the provided compound attributes to infer \
@@ -70,7 +70,7 @@ Return ONLY JSON following this schema:
 }}"""
 
 
-def prompt(portions: Sequence[Portion], conditions: Conditions) -> list[dict[str, str]]:
+def prompt(portions: Sequence[Reactant], conditions: Conditions) -> list[dict[str, str]]:
     """Return the two messages for a model.
 
     Raises:
@@ -93,7 +93,7 @@ def filled(reactants: str, conditions: str, records: str) -> str:
 
 
 def _conditions(
-    reactants: Sequence[str], portions: Sequence[Portion], conditions: Conditions
+    reactants: Sequence[str], portions: Sequence[Reactant], conditions: Conditions
 ) -> str:
     """Return conditions as the paper writes them."""
     said: dict[str, object] = {

@@ -11,8 +11,8 @@ from functools import lru_cache
 
 from labutopia_lerobot.chemistry import colour, observe
 from labutopia_lerobot.chemistry.change import Change, whole, with_acid_of
+from labutopia_lerobot.chemistry.compound import Compound
 from labutopia_lerobot.chemistry.describe import describe
-from labutopia_lerobot.chemistry.errors import ImpossibleConditionsError
 from labutopia_lerobot.chemistry.hazards import Charge, refuse
 from labutopia_lerobot.chemistry.names import resolve
 from labutopia_lerobot.chemistry.network import WATER, network
@@ -22,15 +22,15 @@ from labutopia_lerobot.chemistry.reaction import (
     Conditions,
     Outcome,
     Phase,
-    Portion,
     Product,
+    Reactant,
     Reaction,
     Yield,
 )
+from labutopia_lerobot.chemistry.refusals import ImpossibleConditionsError
 from labutopia_lerobot.chemistry.rules import indicator, known, redox
-from labutopia_lerobot.chemistry.rules.step import Step, in_what_is_there
+from labutopia_lerobot.chemistry.rules.reaction_step import ReactionStep, in_what_is_there
 from labutopia_lerobot.chemistry.speciation import ph_of, settle
-from labutopia_lerobot.chemistry.substance import Substance
 
 _BOILING_POINT = 373.15
 """Of water at 101,325 Pa [K]: above it nothing is in solution."""
@@ -52,7 +52,7 @@ _HEAT_CAPACITY = 4.168e6
 
 
 @dataclass(frozen=True)
-class Vessel:
+class ReactionVessel:
     """Where and how it happens.
 
     Attributes:
@@ -77,13 +77,13 @@ class Vessel:
 
 
 def react(
-    portions: Sequence[str | Portion],
+    portions: Sequence[str | Reactant],
     conditions: Conditions = Conditions(),  # noqa: B008 - frozen
 ) -> Outcome:
     """Return what happens when portions are poured together.
 
     Args:
-        portions: At least one; a text is a portion with the defaults of `Portion`.
+        portions: At least one; a text is a portion with the defaults of `Reactant`.
         conditions: How it is done.
 
     Raises:
@@ -93,7 +93,7 @@ def react(
         HazardRefusedError: The mixture is dangerous.
         NoEquilibriumError: The equilibrium was not computed.
     """
-    meant = [Portion(one) if isinstance(one, str) else one for one in portions]
+    meant = [Reactant(one) if isinstance(one, str) else one for one in portions]
     if not meant:
         raise ImpossibleConditionsError("nothing is poured in. Name at least one compound")
     _check(meant, conditions)
@@ -105,7 +105,7 @@ def react(
     )
     hot = conditions.temperature > _BOILING_POINT
     volume = 0.0 if hot else math.fsum(dose[2] for dose in doses)
-    vessel = Vessel(
+    vessel = ReactionVessel(
         volume=volume,
         temperature=conditions.temperature,
         open_system=conditions.open_system,
@@ -125,7 +125,9 @@ def react(
     return _outcome(before, after, changes, vessel, compounds)
 
 
-def proceed(before: Mapping[str, float], vessel: Vessel) -> tuple[dict[str, float], list[Change]]:
+def proceed(
+    before: Mapping[str, float], vessel: ReactionVessel
+) -> tuple[dict[str, float], list[Change]]:
     """Return what becomes of these species, and by which reactions.
 
     Args:
@@ -168,7 +170,7 @@ def _join(changes: list[Change], one: Change) -> None:
     changes.append(one)
 
 
-def _settled(state: Mapping[str, float], vessel: Vessel) -> dict[str, float]:
+def _settled(state: Mapping[str, float], vessel: ReactionVessel) -> dict[str, float]:
     if not vessel.is_wet:
         return dict(state)
     return settle(
@@ -181,7 +183,7 @@ def _settled(state: Mapping[str, float], vessel: Vessel) -> dict[str, float]:
 
 
 def _first_step(
-    state: Mapping[str, float], settled: Mapping[str, float], vessel: Vessel
+    state: Mapping[str, float], settled: Mapping[str, float], vessel: ReactionVessel
 ) -> Change | None:
     """Return the first reaction that uses something up, done as far as it goes."""
     ph = None
@@ -200,14 +202,14 @@ def _first_step(
     return None
 
 
-def _in_solution(step: Step, state: Mapping[str, float]) -> Step:
+def _in_solution(step: ReactionStep, state: Mapping[str, float]) -> ReactionStep:
     """Return a step with the forms, the acid and the base that the solution holds."""
     numbers = with_acid_of(in_what_is_there(step.coefficients, state), state, 14.0)
     balanced = None if numbers is None else whole(numbers)
     return step if balanced is None else replace(step, coefficients=balanced)
 
 
-def _done(step: Step, state: Mapping[str, float]) -> Change | None:
+def _done(step: ReactionStep, state: Mapping[str, float]) -> Change | None:
     ratios = {
         key: state.get(key, 0.0) / -n
         for key, n in step.coefficients.items()
@@ -233,11 +235,11 @@ def _done(step: Step, state: Mapping[str, float]) -> Change | None:
 
 
 @lru_cache(maxsize=4096)
-def _resolved(name: str) -> Substance:
+def _resolved(name: str) -> Compound:
     return resolve(name)
 
 
-def _check(portions: Sequence[Portion], conditions: Conditions) -> None:
+def _check(portions: Sequence[Reactant], conditions: Conditions) -> None:
     asked: list[tuple[str, float | None]] = [
         ("temperature", conditions.temperature),
         ("concentration", conditions.concentration),
@@ -267,8 +269,8 @@ def _check(portions: Sequence[Portion], conditions: Conditions) -> None:
 
 
 def _dose(
-    portion: Portion, compound: Substance, conditions: Conditions
-) -> tuple[Substance, float, float]:
+    portion: Reactant, compound: Compound, conditions: Conditions
+) -> tuple[Compound, float, float]:
     """Return the compound, its amount [mol] and the volume of liquid that it brings [m^3]."""
     if compound.formula == "H2O":
         volume = portion.volume or (portion.amount or 0.0) / WATER_PER_VOLUME
@@ -279,14 +281,16 @@ def _dose(
     return compound, amount, portion.volume
 
 
-def _formulas(compounds: Sequence[Substance]) -> frozenset[str]:
+def _formulas(compounds: Sequence[Compound]) -> frozenset[str]:
     names: set[str] = set()
     for one in compounds:
         names |= {one.formula, f"{one.formula}(s)", one.name.lower(), *one.ions}
     return frozenset(names)
 
 
-def _charge(compounds: Sequence[Substance], before: Mapping[str, float], vessel: Vessel) -> Charge:
+def _charge(
+    compounds: Sequence[Compound], before: Mapping[str, float], vessel: ReactionVessel
+) -> Charge:
     undiluted = {
         one.formula for one in compounds if any(f"{one.formula}({p})" in before for p in "slg")
     }
@@ -306,8 +310,8 @@ def _outcome(
     before: Mapping[str, float],
     after: dict[str, float],
     changes: Sequence[Change],
-    vessel: Vessel,
-    compounds: Sequence[Substance],
+    vessel: ReactionVessel,
+    compounds: Sequence[Compound],
 ) -> Outcome:
     heat = _enthalpy(before) - _enthalpy(after)
     warming = heat / (vessel.volume * _HEAT_CAPACITY) if vessel.is_wet else 0.0
@@ -342,7 +346,7 @@ def _outcome(
     )
 
 
-def _note(changes: Sequence[Change], vessel: Vessel, warming: float) -> str:
+def _note(changes: Sequence[Change], vessel: ReactionVessel, warming: float) -> str:
     notes = []
     if not vessel.is_wet:
         notes.append("There is no water: only reactions of pure compounds were looked for.")

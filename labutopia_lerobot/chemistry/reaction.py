@@ -10,7 +10,7 @@ Yield = Literal["high", "medium", "low"]
 
 
 @dataclass(frozen=True)
-class Portion:
+class Reactant:
     """Some of a compound that is poured in.
 
     Attributes:

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal, get_args
 
-from labutopia_lerobot.chemistry.errors import ChemistryError
 from labutopia_lerobot.chemistry.react import react as react_by_rules
-from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion
+from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Reactant
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 
 if TYPE_CHECKING:
     from labutopia_lerobot.chemistry.language_model import LanguageModel
@@ -19,7 +19,7 @@ class UnknownReasonerError(ChemistryError):
 
 
 def react(
-    portions: Sequence[str | Portion],
+    portions: Sequence[str | Reactant],
     conditions: Conditions = Conditions(),  # noqa: B008 - frozen
     reasoner: Reasoner = "rules",
     model: "LanguageModel | None" = None,
@@ -27,7 +27,7 @@ def react(
     """Return what happens when portions are poured together.
 
     Args:
-        portions: At least one; a text is a portion with the defaults of `Portion`.
+        portions: At least one; a text is a portion with the defaults of `Reactant`.
         conditions: How it is done.
         reasoner: Who infers the reactions.
         model: Of `llm`: whom to ask; None for what the environment says.
@@ -45,5 +45,5 @@ def react(
     # Here: it takes a second to import what asks.
     from labutopia_lerobot.chemistry.language_model import LanguageModel
 
-    meant = [Portion(one) if isinstance(one, str) else one for one in portions]
+    meant = [Reactant(one) if isinstance(one, str) else one for one in portions]
     return (model or LanguageModel.of_environment()).infer(meant, conditions)

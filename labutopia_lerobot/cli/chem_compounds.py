@@ -6,8 +6,8 @@ import json
 from rich.console import Console
 
 from labutopia_lerobot.chemistry.chem_db import record
+from labutopia_lerobot.chemistry.compound import Compound, substances
 from labutopia_lerobot.chemistry.names import resolve
-from labutopia_lerobot.chemistry.substance import Substance, substances
 
 
 def add_list(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -38,7 +38,7 @@ def _list(arguments: argparse.Namespace) -> None:
     console.print(f"{len(chosen)} of {len(substances())} compounds", markup=False)
 
 
-def _texts(one: Substance) -> tuple[str, ...]:
+def _texts(one: Compound) -> tuple[str, ...]:
     """Return what a word is looked for in."""
     texts = (one.name, one.formula, one.id, *one.synonyms, *one.reactivity)
     return tuple(text.casefold() for text in texts)

@@ -4,9 +4,9 @@ import math
 import re
 from collections.abc import Mapping
 
-from labutopia_lerobot.chemistry.errors import ImpossibleConditionsError
 from labutopia_lerobot.chemistry.names import resolve
-from labutopia_lerobot.chemistry.reaction import Portion
+from labutopia_lerobot.chemistry.reaction import Reactant
+from labutopia_lerobot.chemistry.refusals import ImpossibleConditionsError
 
 _VOLUMES = {"l": 1e-3, "ml": 1e-6, "cm3": 1e-6, "ul": 1e-9, "m3": 1.0}
 _CONCENTRATIONS = {"M": 1e3, "mM": 1.0, "uM": 1e-3, "mol/l": 1e3, "mmol/l": 1.0, "mol/m3": 1.0}
@@ -51,7 +51,7 @@ def temperature(text: str) -> float:
     return kelvin
 
 
-def portion(text: str, usual_volume: float, usual_concentration: float) -> Portion:
+def portion(text: str, usual_volume: float, usual_concentration: float) -> Reactant:
     """Return a portion such as `hydrochloric acid: 0.2M 50ml` or `zinc: 0.5g`.
 
     Args:
@@ -65,7 +65,7 @@ def portion(text: str, usual_volume: float, usual_concentration: float) -> Porti
     """
     name, colon, said = (part.strip() for part in text.rpartition(":"))
     if not colon:
-        return Portion(text, volume=usual_volume)
+        return Reactant(text, volume=usual_volume)
     kinds = {"volume": _VOLUMES, "concentration": _CONCENTRATIONS}
     kinds |= {"amount": _AMOUNTS, "mass": _MASSES}
     given: dict[str, float] = {}
@@ -84,8 +84,8 @@ def portion(text: str, usual_volume: float, usual_concentration: float) -> Porti
         given["amount"] = given["mass"] / resolve(name).molar_mass
     own_volume = given.get("volume", 0.0 if pure else usual_volume)
     if pure:
-        return Portion(name, given["amount"], own_volume)
-    return Portion(name, given.get("concentration", usual_concentration) * own_volume, own_volume)
+        return Reactant(name, given["amount"], own_volume)
+    return Reactant(name, given.get("concentration", usual_concentration) * own_volume, own_volume)
 
 
 def _quantity(text: str, units: Mapping[str, float], kind: str, example: str) -> float:

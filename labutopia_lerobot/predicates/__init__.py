@@ -36,7 +36,7 @@ from labutopia_lerobot.predicates.openables import (
     less_open,
     opened,
 )
-from labutopia_lerobot.predicates.pipetting import in_hand, tip_above, tip_in
+from labutopia_lerobot.predicates.pipette_tip import in_hand, tip_above, tip_in
 from labutopia_lerobot.predicates.placing import (
     near,
     released,

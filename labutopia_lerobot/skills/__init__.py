@@ -19,8 +19,7 @@ from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 from labutopia_lerobot.skills.take_pipette import TakePipette
 from labutopia_lerobot.skills.turn_knob import TurnKnob
-from labutopia_lerobot.skills.wait import WaitUntil
-from labutopia_lerobot.skills.watch import Watch
+from labutopia_lerobot.skills.wait import WaitUntilDue, WaitUntilReads
 
 __all__ = [
     "Aspirate",
@@ -42,6 +41,6 @@ __all__ = [
     "Stir",
     "TakePipette",
     "TurnKnob",
-    "WaitUntil",
-    "Watch",
+    "WaitUntilDue",
+    "WaitUntilReads",
 ]

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from labutopia_lerobot.skills.pipetting import Held, Workable, bodies
+from labutopia_lerobot.skills.pipette_in_hand import Held, Workable, bodies
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
 from labutopia_lerobot.world import OpenVessel, World
 
@@ -15,7 +15,7 @@ class Aspirate:
     A little more than to the stop: the weight of the column keeps back 0.7 % (docs/small_volumes).
 
     Attributes:
-        pipette: What is in the hand.
+        pipette: The pipette in the hand.
         vessel: What to draw from.
         further: How much further than to the first stop, in parts of that.
         gap: Height of the tip above the base of the vessel [m].

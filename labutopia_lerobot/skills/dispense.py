@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from labutopia_lerobot.skills.pipetting import Held, Workable, bodies
+from labutopia_lerobot.skills.pipette_in_hand import Held, Workable, bodies
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
 from labutopia_lerobot.world import OpenVessel, World
 
@@ -13,7 +13,7 @@ class Dispense:
     """Go over the vessel, lower the tip into its mouth, press to the second stop, lift, release.
 
     Attributes:
-        pipette: What is in the hand.
+        pipette: The pipette in the hand.
         vessel: What to give it into.
         depth: How far below the mouth the tip goes [m].
         clearance: Height of the tip above the mouth before and after [m].

@@ -24,7 +24,7 @@ class Insert:
     """Carry the tube over the hole, line it up above the edge, lower it to the bottom, let go.
 
     Attributes:
-        thing: What is in the hand.
+        thing: The tube in the hand.
         into: The hole.
         hover: Height above the edge to which it is carried [m].
         align: Height above the edge at which it is lined up anew [m].

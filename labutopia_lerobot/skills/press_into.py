@@ -15,7 +15,7 @@ class PressInto:
     """Carry the tube over the cup, lower it, press until the instrument runs, hold, and lift.
 
     Attributes:
-        thing: What is in the hand.
+        thing: The tube in the hand.
         into: Where its foot goes.
         running: What reads how fast the instrument runs.
         above: Reading from which it runs.

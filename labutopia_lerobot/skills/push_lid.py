@@ -31,7 +31,7 @@ class PushLid:
     """Come from above, push the lid down by its front edge until it is shut, and leave.
 
     Attributes:
-        lid: What is shut.
+        lid: The lid to shut.
         thickness: How high above the frame of the lid its upper side is [m].
         inward: How far behind its front edge it is pushed [m].
         standoff: Height from which the hand comes, and to which it leaves [m].

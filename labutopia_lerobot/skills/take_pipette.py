@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from labutopia_lerobot.skills.pipetting import HOLD, Workable, bodies
+from labutopia_lerobot.skills.pipette_in_hand import HOLD, Workable, bodies
 from labutopia_lerobot.skills.posture import pointing
 from labutopia_lerobot.skills.skill import Phase, Target, arrived, waited
 from labutopia_lerobot.world import Pose, Thing, World

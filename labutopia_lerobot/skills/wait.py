@@ -1,26 +1,55 @@
-"""Wait for something, the hand staying where it is."""
+"""Wait for an instrument, the hand staying where it is."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from labutopia_lerobot.predicates.readings import Readable
-from labutopia_lerobot.skills.skill import Phase
+from labutopia_lerobot.skills.skill import Phase, waited
 from labutopia_lerobot.world import CONTROL_HZ, Pose, World
 
 
 @dataclass(frozen=True)
-class WaitUntil:
+class WaitUntilReads:
+    """Stand still until an instrument reads between two values, and then for some time.
+
+    Attributes:
+        instrument: The instrument that is read.
+        low: Least value, in the unit of the reading.
+        high: Greatest value.
+        seconds: How long the hand stays from then on [s].
+        at_most_s: How long it may take until then [s].
+    """
+
+    instrument: Readable
+    low: float
+    high: float
+    seconds: float
+    at_most_s: float = 30.0
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        """Yield wait and stay."""
+        here, opening = world.gripper, world.commanded_opening
+        yield Phase("wait", lambda w: here, opening, self._reads, timeout_s=self.at_most_s)
+        long = self.seconds + 1.0
+        yield Phase("stay", lambda w: here, opening, waited(self.seconds), timeout_s=long)
+
+    def _reads(self, world: World, target: Pose, elapsed: float) -> bool:
+        return self.low <= world.reading(self.instrument.name).value <= self.high
+
+
+@dataclass(frozen=True)
+class WaitUntilDue:
     """Stand still until a reading that changes steadily is about to reach a value.
 
     Attributes:
-        reading: What is watched.
-        value: What it is to reach, in its unit.
+        instrument: The instrument that is read.
+        value: The value that it is to reach, in its unit.
         ahead_s: How long before that the waiting ends [s]: what follows takes that long to act.
         at_most_s: How long is waited [s].
         over_s: Time over which the rate is measured [s].
     """
 
-    reading: Readable
+    instrument: Readable
     value: float
     ahead_s: float
     at_most_s: float
@@ -30,12 +59,12 @@ class WaitUntil:
         """Yield waiting."""
         here, opening, shown = world.gripper, world.commanded_opening, list[float]()
 
-        def about_there(world: World, target: Pose, elapsed: float) -> bool:
-            shown.append(world.reading(self.reading.name).value)
+        def due(world: World, target: Pose, elapsed: float) -> bool:
+            shown.append(world.reading(self.instrument.name).value)
             first = shown[-1 - round(self.over_s * CONTROL_HZ) :][0]
             rate = (shown[-1] - first) / self.over_s
             return (self.value - shown[-1]) * (self.value - shown[0]) <= 0.0 or (
                 abs(self.value - shown[-1]) <= self.ahead_s * abs(rate)
             )
 
-        yield Phase("wait", lambda w: here, opening, about_there, timeout_s=self.at_most_s)
+        yield Phase("wait", lambda w: here, opening, due, timeout_s=self.at_most_s)

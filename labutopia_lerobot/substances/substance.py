@@ -8,10 +8,9 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 
-from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.compound import Compound, substances
 from labutopia_lerobot.chemistry.names import resolve
-from labutopia_lerobot.chemistry.substance import Substance as Compound
-from labutopia_lerobot.chemistry.substance import substances
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 from labutopia_lerobot.errors import UserError
 
 ZERO_C = 273.15

@@ -10,7 +10,7 @@ from attacks.arm import Actions, Arm
 from attacks.plays import SEEDS, UNFINISHED, Play, begun, outcome, skilled, skilled_until, slow
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.skills import Aspirate, Dispense
-from labutopia_lerobot.skills.pipetting import Held, bodies
+from labutopia_lerobot.skills.pipette_in_hand import Held, bodies
 from labutopia_lerobot.skills.skill import Phase, arrived
 from labutopia_lerobot.world import World
 

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from labutopia_lerobot.chemistry import colour
-from labutopia_lerobot.chemistry.errors import ChemistryError, HazardRefusedError
 from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.react import react
-from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion
+from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Reactant
+from labutopia_lerobot.chemistry.refusals import ChemistryError, HazardRefusedError
 
 _FILE = Path(__file__).with_name("reference_reactions.json")
 
@@ -61,7 +61,7 @@ def atoms(side: Side) -> Counter[str]:
 
 def disagreement(entry: dict[str, Any]) -> str | None:
     """Return how the engine's answer differs from the book's, or None."""
-    portions = [Portion(**one) for one in entry["reactants"]]
+    portions = [Reactant(**one) for one in entry["reactants"]]
     asked = dict(entry["conditions"])
     if "catalysts" in asked:
         asked["catalysts"] = tuple(asked["catalysts"])

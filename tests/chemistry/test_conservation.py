@@ -6,18 +6,18 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.compound import substances
 from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.network import network
-from labutopia_lerobot.chemistry.react import Vessel, proceed, react
-from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Portion
-from labutopia_lerobot.chemistry.substance import substances
+from labutopia_lerobot.chemistry.react import ReactionVessel, proceed, react
+from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Reactant
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 
 _IDS = sorted(substances())
 
 _amounts = st.floats(1e-6, 1.0)
 _volumes = st.sampled_from([0.0, 1e-5, 1e-4, 1e-3])
-_portions = st.builds(Portion, st.sampled_from(_IDS), _amounts, _volumes)
+_portions = st.builds(Reactant, st.sampled_from(_IDS), _amounts, _volumes)
 _conditions = st.builds(
     Conditions,
     temperature=st.floats(273.15, 373.0) | st.floats(373.2, 2000.0),
@@ -31,7 +31,7 @@ _many = settings(
 )
 
 
-def _answer(portions: list[Portion], conditions: Conditions) -> Outcome | None:
+def _answer(portions: list[Reactant], conditions: Conditions) -> Outcome | None:
     try:
         return react(portions, conditions)
     except ChemistryError:
@@ -50,7 +50,7 @@ def _atoms(amounts: Mapping[str, float]) -> dict[str, float]:
 
 @_many
 @given(st.lists(_portions, min_size=1, max_size=4), _conditions)
-def test_atoms_and_charge_are_conserved(portions: list[Portion], conditions: Conditions) -> None:
+def test_atoms_and_charge_are_conserved(portions: list[Reactant], conditions: Conditions) -> None:
     outcome = _answer(portions, conditions)
     if outcome is None:
         return
@@ -63,7 +63,7 @@ def test_atoms_and_charge_are_conserved(portions: list[Portion], conditions: Con
 
 @_many
 @given(st.lists(_portions, min_size=1, max_size=4), _conditions)
-def test_energy_is_conserved(portions: list[Portion], conditions: Conditions) -> None:
+def test_energy_is_conserved(portions: list[Reactant], conditions: Conditions) -> None:
     outcome = _answer(portions, conditions)
     if outcome is None:
         return
@@ -78,7 +78,7 @@ def test_energy_is_conserved(portions: list[Portion], conditions: Conditions) ->
 
 @_many
 @given(st.lists(_portions, min_size=1, max_size=4), _conditions)
-def test_no_amount_is_negative(portions: list[Portion], conditions: Conditions) -> None:
+def test_no_amount_is_negative(portions: list[Reactant], conditions: Conditions) -> None:
     outcome = _answer(portions, conditions)
     if outcome is not None:
         assert all(mol >= 0.0 for mol in outcome.amounts.after.values())
@@ -87,7 +87,7 @@ def test_no_amount_is_negative(portions: list[Portion], conditions: Conditions) 
 @_many
 @given(st.lists(_portions, min_size=2, max_size=4), _conditions, st.randoms())
 def test_order_does_not_matter(
-    portions: list[Portion], conditions: Conditions, shuffle: object
+    portions: list[Reactant], conditions: Conditions, shuffle: object
 ) -> None:
     outcome = _answer(portions, conditions)
     shuffled = list(portions)
@@ -99,12 +99,12 @@ def test_order_does_not_matter(
 @_many
 @given(st.lists(_portions, min_size=1, max_size=3), _conditions)
 def test_reacting_the_result_again_changes_nothing(
-    portions: list[Portion], conditions: Conditions
+    portions: list[Reactant], conditions: Conditions
 ) -> None:
     outcome = _answer(portions, conditions)
     if outcome is None:
         return
-    vessel = Vessel(
+    vessel = ReactionVessel(
         volume=outcome.amounts.volume,
         temperature=conditions.temperature,
         open_system=conditions.open_system,
@@ -118,10 +118,10 @@ def test_reacting_the_result_again_changes_nothing(
 @_many
 @given(st.lists(_portions, min_size=1, max_size=3), _conditions, st.sampled_from([0.1, 2.0, 7.0]))
 def test_twice_of_everything_gives_twice_of_everything(
-    portions: list[Portion], conditions: Conditions, times: float
+    portions: list[Reactant], conditions: Conditions, times: float
 ) -> None:
     more = [
-        Portion(one.compound, (one.amount or 0.0) * times, one.volume * times) for one in portions
+        Reactant(one.compound, (one.amount or 0.0) * times, one.volume * times) for one in portions
     ]
     outcome, scaled = _answer(portions, conditions), _answer(more, conditions)
     assert (outcome is None) == (scaled is None)

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from labutopia_lerobot.chemistry.compound import substances
 from labutopia_lerobot.chemistry.equilibrium import NoEquilibriumError, solve
 from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.network import PROTON, network
 from labutopia_lerobot.chemistry.speciation import ph_of, settle
-from labutopia_lerobot.chemistry.substance import substances
 
 chempy = pytest.importorskip("chempy")
 

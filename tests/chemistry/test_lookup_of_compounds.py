@@ -5,8 +5,8 @@ import json
 import pytest
 
 from labutopia_lerobot.chemistry.chem_db import PAPER_FIELDS, LookupQueryError, lookup
-from labutopia_lerobot.chemistry.errors import UnknownCompoundError
-from labutopia_lerobot.chemistry.substance import substances
+from labutopia_lerobot.chemistry.compound import substances
+from labutopia_lerobot.chemistry.refusals import UnknownCompoundError
 
 PRINTED = """\
   {

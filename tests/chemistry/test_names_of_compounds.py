@@ -5,16 +5,16 @@ import itertools
 import numpy as np
 import pytest
 
-from labutopia_lerobot.chemistry.errors import AmbiguousCompoundError, UnknownCompoundError
+from labutopia_lerobot.chemistry.compound import Compound, substances
 from labutopia_lerobot.chemistry.name_words import KIN, made_of_parts
 from labutopia_lerobot.chemistry.names import SHORTEST_WITH_SLIPS, one_slip_away, resolve, words
-from labutopia_lerobot.chemistry.substance import Substance, substances
+from labutopia_lerobot.chemistry.refusals import AmbiguousCompoundError, UnknownCompoundError
 
 TABLE = list(substances().values())
 REFUSALS = (AmbiguousCompoundError, UnknownCompoundError)
 
 
-def resolved(text: str) -> Substance | None:
+def resolved(text: str) -> Compound | None:
     try:
         return resolve(text)
     except REFUSALS:

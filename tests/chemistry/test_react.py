@@ -2,13 +2,13 @@
 
 import pytest
 
-from labutopia_lerobot.chemistry.errors import (
+from labutopia_lerobot.chemistry.react import react
+from labutopia_lerobot.chemistry.reaction import Conditions, Reactant
+from labutopia_lerobot.chemistry.refusals import (
     HazardRefusedError,
     ImpossibleConditionsError,
     UnknownCompoundError,
 )
-from labutopia_lerobot.chemistry.react import react
-from labutopia_lerobot.chemistry.reaction import Conditions, Portion
 
 
 def test_copper_sulfate_and_barium_chloride_give_a_white_solid_in_a_blue_solution() -> None:
@@ -24,7 +24,7 @@ def test_copper_sulfate_and_barium_chloride_give_a_white_solid_in_a_blue_solutio
 
 
 def test_strong_acid_and_base_give_the_heat_of_neutralization() -> None:
-    portions = [Portion("hydrochloric acid", 0.1), Portion("sodium hydroxide", 0.1)]
+    portions = [Reactant("hydrochloric acid", 0.1), Reactant("sodium hydroxide", 0.1)]
     outcome = react(portions)
     # 55.8 kJ/mol (CRC Handbook, from the formation enthalpies of water and hydroxide)
     assert outcome.amounts.heat == pytest.approx(5580.0, rel=0.01)
@@ -33,13 +33,13 @@ def test_strong_acid_and_base_give_the_heat_of_neutralization() -> None:
 
 
 def test_ammonium_nitrate_cools_water() -> None:
-    outcome = react([Portion("ammonium nitrate", 0.1, 0.0), Portion("water", volume=1e-4)])
+    outcome = react([Reactant("ammonium nitrate", 0.1, 0.0), Reactant("water", volume=1e-4)])
     assert outcome.amounts.temperature < 298.15 - 4.0
     assert outcome.reactions[0].reaction_type == "dissolution"
 
 
 def test_the_scarcer_reactant_limits() -> None:
-    outcome = react([Portion("silver nitrate", 0.01), Portion("sodium chloride", 0.003)])
+    outcome = react([Reactant("silver nitrate", 0.01), Reactant("sodium chloride", 0.003)])
     assert outcome.amounts.after["AgCl(s)"] == pytest.approx(0.003, rel=1e-3)
     assert outcome.amounts.extents["r1"] == pytest.approx(0.003, rel=1e-3)
 
@@ -50,9 +50,9 @@ def test_an_equimolar_buffer_has_the_pka_of_its_acid_as_ph() -> None:
 
 
 def test_diluting_an_acid_tenfold_raises_its_ph_by_one() -> None:
-    acid = Portion("hydrochloric acid", 0.01, 1e-4)
+    acid = Reactant("hydrochloric acid", 0.01, 1e-4)
     strong = react([acid]).amounts.ph
-    weak = react([acid, Portion("water", volume=9e-4)]).amounts.ph
+    weak = react([acid, Reactant("water", volume=9e-4)]).amounts.ph
     assert strong is not None
     assert weak == pytest.approx(strong + 1.0, abs=1e-6)
 
@@ -91,9 +91,9 @@ def test_impossible_conditions_are_named(conditions: Conditions, named: str) -> 
 
 def test_a_negative_amount_and_a_pure_portion_without_amount_are_refused() -> None:
     with pytest.raises(ImpossibleConditionsError, match="amount -1"):
-        react([Portion("sodium chloride", -1.0)])
+        react([Reactant("sodium chloride", -1.0)])
     with pytest.raises(ImpossibleConditionsError, match="needs an amount"):
-        react([Portion("sodium chloride", volume=0.0)])
+        react([Reactant("sodium chloride", volume=0.0)])
     with pytest.raises(ImpossibleConditionsError, match="nothing is poured in"):
         react([])
 

@@ -11,8 +11,8 @@ import pytest
 from chemicals.heat_capacity import CRC_standard_data
 from pydantic import ValidationError
 
+from labutopia_lerobot.chemistry.compound import Compound, CompoundTable, Dissociation, table
 from labutopia_lerobot.chemistry.formula import parse
-from labutopia_lerobot.chemistry.substance import Dissociation, Substance, Table, table
 
 TABLE = table()
 COMPOUNDS = TABLE.substances
@@ -23,7 +23,7 @@ CRC_OF_PAPER = {"aluminum_oxide", "silicon_dioxide"}
 """The paper prints other melting points of these two."""
 
 
-def value_of(one: Substance, field: str) -> float | None:
+def value_of(one: Compound, field: str) -> float | None:
     name, _, phase = field.partition(".")
     value = getattr(one, name)
     if phase:
@@ -214,7 +214,7 @@ UNSTRUCTURED = {
 def test_a_wrong_entry_is_refused(change, complaint):
     salt = BY_ID["sodium_chloride"].model_dump()
     with pytest.raises(ValidationError, match=complaint):
-        Substance.model_validate(salt | change)
+        Compound.model_validate(salt | change)
 
 
 @pytest.mark.parametrize(
@@ -228,7 +228,7 @@ def test_a_wrong_entry_is_refused(change, complaint):
 )
 def test_a_wrong_table_is_refused(change, complaint):
     with pytest.raises(ValidationError, match=complaint):
-        Table.model_validate(TABLE.model_dump() | change)
+        CompoundTable.model_validate(TABLE.model_dump() | change)
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from labutopia_lerobot.chemistry.chem_db import PAPER_FIELDS
-from labutopia_lerobot.chemistry.errors import ChemistryError
+from labutopia_lerobot.chemistry.refusals import ChemistryError
 from labutopia_lerobot.cli import quantities
 from labutopia_lerobot.cli.chem import main
 from loopback_model import LoopbackModel, sends

@@ -12,11 +12,11 @@ import pytest
 
 from labutopia_lerobot.chemistry import Conditions, Outcome, Portion, react
 from labutopia_lerobot.chemistry.answer import AnswerError, read_answer
-from labutopia_lerobot.chemistry.errors import HazardRefusedError, UnknownCompoundError
 from labutopia_lerobot.chemistry.language_model import LanguageModel, ModelOptionError
 from labutopia_lerobot.chemistry.model_server import ModelServerError
 from labutopia_lerobot.chemistry.output import PAPER_SCHEMA, amounts_form, paper_form
 from labutopia_lerobot.chemistry.prompt import SYSTEM, filled, prompt
+from labutopia_lerobot.chemistry.refusals import HazardRefusedError, UnknownCompoundError
 from loopback_model import (
     Behaviour,
     LoopbackModel,

@@ -7,14 +7,14 @@ of the table of substances; the bands of both forms are in `data/species.json`.
 from collections.abc import Mapping, Sequence
 
 from labutopia_lerobot.chemistry.change import Change
+from labutopia_lerobot.chemistry.compound import Compound
 from labutopia_lerobot.chemistry.network import HYDROXIDE, PROTON, WATER, network
-from labutopia_lerobot.chemistry.substance import Substance
 
 KIND = "indicator"
 
 
 def changes(
-    compounds: Sequence[Substance], before: Mapping[str, float], after: Mapping[str, float]
+    compounds: Sequence[Compound], before: Mapping[str, float], after: Mapping[str, float]
 ) -> list[Change]:
     """Return how each indicator shows the acidity; empty for one that stays in the form it had."""
     made = network()

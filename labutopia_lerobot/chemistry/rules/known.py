@@ -14,7 +14,7 @@ from pydantic import BaseModel, ConfigDict
 
 from labutopia_lerobot.chemistry.change import is_balanced, parse_equation
 from labutopia_lerobot.chemistry.network import network
-from labutopia_lerobot.chemistry.rules.step import Step
+from labutopia_lerobot.chemistry.rules.reaction_step import ReactionStep
 
 
 class KnownReaction(BaseModel):
@@ -87,7 +87,7 @@ def known() -> tuple[_Parsed, ...]:
 
 def steps(
     state: Mapping[str, float], *, temperature: float, ph: float | None, catalysts: frozenset[str]
-) -> Iterator[Step]:
+) -> Iterator[ReactionStep]:
     """Yield what runs under these conditions.
 
     Args:
@@ -109,7 +109,7 @@ def steps(
             if record.lowest_temperature:
                 why += f" above {record.lowest_temperature:.0f} K"
             why += "; it takes minutes to hours." if record.slow else "."
-            yield Step(
+            yield ReactionStep(
                 one.coefficients,
                 record.kind,
                 why,

@@ -16,7 +16,12 @@ from pydantic import BaseModel, ConfigDict
 
 from labutopia_lerobot.chemistry.change import parse_side, whole, with_acid_of
 from labutopia_lerobot.chemistry.network import HYDROXIDE, PROTON, WATER, network
-from labutopia_lerobot.chemistry.rules.step import Step, available, core, in_what_is_there
+from labutopia_lerobot.chemistry.rules.reaction_step import (
+    ReactionStep,
+    available,
+    core,
+    in_what_is_there,
+)
 from labutopia_lerobot.chemistry.speciation import ph_of
 
 _NERNST = math.log(10) * 8.314462618 / 96485.33212
@@ -152,7 +157,7 @@ def _reactions() -> tuple[_Pair, ...]:
 
 def steps(
     state: Mapping[str, float], settled: Mapping[str, float], volume: float, temperature: float
-) -> Iterator[Step]:
+) -> Iterator[ReactionStep]:
     """Yield what can react, the largest voltage first.
 
     Args:
@@ -187,7 +192,7 @@ def steps(
         with_acid = with_acid_of(numbers, state, weakest)
         balanced = None if with_acid is None else whole(with_acid)
         if balanced is not None:
-            yield Step(
+            yield ReactionStep(
                 balanced,
                 "redox",
                 f"{_name(pair.giver.reduced)} gives electrons to {_name(pair.taker.oxidised)}: "

@@ -38,7 +38,7 @@ class Syringe(Utensil):
 
     @property
     def plunger(self) -> Slide:
-        """What is pulled; 0 is pushed in."""
+        """The plunger; 0 is pushed in."""
         (slide,) = (part for part in self.mechanisms if isinstance(part, Slide))
         return slide
 

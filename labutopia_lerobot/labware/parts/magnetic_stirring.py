@@ -92,7 +92,7 @@ class MagneticStirring(Process):
                     data.geom_xmat[geom] = (own @ quat.as_matrix()).ravel()
 
     def _near(self, apparatus: Apparatus, bar: int) -> bool:
-        """Tell whether the magnet takes a bar, a site, along."""
+        """Return whether the magnet takes a bar, a site, along."""
         off = apparatus.data.site_xpos[bar] - apparatus.site(self.site).position_w
         return bool(np.hypot(off[0], off[1]) < _NEAR and 0.0 < off[2] < _ABOVE)
 

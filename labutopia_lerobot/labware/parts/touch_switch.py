@@ -83,7 +83,7 @@ class TouchSwitch(Process):
 
     Attributes:
         name: What its reading is called.
-        cup: What is pressed.
+        cup: The cup that is pressed.
         switch: The rocker; at 0 it is set to touch.
     """
 

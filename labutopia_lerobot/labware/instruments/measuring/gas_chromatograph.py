@@ -69,7 +69,7 @@ class GasChromatograph(Instrument):
 
     @property
     def run(self) -> Countdown:
-        """What is left of its run: 20 minutes; it stops when its oven is opened."""
+        """Time left of its run: 20 minutes; it stops when its oven is opened."""
         start, stop = (key.name for key in self.keys)
         return Countdown(f"{self.name}_run", 20.0, start, stop, (Shut(self.door, "OVEN OPEN"),))
 

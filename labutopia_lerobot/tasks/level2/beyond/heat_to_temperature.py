@@ -13,7 +13,7 @@ from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.predicates import hotter, temperature_between
 from labutopia_lerobot.scenario import Draw
 from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
-from labutopia_lerobot.skills import WaitUntil
+from labutopia_lerobot.skills import WaitUntilDue
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Step, Substep, Task
 from labutopia_lerobot.tasks import actions, failures
@@ -35,7 +35,7 @@ def heat_to_temperature(draw: Draw) -> Task:
     low, high = wanted - WITHIN, wanted + WITHIN
     warm = temperature_between(vessel, low_c=low, high_c=high)
     # The hand takes 5 s to the beaker, whose glass, hotter than the water, warms it for 13 s more.
-    wait = WaitUntil(heater.probe, wanted, ahead_s=16.0, at_most_s=180.0)
+    wait = WaitUntilDue(heater.probe, wanted, ahead_s=16.0, at_most_s=180.0)
     take_off = actions.pick(vessel, by=0.12, lift=0.12, support=heater.name)
     set_down = actions.place(vessel, aside, within=within)
     switchable = (vessel, heater.button)  # it may be switched off at any time

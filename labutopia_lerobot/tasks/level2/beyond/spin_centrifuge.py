@@ -17,7 +17,7 @@ from labutopia_lerobot.predicates import (
     reads,
 )
 from labutopia_lerobot.scenes.views import CENTRIFUGE_VIEW
-from labutopia_lerobot.skills import PushLid, Watch
+from labutopia_lerobot.skills import PushLid, WaitUntilReads
 from labutopia_lerobot.task import Step, Substep, Task
 from labutopia_lerobot.tasks import actions
 
@@ -63,7 +63,10 @@ def spin_centrifuge() -> Task:
             ),
             Step(
                 "spin",
-                (*start.skills, Watch(drive, _RPM - _WITHIN, _RPM + _WITHIN, _SECONDS + 0.3)),
+                (
+                    *start.skills,
+                    WaitUntilReads(drive, _RPM - _WITHIN, _RPM + _WITHIN, _SECONDS + 0.3),
+                ),
                 (
                     *start.substeps,
                     Substep("at_speed", (*shut, running)),
@@ -73,7 +76,7 @@ def spin_centrifuge() -> Task:
             ),
             Step(
                 "stop",
-                (*stop.skills, Watch(drive, 0.0, 0.0, 0.0)),
+                (*stop.skills, WaitUntilReads(drive, 0.0, 0.0, 0.0)),
                 (*stop.substeps, Substep("at_rest", (*shut, still))),
                 stop.touches,
             ),

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
-from labutopia_lerobot.predicates.pipetting import Pipette
+from labutopia_lerobot.predicates.pipette_tip import Pipette
 from labutopia_lerobot.skills.posture import UP, upright_in_hand
 from labutopia_lerobot.skills.skill import Phase, Target, carrier, waited
 from labutopia_lerobot.world import CONTROL_HZ, Graspable, OpenVessel, World

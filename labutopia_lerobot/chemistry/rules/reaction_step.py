@@ -7,7 +7,7 @@ from labutopia_lerobot.chemistry.network import PROTON, WATER, network
 
 
 @dataclass(frozen=True)
-class Step:
+class ReactionStep:
     """What a rule proposes.
 
     Attributes:

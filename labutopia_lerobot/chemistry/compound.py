@@ -1,4 +1,4 @@
-"""What is known of a compound, and the table of all of them.
+"""The properties of a compound, and the table of all of them.
 
 `data/substances.json` is the one file of truth. What it says is checked against the classes below
 when it is read: units, ranges, that every number names its source, that ions balance.
@@ -140,7 +140,7 @@ def _si(unit: str, *, above: float | None = None) -> Any:
     return Field(default=None, gt=above, json_schema_extra={"unit": unit})
 
 
-class Substance(_Record):
+class Compound(_Record):
     """A compound; None where a value is not known.
 
     Attributes:
@@ -229,7 +229,7 @@ class Substance(_Record):
         return self
 
 
-class Table(_Record):
+class CompoundTable(_Record):
     """The whole file.
 
     Attributes:
@@ -242,7 +242,7 @@ class Table(_Record):
     units: Mapping[str, str]
     sources: Mapping[str, str]
     ions: Mapping[str, Ion]
-    substances: tuple[Substance, ...]
+    substances: tuple[Compound, ...]
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -287,18 +287,18 @@ _SOURCED = (
 
 def units() -> dict[str, str]:
     """Return the unit of every field of a substance that has one."""
-    extras = {name: field.json_schema_extra for name, field in Substance.model_fields.items()}
+    extras = {name: field.json_schema_extra for name, field in Compound.model_fields.items()}
     return {name: str(extra["unit"]) for name, extra in extras.items() if isinstance(extra, dict)}
 
 
 @cache
-def table() -> Table:
+def table() -> CompoundTable:
     """Return everything that the file says."""
     text = (files(__package__) / "data" / "substances.json").read_text(encoding="utf-8")
-    return Table.model_validate_json(text)
+    return CompoundTable.model_validate_json(text)
 
 
 @cache
-def substances() -> Mapping[str, Substance]:
+def substances() -> Mapping[str, Compound]:
     """Return all compounds by id."""
     return {substance.id: substance for substance in table().substances}
