@@ -101,7 +101,6 @@ class PipetteBench:
             "dispense",
             (Dispense(self.pipette, target),),
             (
-                Substep("lowered", (tip_in(self.pipette, target),)),
                 Substep("given", (self._given(target),)),
                 Substep("lifted_clear", self.delivered(target)),
             ),

@@ -63,7 +63,7 @@ def back_into_the_source(env: LabEnv) -> Actions:
 
 def onto_the_bench(env: LabEnv) -> Actions:
     """Press where the hand is, over no vessel."""
-    yield from chain(Arm(env).go(Arm(env).pose.moved(y=0.05)), Arm(env).stay(1.0, 0.034))
+    yield from chain(Arm(env).go(Arm(env).pose.moved(x=-0.06)), Arm(env).stay(1.0, 0.034))
 
 
 def only_wet_the_tip(env: LabEnv) -> Actions:
