@@ -11,16 +11,16 @@ from labutopia_lerobot.substances.substance import (
     GLYCEROL,
     SUBSTANCES,
     WATER,
-    Compound,
+    Substance,
     UnknownSubstanceError,
     substance,
 )
 
 AS_RECORDED = [
-    Compound("water", 997.0, 0.890e-3, 0.0720, (0.20, 0.48, 0.85, 0.55), 4182.0, 373.15),
-    Compound("ethanol", 785.0, 1.074e-3, 0.0220, (0.55, 0.82, 0.62, 0.45), 2438.0, 351.4),
-    Compound("ethylene glycol", 1110.0, 16.1e-3, 0.0480, (0.86, 0.35, 0.62, 0.55), 2394.0, 470.5),
-    Compound("glycerol", 1258.0, 0.934, 0.0625, (0.93, 0.72, 0.30, 0.65), 2377.0, 563.0),
+    Substance("water", 997.0, 0.890e-3, 0.0720, (0.20, 0.48, 0.85, 0.55), 4182.0, 373.15),
+    Substance("ethanol", 785.0, 1.074e-3, 0.0220, (0.55, 0.82, 0.62, 0.45), 2438.0, 351.4),
+    Substance("ethylene glycol", 1110.0, 16.1e-3, 0.0480, (0.86, 0.35, 0.62, 0.55), 2394.0, 470.5),
+    Substance("glycerol", 1258.0, 0.934, 0.0625, (0.93, 0.72, 0.30, 0.65), 2377.0, 563.0),
 ]
 """The liquids of the tasks, as they were before there was a table of compounds."""
 
