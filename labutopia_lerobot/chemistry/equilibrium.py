@@ -231,7 +231,7 @@ def _solve(
                 return x, amounts, False
         if error < 1e-7 and complementarity < 1e-10 * largest:
             break
-        centre = 0.1 * complementarity
+        centre = max(0.1 * complementarity, 1e-13 * largest)  # or the weights overflow
         for i in range(components):
             for other in range(components):
                 matrix[i, other] = 0.0
