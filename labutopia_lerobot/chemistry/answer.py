@@ -1,7 +1,7 @@
 """Checks what a language model answers: form, balance, species, safety.
 
 An answer is refused whole. What it may react are the reactants, their ions, water, what an earlier
-reaction made and, in an open vessel, air.
+reaction made, conjugate acids and bases of these and, in an open vessel, air.
 """
 
 import math
@@ -94,7 +94,7 @@ def read_answer(
                     f"{reaction.reaction_id}: {term.formula.text} is none of the reactants, of "
                     "their ions, or made before"
                 )
-        there |= {composition(term.formula) for term in equation.right}
+        there = _with_conjugates(there | {composition(term.formula) for term in equation.right})
     return answer.reactions
 
 
@@ -104,15 +104,28 @@ def _there(portions: Sequence[Reactant], conditions: Conditions) -> set[Composit
     compounds = [resolve(word) for word in (*words, conditions.solvent, *conditions.catalysts)]
     formulas = {text for compound in compounds for text in _forms(compound)}
     formulas |= {*_WATER, *(_AIR if conditions.open_system else ())}
-    return {composition(parse(text)) for text in formulas}
+    return _with_conjugates({composition(parse(text)) for text in formulas})
 
 
 def _forms(compound: Compound) -> Iterator[str]:
     yield compound.formula
     yield compound.formula.partition("·")[0]  # without its water of crystallisation
     yield from compound.ions
-    for step in compound.acidity:
-        yield from (step.acid, step.base)
+
+
+def _with_conjugates(there: set[Composition]) -> set[Composition]:
+    """Return species, and what each becomes by gaining or losing protons."""
+    missing = [pair for pair in _conjugates() if len(pair & there) == 1]
+    return _with_conjugates(there.union(*missing)) if missing else there
+
+
+@cache
+def _conjugates() -> frozenset[frozenset[Composition]]:
+    """Return every acid of the table with its base."""
+    steps = (step for one in substances().values() for step in one.acidity)
+    return frozenset(
+        frozenset({composition(parse(step.acid)), composition(parse(step.base))}) for step in steps
+    )
 
 
 def _require_few(what: str, entries: Sequence[object]) -> None:
@@ -165,9 +178,11 @@ def _require_named(reaction: Reaction, product: Product, formula: Formula) -> No
         named = resolve(product.compound_name)
     except ChemistryError:
         return  # not in the table: a well-formed formula is enough
-    if formula.charge == 0 and composition(formula) not in {
-        composition(parse(text)) for text in _forms(named)
-    }:
+    forms = _with_conjugates({composition(parse(text)) for text in _forms(named)})
+    names_it = composition(formula) in forms
+    is_same_element = len(formula.atoms) == 1 and set(formula.atoms) == set(named.composition.atoms)
+    # Sulfur is S8 in the table and S in most books; ions have names of elements.
+    if formula.charge == 0 and not names_it and not is_same_element:
         raise AnswerError(
             f"{reaction.reaction_id}: {product.compound_name} is {named.formula}, "
             f"not {product.chemical_formula}"

@@ -297,9 +297,21 @@ def test_ions_earlier_products_and_no_reaction_at_all_are_answers():
     assert read_answer('{"reactions": []}', PORTIONS, Conditions()) == ()
 
 
-def test_the_rules_answers_pass_the_checks_of_a_models(by_rules):
-    said = json.dumps(paper_form(by_rules))
-    assert read_answer(said, PORTIONS, Conditions()) == by_rules.reactions
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("hydrochloric acid", "sodium hydroxide"),
+        ("sodium thiosulfate", "hydrochloric acid"),
+        ("hydrogen sulfide", "sulfur dioxide"),
+        ("sodium carbonate", "hydrochloric acid"),
+        ("copper sulfate", "ammonia"),
+    ],
+)
+def test_the_rules_answers_pass_the_checks_of_a_models(names):
+    outcome, portions = react(names), [Portion(name) for name in names]
+    assert outcome.reactions
+    said = json.dumps(paper_form(outcome))
+    assert read_answer(said, portions, Conditions()) == outcome.reactions
 
 
 def test_the_prompt_is_the_papers_word_for_word():
