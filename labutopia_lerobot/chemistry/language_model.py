@@ -16,10 +16,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from labutopia_lerobot.chemistry.answer import AnswerError, read_answer
+from labutopia_lerobot.chemistry.engine import react
 from labutopia_lerobot.chemistry.model_server import ModelServer, ModelServerError
 from labutopia_lerobot.chemistry.output import PAPER_SCHEMA
 from labutopia_lerobot.chemistry.prompt import prompt
-from labutopia_lerobot.chemistry.react import react
 from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Reactant, Reaction
 from labutopia_lerobot.chemistry.refusals import ChemistryError
 from labutopia_lerobot.foreign_files import printable

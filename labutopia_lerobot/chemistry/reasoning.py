@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal, get_args
 
-from labutopia_lerobot.chemistry.react import react as react_by_rules
+from labutopia_lerobot.chemistry.engine import react as react_by_rules
 from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Reactant
 from labutopia_lerobot.chemistry.refusals import ChemistryError
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from labutopia_lerobot.chemistry.language_model import LanguageModel
 
 Reasoner = Literal["rules", "llm"]
-"""`rules`: `chemistry.react`. `llm`: `chemistry.language_model`, as in the paper."""
+"""`rules`: `chemistry.engine`. `llm`: `chemistry.language_model`, as in the paper."""
 
 
 class UnknownReasonerError(ChemistryError):
@@ -33,8 +33,8 @@ def react(
         model: Of `llm`: whom to ask; None for what the environment says.
 
     Raises:
-        ChemistryError: Of its kinds in `chemistry.errors`, as the rules raise them; or if there is
-            no such reasoner or model.
+        ChemistryError: Of its kinds in `chemistry.refusals`, as the rules raise them; or if there
+            is no such reasoner or model.
     """
     if reasoner == "rules":
         return react_by_rules(portions, conditions)

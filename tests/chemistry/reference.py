@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from labutopia_lerobot.chemistry import colour
+from labutopia_lerobot.chemistry.engine import react
 from labutopia_lerobot.chemistry.formula import parse
-from labutopia_lerobot.chemistry.react import react
 from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Reactant
 from labutopia_lerobot.chemistry.refusals import ChemistryError, HazardRefusedError
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from labutopia_lerobot.chemistry.react import react
+from labutopia_lerobot.chemistry.engine import react
 from labutopia_lerobot.chemistry.reaction import Conditions, Reactant
 from labutopia_lerobot.chemistry.refusals import (
     HazardRefusedError,

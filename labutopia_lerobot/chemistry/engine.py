@@ -47,6 +47,10 @@ _RANGES = {
 _MOST_STEPS = 40
 """Reactions one after the other that a mixture may take."""
 
+_UNSEEN = 1e-4
+"""Share of a solid that must react for the reaction to count; ours. Less would be a crawl without
+end: aluminium in the trace of acid that its own ions make."""
+
 _HEAT_CAPACITY = 4.168e6
 """Of water by volume at 25 C [J/(m^3 K)]: 4.180 kJ/(kg K) and 997 kg/m^3, CRC Handbook."""
 
@@ -173,13 +177,18 @@ def _join(changes: list[Change], one: Change) -> None:
 def _settled(state: Mapping[str, float], vessel: ReactionVessel) -> dict[str, float]:
     if not vessel.is_wet:
         return dict(state)
-    return settle(
+    settled = settle(
         state,
         vessel.volume,
         vessel.temperature,
         open_system=vessel.open_system,
         ph=vessel.ph,
     )
+    if settled.get(WATER, 0.0) < -1e-9 * max(settled.values()):
+        raise ImpossibleConditionsError(
+            "there is less water than these compounds bind: pour them in with more volume"
+        )
+    return settled
 
 
 def _first_step(
@@ -221,7 +230,8 @@ def _done(step: ReactionStep, state: Mapping[str, float]) -> Change | None:
         made = min(state.get(key, 0.0) / n for key, n in step.coefficients.items() if n > 0)
         extent = step.conversion * (scarce + made) - made
     total = max(state.values())
-    if extent <= 1e-9 * total or extent <= 1e-15:
+    solid = min((ratio for key, ratio in ratios.items() if key.endswith("(s)")), default=0.0)
+    if extent <= max(1e-9 * total, 1e-15, _UNSEEN * solid):
         return None
     return Change(
         step.coefficients,
