@@ -1,10 +1,11 @@
-"""Ware as a picture from afar needs it: a wall, its bright rims, its closure and what is in it."""
+"""Ware as a picture from afar needs it: a wall, its bright lip, its closure and what is in it."""
 
 from collections.abc import Iterator, Sequence
 from functools import cache
 
 import numpy as np
 
+from labutopia_lerobot.labware.glass.closure import Closure
 from labutopia_lerobot.labware.glass.material import Color
 from labutopia_lerobot.labware.glass.profile import Point
 from labutopia_lerobot.labware.glass.utensil import Utensil
@@ -19,8 +20,10 @@ from labutopia_lerobot.substances.substance import substance
 type StillPart = tuple[Shell, Color, float]
 """What is seen, its colour, and how strongly it reflects lights, 0 to 1."""
 
+_AROUND = 6
+"""Steps around an axis: a hand's breadth is 12 pixels wide at 2 m."""
 _RIM = 0.0025
-"""Height of the bright bands at lip and heel [m], the edge of what is otherwise hardly seen."""
+"""Height of the bright band at the lip [m], the edge of what is otherwise hardly seen."""
 _WITHIN = 0.96
 """Radius of contents as a part of the wall's, so that the wall is before them."""
 _FLAT = 0.003
@@ -48,25 +51,22 @@ def still_ware(
         if contents and isinstance(piece, Vessel):
             parts.append(_contents(piece, contents, level))
         if closed:
-            closure, seat = closure_of(kind, size)
-            raised = np.array([0.0, 0.0, seat])
-            for (vertices, normals, faces), color, specular in _utensil(closure):
-                parts.append(((vertices + raised, normals, faces), color, specular))
+            parts.append(_closure(piece, *closure_of(kind, size)))
     return tuple(parts)
 
 
 def _vessel(piece: Vessel, closed: bool) -> Iterator[StillPart]:
-    """Yield wall, rims, and what is joined to it."""
+    """Yield wall, lip, and what is joined to it."""
     outer, of = piece.profile.outer, piece.material
     opaque = of.wall[3] > _STRONG
     wall: Color = (*of.wall[:3], 1.0 if opaque else of.wall[3])
-    yield shell.turned(_plain(outer)), wall, of.shine
+    yield shell.turned(_plain(outer), _AROUND), wall, of.shine
     if opaque and not closed:  # one sees into it
-        yield shell.turned([piece.profile.inner[-1], piece.profile.inner[0]]), wall, 0.1
-    if not opaque:
-        for low in (0.0, piece.height - _RIM):
-            band = [(piece.profile.outer_radius(z) + 2e-4, z) for z in (low, low + _RIM)]
-            yield shell.turned(band), (*of.edge[:3], 1.0), of.shine
+        yield shell.turned([piece.profile.inner[-1], piece.profile.inner[0]], _AROUND), wall, 0.1
+    if not opaque and not closed:
+        lip = (piece.height - _RIM, piece.height)
+        band = [(piece.profile.outer_radius(height) + 2e-4, height) for height in lip]
+        yield shell.turned(band, _AROUND), (*of.edge[:3], 1.0), of.shine
     yield from _forms(piece.joined)
 
 
@@ -78,7 +78,16 @@ def _contents(piece: Vessel, name: str, level: float) -> StillPart:
     ]
     radius = _WITHIN * piece.profile.inner_radius(top)
     color: Color = (*substance(name).rgba[:3], 1.0)
-    return shell.turned([*_plain([*side, (radius, top)]), (0.0, top)]), color, 0.6
+    return shell.turned([*_plain([*side, (radius, top)]), (0.0, top)], _AROUND), color, 0.6
+
+
+def _closure(piece: Vessel | Utensil, closure: Closure, seat: float) -> StillPart:
+    """Return a closure as a plain cap: what of it is over the lip."""
+    radius, top = closure.footprint_radius, seat + closure.height
+    low = max(seat, piece.height - 0.5 * closure.height)
+    look = FINISHES[closure.shape.forms[0].look]
+    color: Color = (*look.rgba[:3], 1.0)
+    return shell.turned([(radius, low), (radius, top), (0.0, top)], _AROUND), color, look.specular
 
 
 def _utensil(piece: Utensil) -> Iterator[StillPart]:
