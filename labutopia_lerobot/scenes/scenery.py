@@ -20,6 +20,7 @@ from labutopia_lerobot.scenes.building.masonry import masonry
 from labutopia_lerobot.scenes.plan import Placed, PlacedWare, Plan
 from labutopia_lerobot.scenes.plan_model import add_openings, add_pieces, facing
 from labutopia_lerobot.scenes.still_ware import StillPart, still_ware
+from labutopia_lerobot.scenes.within_reach import real_names
 from labutopia_lerobot.world import FloatArray
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
@@ -49,13 +50,14 @@ class SceneryMesh(NamedTuple):
 
 @cache
 def scenery(plan: Plan) -> tuple[SceneryMesh, ...]:
-    """Return what is seen from the first work place of a plan, but floor, walls and its bench."""
+    """Return what is seen from the first work place, but floor, walls and what is real."""
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
-    pieces = {piece.name: piece for piece in _in_sight(plan)}
+    carriers = {piece.name: piece for piece in _in_sight(plan)}
+    pictured = [piece for name, piece in carriers.items() if name not in real_names(plan)]
     with shell.coarse():
         add_openings(spec, plan, masonry(plan))
-        add_pieces(spec, pieces.values())
+        add_pieces(spec, pictured)
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
@@ -66,7 +68,8 @@ def scenery(plan: Plan) -> tuple[SceneryMesh, ...]:
             mesh = _placed(model, data, geom)
             parts_of.setdefault(_look(color, specular), []).append((mesh, color))
     for ware in plan.ware:
-        if carrier := pieces.get(ware.on):
+        carrier = carriers.get(ware.on)
+        if carrier and ware.name not in real_names(plan):
             for mesh, color, specular in _still(ware, carrier):
                 parts_of.setdefault(_look(color, specular), []).append((mesh, color))
     return tuple(
