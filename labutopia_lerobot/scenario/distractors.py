@@ -2,10 +2,14 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import cache
 
 import numpy as np
 
-from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.labware.glass.catalogue import catalogue, glassware
+from labutopia_lerobot.labware.glass.series import ClosureSeries
+from labutopia_lerobot.labware.glass.utensil import Utensil
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.test_tube_rack import TestTubeRack
 from labutopia_lerobot.layout import CLEARANCE, ImpossibleStartError, Piece, Placement, Workspace
 from labutopia_lerobot.world import FloatArray
@@ -18,14 +22,38 @@ INSTRUMENT_GAP = 0.45
 HAND_REACH = 0.35
 """Reach of the hand and the wrist behind a vessel that they come to [m]."""
 
+_IN_SETS = ("beaker", "conical_flask", "measuring_cylinder", "pear_shaped_flask")
+"""Kinds that are in sets of more things."""
+
 _TRIES = 1000
 """Places that are tried for a thing."""
 _ARRANGEMENTS = 10
 """Number of fresh starts where the last of them finds no place."""
 
 
-def distractor_sets() -> dict[str, tuple[Piece, ...]]:
-    """Return what can stand around; the first four sets are for training."""
+_WIDEST, _TALLEST, _LOWEST = 0.08, 0.24, 0.012
+"""Footprint radius and height up to which ware stands around, so that the hand has room beside it
+and the cameras see over it, and height from which it stands and does not lie [m]; ours."""
+_HELD_OUT = (
+    "crucible",
+    "crucible_quartz",
+    "filter_crucible",
+    "gas_washing_bottle",
+    "jug_plastic",
+    "microplate_24",
+    "microplate_6",
+    "microplate_96",
+    "mortar",
+    "pycnometer",
+    "staining_jar",
+    "weighing_boat",
+)
+"""Kinds of shapes that no other kind has; they stand around in tests only."""
+
+
+@cache
+def training_sets() -> dict[str, tuple[Piece, ...]]:
+    """Return what can stand around in training: nothing, or things of kinds for training."""
     name = "distractor"
     return {
         "bare": (),
@@ -38,6 +66,15 @@ def distractor_sets() -> dict[str, tuple[Piece, ...]]:
             glassware("beaker", "250 ml", name),
             glassware("beaker", "800 ml", f"{name}_2"),
         ),
+        **_sets_of_ware(held_out=False),
+    }
+
+
+@cache
+def held_out_sets() -> dict[str, tuple[Piece, ...]]:
+    """Return what can stand around in tests only; of each set a shape is in none for training."""
+    name = "distractor"
+    return {
         "a rack and a beaker": (
             TestTubeRack(name),
             glassware("beaker", "800 ml", f"{name}_2"),
@@ -47,7 +84,28 @@ def distractor_sets() -> dict[str, tuple[Piece, ...]]:
             glassware("pear_shaped_flask", "250 ml", f"{name}_2"),
             glassware("conical_flask", "300 ml", f"{name}_3"),
         ),
+        **_sets_of_ware(held_out=True),
     }
+
+
+def _sets_of_ware(held_out: bool) -> dict[str, tuple[Piece, ...]]:
+    """Return a piece of every further kind that can stand around, the largest that may."""
+    sets: dict[str, tuple[Piece, ...]] = {}
+    for kind, series in catalogue().items():
+        in_others = kind in _IN_SETS or isinstance(series, ClosureSeries)
+        if series.stands and not in_others and (kind in _HELD_OUT) is held_out:
+            for size in reversed(tuple(series.sizes)):
+                piece = series.make(size, "distractor")
+                if _stands_around(piece):
+                    sets[f"{kind} {size}"] = (piece,)
+                    break
+    return sets
+
+
+def _stands_around(piece: Vessel | Utensil) -> bool:
+    """Return whether ware is of a size in which it can be a distractor, and nothing on it moves."""
+    fits = piece.footprint_radius <= _WIDEST and _LOWEST <= piece.height <= _TALLEST
+    return fits and not piece.joints
 
 
 def place_distractors(

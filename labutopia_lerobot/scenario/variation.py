@@ -12,7 +12,7 @@ from typing import Any
 
 from labutopia_lerobot.layout import Piece
 from labutopia_lerobot.processes import ThermalMass
-from labutopia_lerobot.scenario.distractors import distractor_sets
+from labutopia_lerobot.scenario.distractors import held_out_sets, training_sets
 from labutopia_lerobot.scenario.draw import Draw
 from labutopia_lerobot.scenes import rooms_to_draw
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
@@ -75,12 +75,12 @@ def draw_variation(draw: Draw, joints: int) -> Variation:
             "robot_start", joints, train=(0.0, 0.10), test=[(0.15, 0.25)]
         )
     if draw.varies("layout"):
-        sets = distractor_sets()
-        names = list(sets)
-        drawn["distractors"] = sets[draw.choice("layout", train=names[:4], test=names[4:])]
+        train, test = training_sets(), held_out_sets()
+        name = draw.choice("layout", train=list(train), test=list(test))
+        drawn["distractors"] = (train | test)[name]
     if draw.varies("room"):
-        train, test = rooms_to_draw()
-        drawn["room"] = draw.choice("room", train=train, test=test)
+        rooms, rooms_for_tests = rooms_to_draw()
+        drawn["room"] = draw.choice("room", train=rooms, test=rooms_for_tests)
     return Variation(**drawn)
 
 

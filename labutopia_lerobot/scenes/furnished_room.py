@@ -11,6 +11,8 @@ from labutopia_lerobot.scenes.views import View
 if TYPE_CHECKING:
     import mujoco
 
+    from labutopia_lerobot.layout import Piece
+
 
 def furnished_room(plan: Plan) -> Room:
     """Return the room of a plan that has a work place.
@@ -24,6 +26,7 @@ def furnished_room(plan: Plan) -> Room:
         bench=LABORATORY.bench,
         robot_stand=LABORATORY.robot_stand,
         decorator=partial(_decorate, plan),
+        furniture=partial(_furniture, plan),
     )
 
 
@@ -37,3 +40,9 @@ def _decorate(plan: Plan, spec: "mujoco.MjSpec", view: View) -> None:
     from labutopia_lerobot.scenes.furnished_room_model import decorate  # here: mujoco
 
     decorate(plan, spec, view)
+
+
+def _furniture(plan: Plan) -> "tuple[Piece, ...]":
+    from labutopia_lerobot.scenes.within_reach import real_pieces  # here: mujoco
+
+    return tuple(real.piece for real in real_pieces(plan))

@@ -1,6 +1,5 @@
-"""A furnished room around the bench of a task: solid within reach, beyond that a picture."""
+"""A furnished room around the bench of a task: real within reach, beyond that a picture."""
 
-import math
 from functools import cache, partial
 
 import mujoco
@@ -8,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.labware.parts.shell import Shell
+from labutopia_lerobot.labware.parts.shell import Shell, rounded_box
 from labutopia_lerobot.scenes.building.masonry import masonry
 from labutopia_lerobot.scenes.building.surfaces_model import (
     add_surface_materials,
@@ -19,19 +18,16 @@ from labutopia_lerobot.scenes.building.surfaces_model import (
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.laboratory_model import laboratory
 from labutopia_lerobot.scenes.plan import Plan, WorkPlace
+from labutopia_lerobot.scenes.plan_model import facing
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.scenery import scenery
-from labutopia_lerobot.scenes.space.claims import claims_of_piece
+from labutopia_lerobot.scenes.space.boxes import boxes
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.scenes.visible_triangles import visible_triangles
+from labutopia_lerobot.scenes.within_reach import RealPiece, near, real_pieces
 from labutopia_lerobot.world import ROOM, FloatArray
-from labutopia_lerobot.world.model import BEYOND_GROUP, COLLISION_GROUP, VISUAL_GROUP
+from labutopia_lerobot.world.model import BEYOND_GROUP, VISUAL_GROUP
 
-_SOLID_WITHIN = 1.25
-"""Distance from the robot's base up to which things are solid [m]: the longest arm's 0.90, its hand
-and what that holds."""
-_FARTHEST_PIECE = 3.5
-"""Whose middle is farther from the robot is not within its reach with any part [m]."""
 _PALETTE = 16
 """Colours along a side of the palette."""
 _CELL = 8
@@ -43,8 +39,8 @@ _CLEAR = 0.3
 
 
 def work_place(plan: Plan, room: Room, view: View) -> mujoco.MjSpec:
-    """Return bench, robot's stand, floor, cameras, lights, and what is solid within reach."""
-    return laboratory(room, view, partial(_surround, plan))
+    """Return bench, robot's stand, floor, cameras, lights, and what is real within reach."""
+    return laboratory(room, view, partial(_surround, plan, view))
 
 
 def decorate(plan: Plan, spec: mujoco.MjSpec, view: View) -> None:
@@ -67,8 +63,8 @@ def decorate(plan: Plan, spec: mujoco.MjSpec, view: View) -> None:
                 _add_mesh(spec, body, name, f"scenery_{surface.look}", part, colors[chosen], group)
 
 
-def _surround(plan: Plan, spec: mujoco.MjSpec) -> None:
-    """Add the room with its floor and what is solid within reach."""
+def _surround(plan: Plan, view: View, spec: mujoco.MjSpec) -> None:
+    """Add the room with its floor, and what is real within reach."""
     add_surface_materials(spec, plan)
     place = plan.work_places[0]
     turn, pos = _frame(place)
@@ -76,21 +72,37 @@ def _surround(plan: Plan, spec: mujoco.MjSpec) -> None:
     add_surfaces(room, plan)
     stand = np.array([place.x, place.y, LABORATORY.robot_stand[2]])
     walls = (box for wall in masonry(plan) for box in wall.boxes())
-    add_wall_solids(room, (box for box in walls if _near(stand, *np.array(box).T)))
-    number = 0
-    for piece in plan.pieces:
-        away = math.hypot(piece.x - place.x, piece.y - place.y)
-        if piece.name != place.bench and away < _FARTHEST_PIECE:
-            for low, high in zip(*next(claims_of_piece(piece)).room, strict=True):
-                if _near(stand, low, high):
-                    room.add_geom(
-                        name=f"solid_{number}",
-                        type=mujoco.mjtGeom.mjGEOM_BOX,
-                        pos=(low + high) / 2,
-                        size=(high - low) / 2,
-                        group=COLLISION_GROUP,
-                    )
-                    number += 1
+    add_wall_solids(room, (box for box in walls if near(stand, boxes(box))))
+    for real in real_pieces(plan):
+        _add_real(spec, real, view, turn, pos)
+
+
+def _add_real(
+    spec: mujoco.MjSpec, real: RealPiece, view: View, turn: Rotation, pos: FloatArray
+) -> None:
+    """Add a piece of the room that is built whole, free where it is not fixed.
+
+    Args:
+        spec: Where to.
+        real: The piece.
+        view: Fixed cameras, in whose pictures it is not drawn if it cannot get into them.
+        turn: How the room is turned.
+        pos: Where its origin is [m], world frame.
+    """
+    body = real.piece.add_to(spec, spec.worldbody)
+    body.pos = turn.apply(real.at) + pos
+    front = Rotation.from_quat(facing(real.heading), scalar_first=True)
+    body.quat = (turn * front).as_quat(scalar_first=True)
+    if real.piece.movable:
+        body.add_freejoint(name=f"{real.piece.name}_free")
+        return
+    hull = real.room.hull
+    corners, normals, faces = rounded_box((hull.high - hull.low)[0], 0.0)
+    around = turn.apply(corners + (hull.high + hull.low)[0] / 2) + pos, normals, faces
+    if not any(visible_triangles(around, camera).any() for camera in (view.front, view.top)):
+        for geom in body.find_all(mujoco.mjtObj.mjOBJ_GEOM):
+            if geom.group == VISUAL_GROUP:
+                geom.group = BEYOND_GROUP
 
 
 def _frame(place: WorkPlace) -> tuple[Rotation, FloatArray]:
@@ -99,11 +111,6 @@ def _frame(place: WorkPlace) -> tuple[Rotation, FloatArray]:
     x, y, _ = LABORATORY.robot_stand
     pos = np.array([x, y, 0.0]) - turn.apply((place.x, place.y, 0.0))
     return turn, pos
-
-
-def _near(point: FloatArray, low: FloatArray, high: FloatArray) -> bool:
-    """Return whether a box is within reach of a point."""
-    return bool(np.linalg.norm(np.clip(point, low, high) - point) < _SOLID_WITHIN)
 
 
 def _add_palette(spec: mujoco.MjSpec, plan: Plan) -> None:
@@ -152,6 +159,7 @@ def _add_mesh(
     vertices, normals, faces = mesh
     used, faces = np.unique(faces, return_inverse=True)
     faces = faces.reshape(-1, 3)
+    used = np.append(used, used[: max(0, 4 - len(used))])  # MuJoCo has no mesh of one triangle
     numbers = np.arange(_PALETTE**2)
     middles = np.column_stack([numbers % _PALETTE, numbers // _PALETTE]) / _PALETTE + 0.5 / _PALETTE
     spec.add_mesh(

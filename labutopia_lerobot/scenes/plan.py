@@ -75,6 +75,35 @@ class Placed:
 
 
 @dataclass(frozen=True)
+class PlacedWare:
+    """A piece of ware, and where it stands; labels face as the front of what it stands on.
+
+    Attributes:
+        kind: Of the catalogue of ware.
+        size: Of that kind, such as `250 ml`.
+        name: Its own in this room.
+        x: Of the centre of its base [m], room frame.
+        y: The same [m].
+        height: Of its base above the floor [m].
+        on: Name of the piece that it stands on or in.
+        closed: Whether its stopper, cap or lid is on.
+        contents: Name of the substance that is in it, as a still look; empty if none.
+        level: Height of that, as a share of the height of the vessel.
+    """
+
+    kind: str
+    size: str
+    name: str
+    x: float
+    y: float
+    height: float
+    on: str
+    closed: bool = False
+    contents: str = ""
+    level: float = 0.0
+
+
+@dataclass(frozen=True)
 class WorkPlace:
     """Place of a robot before a bench, as in the tasks of levels 1 to 4.
 
@@ -108,6 +137,7 @@ class Plan:
         work_places: Where a robot can work; may be none.
         floor: One of the floor finishes.
         wall: One of the wall finishes.
+        ware: Glass and what else stands on benches and shelves and in racks.
     """
 
     name: str
@@ -120,3 +150,4 @@ class Plan:
     work_places: tuple[WorkPlace, ...]
     floor: str
     wall: str
+    ware: tuple[PlacedWare, ...] = ()

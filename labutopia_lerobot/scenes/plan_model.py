@@ -5,6 +5,8 @@ from collections.abc import Iterable
 
 import mujoco
 
+from labutopia_lerobot.labware.glass.utensil import Utensil
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.scenes.building.doors import add_door, add_window
 from labutopia_lerobot.scenes.building.masonry import Masonry, masonry
@@ -16,6 +18,7 @@ from labutopia_lerobot.scenes.building.surfaces_model import (
 )
 from labutopia_lerobot.scenes.laboratory_model import add_lights
 from labutopia_lerobot.scenes.plan import Opening, Placed, Plan
+from labutopia_lerobot.scenes.space.ware_room import closure_of, made
 from labutopia_lerobot.world import ROOM
 from labutopia_lerobot.world.model import PHYSICS_HZ, SOLIMP, SOLREF
 
@@ -47,6 +50,7 @@ def build(plan: Plan) -> mujoco.MjSpec:
     add_wall_looks(spec, room, walls)
     add_openings(spec, plan, walls)
     add_pieces(spec, plan.pieces)
+    add_ware(spec, plan)
     add_lights(spec)
     return spec
 
@@ -75,6 +79,22 @@ def add_pieces(spec: mujoco.MjSpec, pieces: Iterable[Placed]) -> None:
         body.quat = facing(placed.heading)
         if piece.movable:
             body.add_freejoint(name=f"{piece.name}_free")
+
+
+def add_ware(spec: mujoco.MjSpec, plan: Plan) -> None:
+    """Add ware, and what closes it; nothing is in it."""
+    carriers = {piece.name: piece for piece in plan.pieces}
+    for placed in plan.ware:
+        quat = facing(carriers[placed.on].heading)
+        parts: list[tuple[Vessel | Utensil, float]] = [
+            (made(placed.kind, placed.size, placed.name), 0.0)
+        ]
+        if placed.closed:
+            parts.append(closure_of(placed.kind, placed.size, placed.name))
+        for piece, up in parts:
+            body = piece.add_to(spec, spec.worldbody)
+            body.pos, body.quat = (placed.x, placed.y, placed.height + up), quat
+            body.add_freejoint(name=f"{body.name}_free")
 
 
 def facing(heading: float) -> tuple[float, float, float, float]:

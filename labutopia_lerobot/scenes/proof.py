@@ -8,10 +8,11 @@ import numpy as np
 from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Placed, Plan
 from labutopia_lerobot.scenes.plans import PlanError
-from labutopia_lerobot.scenes.space.boxes import TOUCHING, Boxes, boxes
+from labutopia_lerobot.scenes.space.boxes import TOUCHING, Boxes, boxes, joined
 from labutopia_lerobot.scenes.space.claims import Claim, claims
 from labutopia_lerobot.scenes.space.extent import extent
 from labutopia_lerobot.scenes.space.reach import BENCH_SIDE, REACH, ROBOT_RADIUS, Reach
+from labutopia_lerobot.scenes.space.ware_room import box_of, in_a_holder, on_a_board
 
 HUNG_WITHIN = 0.05
 """Greatest distance from a hanging piece to the wall behind it [m]."""
@@ -36,7 +37,8 @@ def faults(plan: Plan) -> list[str]:
     """Return what is wrong with a plan, a sentence each; nothing if it is proven.
 
     Nothing overlaps or is outside, everything stands on something, openings, views, doors, drawers
-    and lids are free over their whole range, and a robot of 0.6 m gets from the entrance to every
+    and lids are free over their whole range, ware stands wholly on a board or in its holder and
+    in the way of nothing, and a robot of 0.6 m gets from the entrance to every
     work place, to every side of a bench, and to within its reach of every front.
     """
     claimed = list(claims(plan))
@@ -45,6 +47,7 @@ def faults(plan: Plan) -> list[str]:
         *_conflicts(claimed),
         *_hanging(plan, claimed),
         *_unreached(plan),
+        *_ware(plan, claimed),
     ]
 
 
@@ -101,6 +104,27 @@ def stands_on(piece: Placed, carrier: Placed) -> bool:
         if inside and abs(carrier.height + top.height - piece.height) <= TOUCHING:
             return True
     return False
+
+
+def _ware(plan: Plan, claimed: list[Claim]) -> Iterator[str]:
+    """Yield what is wrong with ware: where it stands, and what it is in the way of."""
+    named = {piece.name: piece for piece in plan.pieces}
+    rooms = [box_of(ware) for ware in plan.ware]
+    solid = [claim for claim in claimed if len(claim.room.low)]
+    hulls = joined(*(claim.room.hull for claim in solid))
+    for ware, room in zip(plan.ware, rooms, strict=True):
+        carrier = named[ware.on]
+        held = in_a_holder(ware, carrier)
+        if not held and not on_a_board(ware, carrier):
+            yield f"{ware.name}: it stands on no top and no shelf of {ware.on}, nor in its places"
+        for claim in (solid[number] for number in np.flatnonzero(room.meets(hulls))):
+            if claim.room.meet(room) and not (held and claim.owner == ware.on):
+                fault = f": {claim.what}: {ware.name} is in its way" if claim.what else ""
+                yield f"{claim.owner}{fault or f' and {ware.name} overlap'}"
+    taken = joined(*rooms)
+    for number, room in enumerate(rooms[:-1]):
+        for other in np.flatnonzero(room.meets(Boxes(*(side[number + 1 :] for side in taken)))):
+            yield f"{plan.ware[number].name} and {plan.ware[number + 1 + other].name} overlap"
 
 
 def _hangs(plan: Plan, piece: Placed, masonry: list[Boxes]) -> bool:

@@ -10,6 +10,8 @@ from labutopia_lerobot.scenes.views import Vector, View
 if TYPE_CHECKING:
     import mujoco
 
+    from labutopia_lerobot.layout import Piece
+
 
 class UnknownRoomError(UserError, ValueError):
     """A room that does not exist; the message names some that do."""
@@ -42,6 +44,7 @@ class Room:
         bench: Top of the bench.
         robot_stand: Where the base of a robot is mounted, facing +x [m], world frame.
         decorator: Adds to such a spec what is seen and never touched, or None.
+        furniture: Returns the pieces that it builds, or None.
     """
 
     name: str
@@ -49,6 +52,12 @@ class Room:
     bench: Surface
     robot_stand: Vector
     decorator: "Callable[[mujoco.MjSpec, View], None] | None" = None
+    furniture: "Callable[[], tuple[Piece, ...]] | None" = None
+
+    @property
+    def pieces(self) -> "tuple[Piece, ...]":
+        """What is built with it beside bench and robot, where it stands: what can be reached."""
+        return () if self.furniture is None else self.furniture()
 
     def build(self, view: View) -> "mujoco.MjSpec":
         """Return the room as a spec (angles in radians) with the cameras `front` and `top`.

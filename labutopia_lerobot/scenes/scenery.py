@@ -17,8 +17,10 @@ from scipy import ndimage
 from labutopia_lerobot.labware.parts import shell
 from labutopia_lerobot.labware.parts.shell import Shell
 from labutopia_lerobot.scenes.building.masonry import masonry
-from labutopia_lerobot.scenes.plan import Placed, Plan
-from labutopia_lerobot.scenes.plan_model import add_openings, add_pieces
+from labutopia_lerobot.scenes.plan import Placed, PlacedWare, Plan
+from labutopia_lerobot.scenes.plan_model import add_openings, add_pieces, facing
+from labutopia_lerobot.scenes.still_ware import StillPart, still_ware
+from labutopia_lerobot.scenes.within_reach import real_names
 from labutopia_lerobot.world import FloatArray
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
@@ -48,12 +50,14 @@ class SceneryMesh(NamedTuple):
 
 @cache
 def scenery(plan: Plan) -> tuple[SceneryMesh, ...]:
-    """Return what is seen from the first work place of a plan, but floor, walls and its bench."""
+    """Return what is seen from the first work place, but floor, walls and what is real."""
     spec = mujoco.MjSpec()
     spec.compiler.degree = False
+    carriers = {piece.name: piece for piece in _in_sight(plan)}
+    pictured = [piece for name, piece in carriers.items() if name not in real_names(plan)]
     with shell.coarse():
         add_openings(spec, plan, masonry(plan))
-        add_pieces(spec, _in_sight(plan))
+        add_pieces(spec, pictured)
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
@@ -61,8 +65,13 @@ def scenery(plan: Plan) -> tuple[SceneryMesh, ...]:
     for geom in range(model.ngeom):
         if model.geom_group[geom] < COLLISION_GROUP:
             color, specular = _finish(model, geom)
-            look = "clear" if color[3] < _CLEAR else "shiny" if specular > _SHINES else "matt"
-            parts_of.setdefault(look, []).append((_placed(model, data, geom), color))
+            mesh = _placed(model, data, geom)
+            parts_of.setdefault(_look(color, specular), []).append((mesh, color))
+    for ware in plan.ware:
+        carrier = carriers.get(ware.on)
+        if carrier and ware.name not in real_names(plan):
+            for mesh, color, specular in _still(ware, carrier):
+                parts_of.setdefault(_look(color, specular), []).append((mesh, color))
     return tuple(
         SceneryMesh(
             look,
@@ -71,6 +80,21 @@ def scenery(plan: Plan) -> tuple[SceneryMesh, ...]:
         )
         for look, parts in sorted(parts_of.items())
     )
+
+
+def _look(color: Color, specular: float) -> str:
+    """Return how what has a colour and highlights is drawn."""
+    return "clear" if color[3] < _CLEAR else "shiny" if specular > _SHINES else "matt"
+
+
+def _still(ware: PlacedWare, carrier: Placed) -> Iterator[StillPart]:
+    """Yield what is seen of some ware, room frame."""
+    turn = np.empty(9)
+    mujoco.mju_quat2Mat(turn, np.array(facing(carrier.heading)))
+    axes, at = turn.reshape(3, 3), np.array([ware.x, ware.y, ware.height])
+    parts = still_ware(ware.kind, ware.size, ware.closed, ware.contents, ware.level)
+    for (vertices, normals, faces), color, specular in parts:
+        yield (vertices @ axes.T + at, normals @ axes.T, faces), color, specular
 
 
 def _in_sight(plan: Plan) -> Iterator[Placed]:

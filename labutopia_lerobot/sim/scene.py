@@ -77,7 +77,8 @@ def compile_scene(
     pieces = tuple(pieces)
     spec = scene_spec(pieces, robot, room, view)
     contact_shadows.add_material(spec)
-    processes = tuple(process for piece in pieces for process in piece.processes)
+    standing = (*pieces, *room.pieces)
+    processes = tuple(process for piece in standing for process in piece.processes)
     processes += warm_processes(pieces, processes, robot.gripper.body)
     # MuJoCo keeps what it is given here with its state: the commands that act, then the processes.
     spec.nuserdata = SPAN * len(robot.elements) + slots_of(processes)

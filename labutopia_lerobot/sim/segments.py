@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.pictures import BACKGROUND, LIQUID, ROBOT
-from labutopia_lerobot.scenario.distractors import distractor_sets
+from labutopia_lerobot.scenario.distractors import held_out_sets, training_sets
 from labutopia_lerobot.sim.scene import ROBOT_MOUNT, Scene
 from labutopia_lerobot.task import Task
 
@@ -15,7 +15,8 @@ def segment_names(task: Task) -> tuple[str, ...]:
     Args:
         task: As any episode has it: names are those of all draws.
     """
-    distractors = {piece.name for pieces in distractor_sets().values() for piece in pieces}
+    sets = (*training_sets().values(), *held_out_sets().values())
+    distractors = {piece.name for pieces in sets for piece in pieces}
     things = (piece.name for piece in task.start)
     return (BACKGROUND, ROBOT, LIQUID, *things, *sorted(distractors))
 

@@ -42,6 +42,17 @@ def test_a_piece_is_a_line():
 PIECE = {"kind": "stool", "name": "seat", "x": 1.0, "y": 1.0, "heading": 0}
 
 
+WARE = {
+    "kind": "beaker_low",
+    "size": "250 ml",
+    "name": "beaker",
+    "x": 0.5,
+    "y": 2.6,
+    "height": 0.9,
+    "on": "wall_bench_1",
+}
+
+
 @pytest.mark.parametrize(
     ("changes", "reported"),
     [
@@ -57,6 +68,13 @@ PIECE = {"kind": "stool", "name": "seat", "x": 1.0, "y": 1.0, "heading": 0}
         ({"pieces": [PIECE | {"on": "desk"}]}, "'seat' stands on 'desk', which is no piece before"),
         ({"pieces": [PIECE, PIECE]}, "pieces[1]: the name 'seat' is taken"),
         ({"pieces": [PIECE]}, "'work_bench_1' is no work bench of this room"),
+        ({"ware": [WARE | {"kind": "beakr"}]}, "ware[0]: Unknown ware 'beakr'. Did you mean"),
+        ({"ware": [WARE | {"size": "3 ml"}]}, "ware[0]: No beaker_low of size '3 ml'; sizes: 5 ml"),
+        ({"ware": [WARE | {"closed": True}]}, "ware[0]: beaker_low comes without a closure"),
+        ({"ware": [WARE | {"contents": "mud"}]}, "ware[0]: substance 'mud' is unknown"),
+        ({"ware": [WARE | {"level": 2.0}]}, "ware[0]: a level of 2; what a vessel holds has"),
+        ({"ware": [WARE | {"on": "desk"}]}, "'beaker' stands on 'desk', which is no piece"),
+        ({"ware": [WARE, WARE]}, "ware[1]: the name 'beaker' is taken"),
         ({"openings": []}, "the first of openings must be the door"),
     ],
 )

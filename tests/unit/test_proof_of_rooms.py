@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from labutopia_lerobot.scenes.plan import Opening, Placed, Plan, Wall
+from labutopia_lerobot.scenes.plan import Opening, Placed, PlacedWare, Plan, Wall
 from labutopia_lerobot.scenes.plans import PlanError
 from labutopia_lerobot.scenes.proof import faults, proven
 from small_room import ROOM
@@ -20,7 +20,33 @@ def with_moved(name: str, **where: object) -> Plan:
     return replace(ROOM, pieces=tuple(pieces))
 
 
+def with_ware(*at: tuple[float, float], kind: str = "beaker_low", height: float = 0.9) -> Plan:
+    ware = (
+        PlacedWare(kind, "250 ml", f"ware_{number}", x, y, height, "wall_bench_1")
+        for number, (x, y) in enumerate(at, start=1)
+    )
+    return replace(ROOM, ware=tuple(ware))
+
+
 PLANTED = {
+    "ware over the edge of a bench": (
+        with_ware((0.74, 2.6)),
+        "ware_1: it stands on no top and no shelf of wall_bench_1",
+    ),
+    "ware above a bench": (
+        with_ware((0.5, 2.6), height=0.95),
+        "ware_1: it stands on no top and no shelf of wall_bench_1",
+    ),
+    "a round flask without a ring": (
+        with_ware((0.5, 2.6), kind="round_bottom_flask"),
+        "ware_1: it stands on no top and no shelf of wall_bench_1",
+    ),
+    "ware in an instrument": (with_ware((0.3, 3.05)), "plate and ware_1 overlap"),
+    "ware in other ware": (with_ware((0.5, 2.6), (0.5, 2.65)), "ware_1 and ware_2 overlap"),
+    "ware on the floor before a refrigerator": (
+        with_ware((3.0, 1.0), height=0.5),
+        "refrigerator_1: its lower_door cannot move freely: ware_1 is in its way",
+    ),
     "two things in each other": (
         with_piece("tall_cupboard", 0.3, 3.2),
         "wall_bench_1 and added overlap",
@@ -93,6 +119,10 @@ PLANTED = {
 def test_the_room_without_a_fault_is_proven():
     assert faults(ROOM) == []
     assert proven(ROOM, "small") is ROOM
+
+
+def test_ware_that_stands_well_is_no_fault():
+    assert faults(with_ware((0.5, 2.6), (0.5, 2.8))) == []
 
 
 @pytest.mark.parametrize("planted", PLANTED)

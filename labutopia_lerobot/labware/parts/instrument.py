@@ -51,7 +51,12 @@ class Equipment(Still):
 
     @property
     def tops(self) -> tuple[Top, ...]:
-        """Surfaces of furniture that carry instruments; bottles and vessels go to `places`."""
+        """Surfaces of furniture that carry instruments, and ware between them."""
+        return ()
+
+    @property
+    def boards(self) -> tuple[Top, ...]:
+        """Boards of furniture on which ware stands in rows."""
         return ()
 
     @property

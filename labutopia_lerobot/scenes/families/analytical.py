@@ -5,8 +5,10 @@ from labutopia_lerobot.scenes.generation.words import (
     AT_DESK,
     AT_OUTER_WALL,
     AT_WALL,
+    BOTTLES,
     DESK_AT_WALL,
     DETAIL,
+    GLASS_IN_USE,
     HUNG_HIGH,
     HUNG_LOW,
     MAIN,
@@ -18,6 +20,8 @@ from labutopia_lerobot.scenes.generation.words import (
     Chamber,
     Family,
     Need,
+    on_benches,
+    on_shelves,
 )
 
 FAMILY = Family(
@@ -55,4 +59,13 @@ FAMILY = Family(
         ),
     ),
     walls=("white", "light grey", "pale blue"),
+    stock=(
+        *GLASS_IN_USE,
+        on_benches("volumetric_flask", "50 ml", "100 ml", "250 ml", often=4, closed=True),
+        on_benches("weighing_bottle", "40 x 80 mm", "50 x 30 mm", closed=True),
+        on_benches("vial", "20 ml", "40 ml", often=2),
+        on_benches("reagent_bottle_small", "25 ml", "50 ml", closed=True),
+        *BOTTLES,
+        on_shelves("volumetric_flask", "100 ml", "250 ml", "500 ml", closed=True, often=2),
+    ),
 )

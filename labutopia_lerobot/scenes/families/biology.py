@@ -9,11 +9,13 @@ from labutopia_lerobot.scenes.generation.words import (
     MAIN,
     ON_BENCH,
     SAFETY,
+    SOLUTIONS,
     VITAL,
     WORK_BENCH,
     Chamber,
     Family,
     Need,
+    on_benches,
 )
 
 FAMILY = Family(
@@ -54,4 +56,14 @@ FAMILY = Family(
     ),
     floors=("blue vinyl", "green vinyl", "grey vinyl"),
     walls=("white", "pale blue", "pale green"),
+    stock=(
+        on_benches("centrifuge_tube", "15 ml", often=3),
+        on_benches("culture_tube", "16 x 150 mm"),
+        on_benches("petri_dish_plastic", "90 x 15 mm", often=2, closed=True),
+        on_benches("microplate_96", "127.8 x 85.5 x 14.4 mm", often=2),
+        on_benches("reagent_bottle", "250 ml", "500 ml", closed=True, contents=SOLUTIONS, often=4),
+        on_benches("erlenmeyer_plastic", "125 ml", "250 ml"),
+        on_benches("beaker_plastic", "100 ml", "250 ml"),
+        on_benches("graduated_cylinder", "100 ml", "250 ml"),
+    ),
 )

@@ -6,8 +6,11 @@ from labutopia_lerobot.scenes.generation.words import (
     AT_OUTER_WALL,
     AT_WALL,
     BESIDE,
+    BOTTLES,
+    CLEAN_GLASS,
     DESK_AT_WALL,
     DETAIL,
+    GLASS_IN_USE,
     HUNG_HIGH,
     HUNG_LOW,
     IN_RACK,
@@ -19,6 +22,7 @@ from labutopia_lerobot.scenes.generation.words import (
     Corridor,
     Family,
     Need,
+    on_benches,
 )
 
 FAMILY = Family(
@@ -80,5 +84,12 @@ FAMILY = Family(
                 Need("waste_bin", (1, 1), BESIDE, DETAIL),
             ),
         ),
+    ),
+    stock=(
+        *GLASS_IN_USE,
+        on_benches("test_tube", "16 x 160 mm"),
+        on_benches("watch_glass", "80 x 10 mm", "100 x 12 mm"),
+        *BOTTLES,
+        *CLEAN_GLASS,
     ),
 )

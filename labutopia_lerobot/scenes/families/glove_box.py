@@ -6,6 +6,7 @@ from labutopia_lerobot.scenes.generation.words import (
     AT_WALL,
     BESIDE,
     DETAIL,
+    GLASS_IN_USE,
     HUNG_LOW,
     MAIN,
     ON_BENCH,
@@ -15,6 +16,7 @@ from labutopia_lerobot.scenes.generation.words import (
     Chamber,
     Family,
     Need,
+    on_benches,
 )
 
 FAMILY = Family(
@@ -48,4 +50,10 @@ FAMILY = Family(
     ),
     floors=("grey epoxy", "grey vinyl"),
     walls=("white", "light grey"),
+    stock=(
+        *GLASS_IN_USE,
+        on_benches("round_bottom_flask", "250 ml"),
+        on_benches("vial", "20 ml", "40 ml", often=4),
+        on_benches("weighing_bottle", "30 x 50 mm", "40 x 80 mm", closed=True),
+    ),
 )

@@ -4,7 +4,9 @@ from labutopia_lerobot.scenes.generation.words import (
     AT_BENCH,
     AT_OUTER_WALL,
     AT_WALL,
+    BOTTLES,
     DETAIL,
+    GLASS_IN_USE,
     HUNG_HIGH,
     HUNG_LOW,
     ISLAND,
@@ -17,6 +19,8 @@ from labutopia_lerobot.scenes.generation.words import (
     Chamber,
     Family,
     Need,
+    on_benches,
+    on_shelves,
 )
 
 FAMILY = Family(
@@ -52,4 +56,14 @@ FAMILY = Family(
         ),
     ),
     floors=("grey vinyl", "grey epoxy", "white tiles"),
+    stock=(
+        *GLASS_IN_USE,
+        on_benches("round_bottom_flask", "250 ml", often=2),
+        on_benches("two_neck_flask", "250 ml"),
+        on_benches("evaporating_flask", "250 ml"),
+        on_benches("filter_flask", "250 ml", "500 ml"),
+        on_benches("crystallizing_dish", "150 ml", "300 ml"),
+        *BOTTLES,
+        on_shelves("stoppered_bottle", "250 ml", "500 ml", closed=True),
+    ),
 )

@@ -6,6 +6,7 @@ from labutopia_lerobot.scenes.generation.words import (
     AT_WALL,
     BESIDE,
     BOARD,
+    CLEAN_GLASS,
     DESK_AT_WALL,
     DETAIL,
     ISLAND,
@@ -17,6 +18,8 @@ from labutopia_lerobot.scenes.generation.words import (
     Chamber,
     Family,
     Need,
+    on_benches,
+    on_shelves,
 )
 
 FAMILY = Family(
@@ -54,4 +57,14 @@ FAMILY = Family(
         ),
     ),
     floors=("grey vinyl", "beige vinyl", "grey tiles"),
+    stock=(
+        on_benches("beaker_low", "250 ml", "600 ml", "1000 ml", often=3),
+        on_benches("graduated_cylinder", "250 ml", "500 ml", often=2),
+        on_benches("flat_bottom_flask", "250 ml", "500 ml"),
+        on_benches("jug_plastic", "1000 ml"),
+        on_benches("tray", "240 x 180 x 50 mm"),
+        *CLEAN_GLASS,
+        on_shelves("jug_plastic", "500 ml", "1000 ml"),
+        on_shelves("carboy", "5 l"),
+    ),
 )

@@ -4,7 +4,10 @@ from labutopia_lerobot.scenes.generation.words import (
     AT_BENCH,
     AT_OUTER_WALL,
     AT_WALL,
+    BOTTLES,
+    CLEAN_GLASS,
     DETAIL,
+    GLASS_IN_USE,
     HUNG_HIGH,
     HUNG_LOW,
     MAIN,
@@ -16,6 +19,7 @@ from labutopia_lerobot.scenes.generation.words import (
     Chamber,
     Family,
     Need,
+    on_benches,
 )
 
 FAMILY = Family(
@@ -52,4 +56,13 @@ FAMILY = Family(
         ),
     ),
     floors=("white tiles", "grey tiles", "grey vinyl"),
+    stock=(
+        *GLASS_IN_USE,
+        on_benches("volumetric_flask", "100 ml", "250 ml", "500 ml", closed=True, often=2),
+        on_benches("crystallizing_dish", "300 ml", "500 ml"),
+        on_benches("mortar", "100 x 60 mm"),
+        on_benches("wide_mouth_bottle", "250 ml", "500 ml"),
+        *BOTTLES,
+        *CLEAN_GLASS,
+    ),
 )

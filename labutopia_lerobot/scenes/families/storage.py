@@ -2,6 +2,8 @@
 
 from labutopia_lerobot.scenes.generation.words import (
     AT_WALL,
+    BOTTLES,
+    CLEAN_GLASS,
     DETAIL,
     IN_RACK,
     MAIN,
@@ -11,6 +13,8 @@ from labutopia_lerobot.scenes.generation.words import (
     Chamber,
     Family,
     Need,
+    on_benches,
+    on_shelves,
 )
 
 FAMILY = Family(
@@ -43,4 +47,13 @@ FAMILY = Family(
     ),
     floors=("grey epoxy", "grey tiles"),
     walls=("white", "light grey"),
+    stock=(
+        on_benches("carboy", "5 l"),
+        on_benches("reagent_bottle_amber", "500 ml", "1000 ml", closed=True),
+        *BOTTLES,
+        *CLEAN_GLASS,
+        on_shelves("stoppered_bottle", "250 ml", "500 ml", closed=True),
+        on_shelves("wide_mouth_bottle", "250 ml", "500 ml", closed=True),
+        on_shelves("carboy", "5 l"),
+    ),
 )

@@ -6,8 +6,10 @@ from labutopia_lerobot.scenes.generation.words import (
     AT_WALL,
     BEFORE_BOARD,
     BOARD,
+    BOTTLES,
     DESK_AT_WALL,
     FIRST,
+    GLASS_IN_USE,
     HUNG_LOW,
     ISLAND,
     MAIN,
@@ -17,6 +19,7 @@ from labutopia_lerobot.scenes.generation.words import (
     Chamber,
     Family,
     Need,
+    on_benches,
 )
 
 FAMILY = Family(
@@ -49,5 +52,13 @@ FAMILY = Family(
                 *SAFETY,
             ),
         ),
+    ),
+    stock=(
+        *GLASS_IN_USE,
+        on_benches("test_tube", "16 x 130 mm", "16 x 160 mm", often=4),
+        on_benches("evaporating_dish", "80 x 32 mm", "100 x 40 mm"),
+        on_benches("watch_glass", "80 x 10 mm", "100 x 12 mm"),
+        on_benches("petri_dish", "80 x 15 mm", "100 x 15 mm", closed=True),
+        *BOTTLES,
     ),
 )

@@ -14,6 +14,7 @@ from labutopia_lerobot.scenes.generation.words import (
     Chamber,
     Family,
     Need,
+    on_benches,
 )
 
 FAMILY = Family(
@@ -44,4 +45,12 @@ FAMILY = Family(
     ),
     floors=("grey vinyl", "beige vinyl"),
     walls=("white", "cream", "pale green"),
+    stock=(
+        on_benches("weighing_bottle", "30 x 50 mm", "40 x 80 mm", closed=True, often=3),
+        on_benches("weighing_boat", "85 x 85 x 24 mm", often=2),
+        on_benches("watch_glass", "60 x 8 mm", "80 x 10 mm"),
+        on_benches("beaker_low", "50 ml", "100 ml", often=2),
+        on_benches("sample_jar", "60 ml", "250 ml", often=2),
+        on_benches("crucible", "45 x 36 mm", "50 x 40 mm"),
+    ),
 )

@@ -3,7 +3,7 @@
 Pieces are placed in order of importance and size; spots come from a grid and keep the boundary,
 collisions, and what an instrument needs; the best score wins; a search with backtracking follows
 where sampling fails (paper, "Environment Generation Pipeline"). Where that fails as well, the shell
-of the room is drawn anew, unless its size was said.
+of the room is drawn anew, unless its size was said. Ware comes last (`stock`).
 """
 
 from contextlib import suppress
@@ -13,6 +13,7 @@ import numpy as np
 from labutopia_lerobot.scenes.generation.family import Family
 from labutopia_lerobot.scenes.generation.footprint import draw_footprint
 from labutopia_lerobot.scenes.generation.search import RoomTooSmallError, furnish, wanted
+from labutopia_lerobot.scenes.generation.stock import stocked
 from labutopia_lerobot.scenes.plan import Placed, Plan
 
 SHELLS = 6
@@ -58,7 +59,7 @@ def _generated(
         str(looks[int(rng.integers(len(looks)))]) for looks in (family.floors, family.walls)
     )
     sketch = furnish(family, footprint, wanted(footprint, rng), rng)
-    return Plan(
+    plan = Plan(
         name=name,
         family=family.name,
         seed=seed,
@@ -70,6 +71,7 @@ def _generated(
         floor=floor,
         wall=wall,
     )
+    return stocked(plan, family.stock)
 
 
 def _carriers_first(pieces: list[Placed]) -> tuple[Placed, ...]:

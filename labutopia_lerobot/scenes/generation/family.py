@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from enum import IntEnum
+from typing import Literal
 
 from labutopia_lerobot.scenes.generation.where import Where
 
@@ -44,6 +45,27 @@ class Need:
     importance: Importance = Importance.USUAL
     near: str | None = None
     within: float = 2.5
+
+
+@dataclass(frozen=True)
+class Stock:
+    """Ware of one kind that a kind of laboratory works with.
+
+    Attributes:
+        kind: Of the catalogue of ware; what does not stand by itself comes in its holder.
+        sizes: Those that are drawn from.
+        where: Whether it stands on benches or on shelves.
+        often: How many times as often as others of the same place.
+        closed: Whether its stopper, cap or lid is on.
+        contents: Names of substances of which one may be in it, as a still look.
+    """
+
+    kind: str
+    sizes: tuple[str, ...]
+    where: Literal["bench", "shelf"]
+    often: int = 1
+    closed: bool = False
+    contents: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -94,6 +116,7 @@ class Family:
         height: Of the ceilings [m].
         floors: Floor finishes to draw from.
         walls: Wall finishes to draw from.
+        stock: Ware on its benches and shelves.
     """
 
     name: str
@@ -103,3 +126,4 @@ class Family:
     height: float = 3.0
     floors: tuple[str, ...] = field(default=("grey vinyl", "blue vinyl", "beige vinyl"))
     walls: tuple[str, ...] = field(default=("white", "cream", "light grey", "pale blue"))
+    stock: tuple[Stock, ...] = ()

@@ -7,6 +7,7 @@ from labutopia_lerobot.scenes.generation.family import (
     Family,
     Importance,
     Need,
+    Stock,
 )
 from labutopia_lerobot.scenes.generation.in_rooms import AtWall, InMiddle, Peninsula, ToWorkAt
 
@@ -51,6 +52,49 @@ SAFETY = (
 )
 """Things that every laboratory has (DGUV Information 213-850)."""
 
+SOLUTIONS = ("water", "ethanol", "ethylene glycol", "glycerol")
+"""Substances in bottles; each has a colour of its own."""
+
+
+def on_benches(
+    kind: str, *sizes: str, often: int = 1, closed: bool = False, contents: tuple[str, ...] = ()
+) -> Stock:
+    """Return ware that stands about on benches; see `Stock`."""
+    return Stock(kind, sizes, "bench", often, closed, contents)
+
+
+def on_shelves(
+    kind: str, *sizes: str, often: int = 1, closed: bool = False, contents: tuple[str, ...] = ()
+) -> Stock:
+    """Return ware that is kept on shelves; see `Stock`."""
+    return Stock(kind, sizes, "shelf", often, closed, contents)
+
+
+GLASS_IN_USE = (
+    on_benches("beaker_low", "100 ml", "250 ml", "600 ml", often=4),
+    on_benches("beaker_tall", "250 ml", "600 ml"),
+    on_benches("erlenmeyer_narrow", "100 ml", "250 ml", "500 ml", often=3),
+    on_benches("graduated_cylinder", "50 ml", "100 ml", "250 ml", often=2),
+    on_benches("reagent_bottle", "250 ml", "500 ml", closed=True, contents=SOLUTIONS, often=2),
+)
+"""Glass that stands on every chemist's bench."""
+
+BOTTLES = (
+    on_shelves(
+        "reagent_bottle", "250 ml", "500 ml", "1000 ml", closed=True, contents=SOLUTIONS, often=3
+    ),
+    on_shelves("reagent_bottle_amber", "250 ml", "500 ml", "1000 ml", closed=True, often=2),
+    on_shelves("sample_jar", "250 ml", "500 ml"),
+)
+"""Reagents on shelves."""
+
+CLEAN_GLASS = (
+    on_shelves("beaker_low", "250 ml", "400 ml", "600 ml"),
+    on_shelves("erlenmeyer_narrow", "250 ml", "500 ml"),
+    on_shelves("graduated_cylinder", "100 ml", "250 ml"),
+)
+"""Glass that is put away."""
+
 __all__ = [
     "AT_BENCH",
     "AT_DESK",
@@ -60,9 +104,12 @@ __all__ = [
     "BENCHES",
     "BESIDE",
     "BOARD",
+    "BOTTLES",
+    "CLEAN_GLASS",
     "DESK_AT_WALL",
     "DETAIL",
     "FIRST",
+    "GLASS_IN_USE",
     "HUNG_HIGH",
     "HUNG_LOW",
     "IN_RACK",
@@ -72,6 +119,7 @@ __all__ = [
     "ON_WALL_BENCH",
     "PENINSULA",
     "SAFETY",
+    "SOLUTIONS",
     "USUAL",
     "VITAL",
     "WORK_BENCH",
@@ -81,4 +129,7 @@ __all__ = [
     "Family",
     "Need",
     "On",
+    "Stock",
+    "on_benches",
+    "on_shelves",
 ]

@@ -6,12 +6,13 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.foreign_files import checked, parse_json, read_text
 from labutopia_lerobot.scenes.finishes import FLOOR_FINISHES, WALL_FINISHES
 from labutopia_lerobot.scenes.plan import Plan
+from labutopia_lerobot.substances.substance import substance
 
 SMALLEST, LARGEST = 1.0, 100.0
 """Lengths that a room may have [m]: the hundred rooms have 3 to 14.5 m."""
 
 MOST_PARTS = 500
-"""Walls, openings or pieces of a room at most; the hundred rooms have at most 44 pieces."""
+"""Walls, openings, pieces or ware of a room at most."""
 
 
 class PlanError(UserError, ValueError):
@@ -49,7 +50,7 @@ def _check_sizes(plan: Plan, source: str) -> None:
             raise PlanError(
                 f"{source}: a size of {size:g} m; rooms have {SMALLEST:g} to {LARGEST:g} m"
             )
-    for name in ("walls", "openings", "pieces", "work_places"):
+    for name in ("walls", "openings", "pieces", "work_places", "ware"):
         parts = getattr(plan, name)
         if len(parts) > MOST_PARTS:
             raise PlanError(f"{source}: {len(parts)} {name}; a room has at most {MOST_PARTS}")
@@ -84,6 +85,7 @@ def _check_names(plan: Plan, source: str) -> None:
                 f"{where}: '{piece.name}' stands on '{piece.on}', which is no piece before it"
             )
         known.add(piece.name)
+    _check_ware(plan, known, source)
     benches = {piece.name for piece in plan.pieces if piece.kind == "work_bench"}
     for number, work in enumerate(plan.work_places):
         if work.bench not in benches:
@@ -93,3 +95,26 @@ def _check_names(plan: Plan, source: str) -> None:
             )
     if not any(opening.kind == "door" for opening in plan.openings[:1]):
         raise PlanError(f"{source}: the first of openings must be the door by which one enters")
+
+
+def _check_ware(plan: Plan, known: set[str], source: str) -> None:
+    from labutopia_lerobot.scenes.space.ware_room import closure_of, made  # here: mujoco
+
+    pieces = set(known)
+    for place, ware in enumerate(plan.ware):
+        where = f"{source}, ware[{place}]"
+        try:
+            made(ware.kind, ware.size)
+            if ware.closed:
+                closure_of(ware.kind, ware.size)
+            if ware.contents:
+                substance(ware.contents)
+        except UserError as error:
+            raise PlanError(f"{where}: {error}") from error
+        if ware.name in known:
+            raise PlanError(f"{where}: the name '{ware.name}' is taken; give it another")
+        if ware.on not in pieces:
+            raise PlanError(f"{where}: '{ware.name}' stands on '{ware.on}', which is no piece")
+        if not 0.0 <= ware.level <= 0.9:
+            raise PlanError(f"{where}: a level of {ware.level:g}; what a vessel holds has 0 to 0.9")
+        known.add(ware.name)

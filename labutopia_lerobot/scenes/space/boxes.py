@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from labutopia_lerobot.scenes.plan import Heading
 from labutopia_lerobot.world import FloatArray
@@ -48,11 +49,13 @@ class Boxes(NamedTuple):
 
     def meet(self, other: "Boxes") -> bool:
         """Return whether any of them is in any of others by more than they may touch."""
-        if not (len(self.low) and len(other.low)):
-            return False
+        return bool(len(self.low) and len(other.low) and self.meets(other).any())
+
+    def meets(self, other: "Boxes") -> NDArray[np.bool_]:
+        """Return which of others are in any of them by more than they may touch, shape (n,)."""
         inside = self.low[:, None] + TOUCHING < other.high
         inside &= other.low + TOUCHING < self.high[:, None]
-        return bool((inside[..., 0] & inside[..., 1] & inside[..., 2]).any())
+        return np.asarray((inside[..., 0] & inside[..., 1] & inside[..., 2]).any(axis=0))
 
     def without_inner(self) -> "Boxes":
         """Return them without those that lie in another one."""

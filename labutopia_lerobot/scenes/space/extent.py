@@ -54,6 +54,7 @@ class Extent:
         sole: The box around what of it stands on the ground.
         swings: What moves out of its hull.
         tops: What instruments stand on.
+        boards: What ware stands on in rows.
         movable: Whether it stands free.
     """
 
@@ -62,6 +63,7 @@ class Extent:
     sole: Boxes
     swings: tuple[Swing, ...]
     tops: tuple[Top, ...]
+    boards: tuple[Top, ...]
     movable: bool
 
 
@@ -99,6 +101,7 @@ def extent(kind: str) -> Extent:
         sole=Boxes(parts.low[stands], parts.high[stands]).hull,
         swings=tuple(swing for swing in swings if len(swing.room.low)),
         tops=piece.tops,
+        boards=piece.boards,
         movable=piece.movable,
     )
 

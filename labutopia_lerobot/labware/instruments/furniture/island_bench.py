@@ -50,10 +50,14 @@ class IslandBench(Fitted):
             Top(_TOP, x=(middle, _X), y=(-_Y, _Y), behind=True),
         )
 
+    @property
+    def boards(self) -> tuple[Top, ...]:
+        """The reagent shelves, from below."""
+        return tuple(Top(z, x=(-_SHELF, _SHELF), y=(-_Y + 0.05, _Y - 0.05)) for z in _HIGH)
+
     def _places_on_top(self) -> Sequence[Seat]:
         rows = dict(zip(("front", "back"), self.tops, strict=True))
-        for label, z in zip(("lower_shelf", "upper_shelf"), _HIGH, strict=True):
-            rows[label] = Top(z, x=(-_SHELF, _SHELF), y=(-_Y + 0.05, _Y - 0.05))
+        rows |= dict(zip(("lower_shelf", "upper_shelf"), self.boards, strict=True))
         return [place for label, top in rows.items() for place in along(self.name, label, top, 4)]
 
     def _forms(self) -> list[Form]:

@@ -34,6 +34,10 @@ class ShelfRack(Instrument):
         return tuple(Top(z, x, y) for z in _LEVELS)
 
     @property
+    def boards(self) -> tuple[Top, ...]:
+        return self.tops
+
+    @property
     def places(self) -> tuple[Seat, ...]:
         """Its shelves from below, each by number from right to left."""
         return tuple(
