@@ -3,19 +3,13 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.room import Room
-from labutopia_lerobot.world import Button, Thing
-
-if TYPE_CHECKING:
-    import mujoco
-
-    from labutopia_lerobot.processes import Process
 
 CLEARANCE = 0.01
 """Least gap between two things at the start [m]."""
@@ -25,39 +19,6 @@ _TRIES = 1000
 
 class ImpossibleStartError(UserError, ValueError):
     """A start that cannot be; the message names the things and their regions."""
-
-
-class Piece(Thing, Protocol):
-    """A thing that can be put into a scene."""
-
-    @property
-    def footprint_radius(self) -> float:
-        """Radius of the circle around its origin that it needs on the bench [m]."""
-        ...
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """Names of its hinges and slides, as in the model; their positions are its state."""
-        ...
-
-    @property
-    def buttons(self) -> tuple[Button, ...]:
-        """Its push-buttons."""
-        ...
-
-    @property
-    def processes(self) -> "tuple[Process, ...]":
-        """What it does by itself, in the order in which it is done."""
-        ...
-
-    @property
-    def movable(self) -> bool:
-        """Whether it stands free (a vessel) or is fixed to the bench (an instrument)."""
-        ...
-
-    def add_to(self, spec: "mujoco.MjSpec", parent: "mujoco.MjsBody") -> "mujoco.MjsBody":
-        """Build its root body, of its name, into a spec: origin at the centre of its base, z up."""
-        ...
 
 
 @dataclass(frozen=True)

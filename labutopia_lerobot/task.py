@@ -6,7 +6,8 @@ from dataclasses import dataclass, field, replace
 from itertools import chain
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.layout import Piece, Start
+from labutopia_lerobot.labware.piece import Piece
+from labutopia_lerobot.layout import Start
 from labutopia_lerobot.predicates import (
     Count,
     Predicate,

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import labutopia_lerobot.labware
-from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
 
 SIZE = 160

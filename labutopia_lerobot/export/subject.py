@@ -8,7 +8,7 @@ import mujoco
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.glass.catalogue import catalogue as ware
 from labutopia_lerobot.labware.instrument_catalogue import catalogue as instruments
-from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenes import ROOMS, load_room
 from labutopia_lerobot.scenes.plan_model import build

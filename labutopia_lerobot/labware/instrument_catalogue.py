@@ -18,7 +18,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware import instruments
 
 if TYPE_CHECKING:
-    from labutopia_lerobot.layout import Piece
+    from labutopia_lerobot.labware.piece import Piece
 
     type Maker = Callable[[str], Piece]
     """Makes an instrument of a name."""

@@ -11,7 +11,8 @@ from labutopia_lerobot.labware.glass.series import ClosureSeries
 from labutopia_lerobot.labware.glass.utensil import Utensil
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.test_tube_rack import TestTubeRack
-from labutopia_lerobot.layout import CLEARANCE, ImpossibleStartError, Piece, Placement, Workspace
+from labutopia_lerobot.labware.piece import Piece
+from labutopia_lerobot.layout import CLEARANCE, ImpossibleStartError, Placement, Workspace
 from labutopia_lerobot.world import FloatArray
 
 DISTRACTOR_GAP = 0.13

@@ -10,7 +10,7 @@ ours; the bench tops, and which of them are for tests, are the original's (level
 from dataclasses import dataclass
 from typing import Any
 
-from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.processes import ThermalMass
 from labutopia_lerobot.scenario.distractors import held_out_sets, training_sets
 from labutopia_lerobot.scenario.draw import Draw

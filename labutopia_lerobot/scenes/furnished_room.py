@@ -11,7 +11,7 @@ from labutopia_lerobot.scenes.views import View
 if TYPE_CHECKING:
     import mujoco
 
-    from labutopia_lerobot.layout import Piece
+    from labutopia_lerobot.labware.piece import Piece
 
 
 def furnished_room(plan: Plan) -> Room:

@@ -10,7 +10,7 @@ from labutopia_lerobot.scenes.views import Vector, View
 if TYPE_CHECKING:
     import mujoco
 
-    from labutopia_lerobot.layout import Piece
+    from labutopia_lerobot.labware.piece import Piece
 
 
 class UnknownRoomError(UserError, ValueError):
@@ -56,7 +56,7 @@ class Room:
 
     @property
     def pieces(self) -> "tuple[Piece, ...]":
-        """What is built with it beside bench and robot, where it stands: what can be reached."""
+        """Pieces that are built with it within reach, beside bench and robot."""
         return () if self.furniture is None else self.furniture()
 
     def build(self, view: View) -> "mujoco.MjSpec":

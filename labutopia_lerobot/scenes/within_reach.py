@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from labutopia_lerobot.labware.instrument_catalogue import instrument
-from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Heading, Placed, PlacedWare, Plan
 from labutopia_lerobot.scenes.space.boxes import Boxes, joined

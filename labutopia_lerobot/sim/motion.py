@@ -15,7 +15,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.robots.command_limits import CommandLimits
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.robot import Robot

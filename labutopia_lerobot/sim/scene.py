@@ -7,7 +7,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.processes import Process, slots_of
 from labutopia_lerobot.robots.robot import Robot

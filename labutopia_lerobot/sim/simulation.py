@@ -6,7 +6,8 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.layout import Piece, Placement
+from labutopia_lerobot.labware.piece import Piece
+from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.liquids.drawing.column import Column
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.handling import Handling

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from itertools import pairwise
 
 from labutopia_lerobot.labware.glass.vessel import Vessel
-from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.processes import HeatExchange, Process, ThermalMass
 
 

@@ -7,7 +7,8 @@ from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.handling.piston_pipette import PistonPipette
 from labutopia_lerobot.labware.instruments.support.pipette_stand import PipetteStand
-from labutopia_lerobot.layout import Inside, OnBench, Piece, Start
+from labutopia_lerobot.labware.piece import Piece
+from labutopia_lerobot.layout import Inside, OnBench, Start
 from labutopia_lerobot.predicates import (
     Predicate,
     Transfer,

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import make_vocabulary
 import piece_pictures
 from labutopia_lerobot import predicates, skills
-from labutopia_lerobot.layout import Piece
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.tasks.level2.heat_beaker import heat_beaker
 
 PAGE = make_vocabulary.PAGE.read_text()

@@ -11,7 +11,8 @@ from dataclasses import replace
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
-from labutopia_lerobot.layout import OnBench, Piece, Start
+from labutopia_lerobot.labware.piece import Piece
+from labutopia_lerobot.layout import OnBench, Start
 from labutopia_lerobot.places import OnShelf, OverBench
 from labutopia_lerobot.predicates import clear_of, faster, latched, less_open, opened, touching
 from labutopia_lerobot.scenes.views import OVEN_VIEW
