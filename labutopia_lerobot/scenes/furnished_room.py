@@ -5,13 +5,11 @@ from typing import TYPE_CHECKING
 
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Plan
-from labutopia_lerobot.scenes.room import Room
+from labutopia_lerobot.scenes.room import Room, RoomPiece
 from labutopia_lerobot.scenes.views import View
 
 if TYPE_CHECKING:
     import mujoco
-
-    from labutopia_lerobot.layout import Piece
 
 
 def furnished_room(plan: Plan) -> Room:
@@ -42,7 +40,7 @@ def _decorate(plan: Plan, spec: "mujoco.MjSpec", view: View) -> None:
     decorate(plan, spec, view)
 
 
-def _furniture(plan: Plan) -> "tuple[Piece, ...]":
+def _furniture(plan: Plan) -> tuple[RoomPiece, ...]:
     from labutopia_lerobot.scenes.within_reach import real_pieces  # here: mujoco
 
     return tuple(real.piece for real in real_pieces(plan))

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.scenes.views import Vector, View
@@ -10,11 +10,25 @@ from labutopia_lerobot.scenes.views import Vector, View
 if TYPE_CHECKING:
     import mujoco
 
-    from labutopia_lerobot.layout import Piece
+    from labutopia_lerobot.processes import Process
 
 
 class UnknownRoomError(UserError, ValueError):
     """A room that does not exist; the message names some that do."""
+
+
+class RoomPiece(Protocol):
+    """A thing of a room that is built with it: an instrument, a piece of furniture, a vessel."""
+
+    @property
+    def name(self) -> str:
+        """Name of its root body."""
+        ...
+
+    @property
+    def processes(self) -> "tuple[Process, ...]":
+        """What it does by itself, in the order in which it is done."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -52,11 +66,11 @@ class Room:
     bench: Surface
     robot_stand: Vector
     decorator: "Callable[[mujoco.MjSpec, View], None] | None" = None
-    furniture: "Callable[[], tuple[Piece, ...]] | None" = None
+    furniture: "Callable[[], tuple[RoomPiece, ...]] | None" = None
 
     @property
-    def pieces(self) -> "tuple[Piece, ...]":
-        """What is built with it beside bench and robot, where it stands: what can be reached."""
+    def pieces(self) -> "tuple[RoomPiece, ...]":
+        """Pieces that it builds beside bench and robot: those that can be reached."""
         return () if self.furniture is None else self.furniture()
 
     def build(self, view: View) -> "mujoco.MjSpec":

@@ -48,7 +48,7 @@ class Need:
 
 
 @dataclass(frozen=True)
-class Stock:
+class WareNeed:
     """Ware of one kind that a kind of laboratory works with.
 
     Attributes:
@@ -126,4 +126,4 @@ class Family:
     height: float = 3.0
     floors: tuple[str, ...] = field(default=("grey vinyl", "blue vinyl", "beige vinyl"))
     walls: tuple[str, ...] = field(default=("white", "cream", "light grey", "pale blue"))
-    stock: tuple[Stock, ...] = ()
+    stock: tuple[WareNeed, ...] = ()

@@ -11,7 +11,7 @@ import numpy as np
 
 from labutopia_lerobot.labware.glass.catalogue import catalogue
 from labutopia_lerobot.labware.parts.top import Top
-from labutopia_lerobot.scenes.generation.family import Stock
+from labutopia_lerobot.scenes.generation.family import WareNeed
 from labutopia_lerobot.scenes.generation.words import BENCHES
 from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Heading, Placed, PlacedWare, Plan
@@ -41,7 +41,7 @@ _FULL = (0.25, 0.8)
 """Level of what is in a bottle, as a share of its height."""
 
 
-def stocked(plan: Plan, stock: Sequence[Stock]) -> Plan:
+def stocked(plan: Plan, stock: Sequence[WareNeed]) -> Plan:
     """Return a plan with ware on its benches and shelves; racks come behind its pieces.
 
     Args:
@@ -77,7 +77,7 @@ class _Stocking:
         self._taken = joined(*(claim.room for claim in claims(plan)))
         self._named = Counter(piece.kind for piece in plan.pieces)
 
-    def lay_bench(self, piece: Placed, top: Top, stock: Sequence[Stock]) -> None:
+    def lay_bench(self, piece: Placed, top: Top, stock: Sequence[WareNeed]) -> None:
         """Put groups of ware on a bench top, most of it towards the back."""
         if not stock:
             return
@@ -94,7 +94,7 @@ class _Stocking:
                 if self._put(one, size, spot, piece, top):
                     break
 
-    def fill_shelf(self, piece: Placed, shelf: Top, stock: Sequence[Stock]) -> None:
+    def fill_shelf(self, piece: Placed, shelf: Top, stock: Sequence[WareNeed]) -> None:
         """Put ware on a shelf in rows of one kind, from one end to the other."""
         if not stock:
             return
@@ -110,14 +110,14 @@ class _Stocking:
                 y += 2 * radius + rng.uniform(*_IN_A_ROW)
             y += rng.uniform(*_BETWEEN_ROWS)
 
-    def _drawn(self, stock: Sequence[Stock]) -> tuple[Stock, str]:
+    def _drawn(self, stock: Sequence[WareNeed]) -> tuple[WareNeed, str]:
         """Draw what comes next, and its size."""
         often = np.array([one.often for one in stock], float)
         one = stock[int(self._rng.choice(len(stock), p=often / often.sum()))]
         return one, one.sizes[int(self._rng.integers(len(one.sizes)))]
 
     def _put(
-        self, one: Stock, size: str, spot: tuple[float, float, float], piece: Placed, top: Top
+        self, one: WareNeed, size: str, spot: tuple[float, float, float], piece: Placed, top: Top
     ) -> bool:
         """Put a piece, or a holder with some in it, where there is room for it."""
         if holder := catalogue()[one.kind].holder:
@@ -131,7 +131,7 @@ class _Stocking:
 
     def _put_holder(
         self,
-        one: Stock,
+        one: WareNeed,
         size: str,
         holder: str,
         spot: tuple[float, float, float],
@@ -159,7 +159,7 @@ class _Stocking:
         return True
 
     def _piece(
-        self, one: Stock, size: str, spot: tuple[float, float, float], on: str
+        self, one: WareNeed, size: str, spot: tuple[float, float, float], on: str
     ) -> PlacedWare:
         contents = ""
         if one.contents and self._rng.random() < 0.75:

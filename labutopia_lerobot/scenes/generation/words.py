@@ -7,7 +7,7 @@ from labutopia_lerobot.scenes.generation.family import (
     Family,
     Importance,
     Need,
-    Stock,
+    WareNeed,
 )
 from labutopia_lerobot.scenes.generation.in_rooms import AtWall, InMiddle, Peninsula, ToWorkAt
 
@@ -58,16 +58,16 @@ SOLUTIONS = ("water", "ethanol", "ethylene glycol", "glycerol")
 
 def on_benches(
     kind: str, *sizes: str, often: int = 1, closed: bool = False, contents: tuple[str, ...] = ()
-) -> Stock:
-    """Return ware that stands about on benches; see `Stock`."""
-    return Stock(kind, sizes, "bench", often, closed, contents)
+) -> WareNeed:
+    """Return ware that stands about on benches; see `WareNeed`."""
+    return WareNeed(kind, sizes, "bench", often, closed, contents)
 
 
 def on_shelves(
     kind: str, *sizes: str, often: int = 1, closed: bool = False, contents: tuple[str, ...] = ()
-) -> Stock:
-    """Return ware that is kept on shelves; see `Stock`."""
-    return Stock(kind, sizes, "shelf", often, closed, contents)
+) -> WareNeed:
+    """Return ware that is kept on shelves; see `WareNeed`."""
+    return WareNeed(kind, sizes, "shelf", often, closed, contents)
 
 
 GLASS_IN_USE = (
@@ -129,7 +129,7 @@ __all__ = [
     "Family",
     "Need",
     "On",
-    "Stock",
+    "WareNeed",
     "on_benches",
     "on_shelves",
 ]
