@@ -47,9 +47,9 @@ def _lines(plans: Sequence[Plan]) -> Iterator[str]:
     yield f"{len(plans)} furnished rooms, from above and without their ceilings. Every task of"
     yield "levels 1 to 4 can be played in those that have a work place, which ninety of them have:"
     yield "`room=NAME`. There the work place takes the place of the default room's bench: experts"
-    yield "move as there, bit by bit. What is nearer than 1.25 m to the robot's base is solid, as"
-    yield "boxes; all else is a picture without joints or contacts, so that instruments of the room"
-    yield "cannot be worked."
+    yield "move as there, bit by bit where nothing is within their reach. What is nearer than"
+    yield "1.25 m to the robot's base is real: it opens, moves and works; all else is a picture"
+    yield "without joints or contacts. docs/room_generation.md says how many rooms have what."
     yield ""
     yield f"![All rooms from above](rooms/{SHEET.name})"
     yield ""
@@ -57,11 +57,11 @@ def _lines(plans: Sequence[Plan]) -> Iterator[str]:
     yield ""
     yield f"![A room of each family](rooms/{VIEWS.name})"
     yield ""
-    yield "| room | family | size [m] | pieces | work places |"
-    yield "| --- | --- | --- | --- | --- |"
+    yield "| room | family | size [m] | pieces | ware | work places |"
+    yield "| --- | --- | --- | --- | --- | --- |"
     for plan in plans:
         size = " x ".join(f"{side:g}" for side in plan.size)
-        counts = str(len(plan.pieces)), str(len(plan.work_places))
+        counts = [str(len(of)) for of in (plan.pieces, plan.ware, plan.work_places)]
         columns = (code(plan.name), plan.family, size, *counts)
         yield f"| {' | '.join(cell(column) for column in columns)} |"
 

@@ -3,6 +3,7 @@
 from functools import partial
 from typing import TYPE_CHECKING
 
+from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Plan
 from labutopia_lerobot.scenes.room import Room
@@ -10,8 +11,6 @@ from labutopia_lerobot.scenes.views import View
 
 if TYPE_CHECKING:
     import mujoco
-
-    from labutopia_lerobot.labware.piece import Piece
 
 
 def furnished_room(plan: Plan) -> Room:
@@ -42,7 +41,7 @@ def _decorate(plan: Plan, spec: "mujoco.MjSpec", view: View) -> None:
     decorate(plan, spec, view)
 
 
-def _furniture(plan: Plan) -> "tuple[Piece, ...]":
+def _furniture(plan: Plan) -> tuple[Piece, ...]:
     from labutopia_lerobot.scenes.within_reach import real_pieces  # here: mujoco
 
     return tuple(real.piece for real in real_pieces(plan))

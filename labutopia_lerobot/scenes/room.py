@@ -56,7 +56,7 @@ class Room:
 
     @property
     def pieces(self) -> "tuple[Piece, ...]":
-        """Pieces that are built with it within reach, beside bench and robot."""
+        """Pieces that it builds beside bench and robot: those that can be reached."""
         return () if self.furniture is None else self.furniture()
 
     def build(self, view: View) -> "mujoco.MjSpec":

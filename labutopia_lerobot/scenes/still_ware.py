@@ -18,7 +18,7 @@ from labutopia_lerobot.scenes.space.ware_room import closure_of, made
 from labutopia_lerobot.substances.substance import substance
 
 type StillPart = tuple[Shell, Color, float]
-"""The visible shell, its colour, and how strongly it reflects lights, 0 to 1."""
+"""A mesh, its colour, and how strongly it reflects lights, 0 to 1."""
 
 _AROUND = 6
 """Steps around an axis: a hand's breadth is 12 pixels wide at 2 m."""

@@ -5,18 +5,20 @@ That is real: it can be opened, pushed and switched on. What is further away is 
 
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from labutopia_lerobot.labware.instrument_catalogue import instrument
-from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Heading, Placed, PlacedWare, Plan
 from labutopia_lerobot.scenes.space.boxes import Boxes, joined
 from labutopia_lerobot.scenes.space.claims import claims_of_piece
 from labutopia_lerobot.scenes.space.ware_room import box_of, closure_of, in_a_holder, made
 from labutopia_lerobot.world import FloatArray
+
+if TYPE_CHECKING:
+    from labutopia_lerobot.labware.piece import Piece
 
 _REACH = 1.25
 """Distance from the robot's base up to which things are real [m]: the longest arm's 0.90, its hand
@@ -35,7 +37,7 @@ class RealPiece(NamedTuple):
         room: What it takes, also while anything of it moves [m], room frame.
     """
 
-    piece: Piece
+    piece: "Piece"
     at: tuple[float, float, float]
     heading: Heading
     room: Boxes

@@ -1,14 +1,17 @@
 """The axes that every task has: what they change, what they leave alone, and that it is undone."""
 
+from collections.abc import Iterable
+
 import numpy as np
 import pytest
 
 from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.labware.glass.catalogue import catalogue
 from labutopia_lerobot.layout import Workspace, sample_layout
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task, draw_scenario
-from labutopia_lerobot.scenario.distractors import place_distractors
+from labutopia_lerobot.scenario.distractors import held_out_sets, place_distractors, training_sets
 from labutopia_lerobot.scenario.variation import AXES
 from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import Setting, UnknownOptionError
@@ -92,18 +95,36 @@ def test_distractors_stand_out_of_the_way_and_the_state_does_not_hold_them():
             if name.startswith("distractor"):
                 assert np.linalg.norm(place - places["flask"]) > 0.15
     assert widths == {9}
-    assert len(seen) == 4
+    assert len(seen) > 6
+    assert seen <= training_sets().keys()
+
+
+def test_no_kind_that_stands_around_in_tests_only_does_in_training():
+    def kinds(names: Iterable[str]) -> set[str]:
+        return {name.split()[0] for name in names if name.split()[0] in catalogue()}
+
+    train, test = kinds(training_sets()), kinds(held_out_sets())
+    assert not train & test
+    assert len(train) > 30
+    assert len(test) > 10
+
+
+def test_what_stands_around_stands_by_itself_and_fits_beside_the_hand():
+    for pieces in (*training_sets().values(), *held_out_sets().values()):
+        for piece in pieces:
+            assert getattr(piece, "stands", True)
+            assert piece.footprint_radius < 0.15
 
 
 def test_distractors_find_a_place_beside_an_open_door():
     """The first of them may leave no room for the last: then all begin anew."""
     setting = Setting("level1/close_door", obs="state", split="ood", axes=("layout",))
     workspace = Workspace.of(load_room(setting.room), load_robot(setting.robot))
+    pieces = held_out_sets()["three flasks"]
     for seed in SEEDS:
         rng, scenario = np.random.default_rng(seed), draw_scenario(setting, seed)
         layout = sample_layout(scenario.task.start, rng)
-        pieces = scenario.variation.distractors
-        assert len(place_distractors(pieces, layout, workspace, 0.0, rng)) == len(pieces) > 1
+        assert len(place_distractors(pieces, layout, workspace, 0.0, rng)) == 3
 
 
 @pytest.mark.parametrize(

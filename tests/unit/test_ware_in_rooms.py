@@ -135,7 +135,6 @@ def test_what_is_real_is_not_in_the_picture_of_the_rest():
         pieces=tuple(piece for piece in plan.pieces if piece.name not in real),
         ware=tuple(ware for ware in plan.ware if ware.on not in real),
     )
-    assert triangles(plan) >= triangles(away)
     left = [ware for ware in plan.ware if ware.on in real and ware.name not in real]
     still = sum(
         len(mesh[2])
