@@ -7,7 +7,7 @@ import pytest
 from attacks.arm import Actions, Arm
 from attacks.plays import Play, begun, outcome, reached, skilled, until_phase
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.skills import Insert, Pick, Press, PressInto, PushLid, Watch
+from labutopia_lerobot.skills import Insert, Pick, Press, PressInto, PushLid, WaitUntilReads
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.skills.turn_knob import TurnKnob
 
@@ -73,7 +73,7 @@ def too_short(env: LabEnv) -> Actions:
 
 def not_stopped(env: LabEnv) -> Actions:
     """Start it and let it run on."""
-    yield from skilled(env, one(env, PushLid), one(env, Press), one(env, Watch))
+    yield from skilled(env, one(env, PushLid), one(env, Press), one(env, WaitUntilReads))
 
 
 def pushed_further_in(env: LabEnv) -> Actions:

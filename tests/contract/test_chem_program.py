@@ -88,7 +88,17 @@ def test_each_portion_can_have_its_own_quantity(chem):
         (["H2O", "ph=99"], "ph"),
         (["H2O", "reasoner=magic"], "rules, llm"),
         (["H2O", "reasoner=llm"], "Name the model"),
-        (["H2O", "reasoner=llm", "model=m", "cached_only=false", "timeout=0"], "timeout=0"),
+        (
+            [
+                "H2O",
+                "reasoner=llm",
+                "model=m",
+                "cached_only=false",
+                "timeout=0",
+                "base_url=http://127.0.0.1:9/v1",
+            ],
+            "timeout=0",
+        ),
         (["show", "nothing such"], "is unknown"),
     ],
 )

@@ -22,6 +22,7 @@ from labutopia_lerobot.checks.replaying import (
 from labutopia_lerobot.checks.scenes import training_and_evaluation_splits_share_no_scene
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 
 TEN_EPISODES: set[Check] = {
@@ -60,7 +61,7 @@ def _environments() -> list[Any]:
         together = pytest.mark.xdist_group(name)
         marks = [together, pytest.mark.slow] if long else [together]
         found.append(pytest.param((task, "on"), marks=marks, id=name))
-        if long:
+        if long and not canonical_task(Setting(task)).needs_liquid:
             found.append(pytest.param((task, "off"), marks=together, id=f"{name}-dry"))
     return found
 

@@ -13,12 +13,14 @@ from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.button_panel import ButtonPanel
 from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
+from labutopia_lerobot.labware.instruments.handling.piston_pipette import PistonPipette
 from labutopia_lerobot.labware.instruments.heater import Heater
 from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.places import Destination, OverBench, WhereItStood
 from labutopia_lerobot.predicates import Transfer, gripped, lifted, predicate, standing_on
 from labutopia_lerobot.predicates.buttons import Switchable
 from labutopia_lerobot.predicates.openables import Bar, Latching, Openable
+from labutopia_lerobot.predicates.pipette_tip import Pipette
 from labutopia_lerobot.predicates.predicate import PredicateFunction, PredicateNameError
 from labutopia_lerobot.predicates.readings import Readable
 from labutopia_lerobot.predicates.squeezing import Squeezable
@@ -45,6 +47,7 @@ SAMPLES: dict[Any, tuple[Any, Any]] = {
     Openable: (DRAWER, OTHER_DRAWER),
     Latching: (OVEN.door, OTHER_OVEN.door),
     Button: ButtonPanel("panel").buttons[:2],
+    Pipette: (PistonPipette("pipette"), PistonPipette("other")),
     Readable: (Heater("heater").switch, Heater("other").switch),
     Switchable: (Heater("heater").switch, Heater("other").switch),
     Transfer: (Transfer(SMALL, LARGE), Transfer(LARGE, SMALL)),
@@ -84,7 +87,7 @@ def test_a_name_shows_every_argument(function: PredicateFunction[Any]):
 
 def test_every_predicate_of_the_package_is_among_them():
     made = {name for name in predicates.__all__ if name[0].islower()}
-    counts = {"pulled", "swings", "turns"}
+    counts = {"lasted", "pulled", "swings", "turns"}
     assert made - counts - {"predicate", "latched"} == {function.__name__ for function in FUNCTIONS}
 
 

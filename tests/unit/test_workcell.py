@@ -23,10 +23,10 @@ def test_step_before_reset_says_what_to_do():
 def test_a_workcell_is_compiled_once_per_variant():
     env = begun("level1/pick", axes=("layout",))
     cells = {}
-    for seed in range(12):
+    for seed in (*range(5), *range(5)):
         _, info = env.reset(seed=seed)
         assert cells.setdefault(info["drawn"]["layout"], env.workcell) is env.workcell
-    assert len({id(cell) for cell in cells.values()}) == len(cells) == 4
+    assert len({id(cell) for cell in cells.values()}) == len(cells) > 3
 
 
 def test_an_environment_is_pickled_as_what_it_was_made_of():
