@@ -65,12 +65,11 @@ def test_poured_water_reads_as_the_account_has_it():
     account = simulation.account
     assert account is not None
     water = Filling(ml=50.0).substance.density * account.inside[BEAKER.name]
+    assert read(simulation, BALANCE).settled
     shown = []
     for _ in range(8):  # the liquid trembles by a digit: what one writes down is the mean
         wait(simulation, 1.0)
-        reading = read(simulation, BALANCE)
-        assert reading.settled
-        shown.append(reading.shown)
+        shown.append(read(simulation, BALANCE).shown)
     assert shown == pytest.approx([1e3 * (BEAKER.mass + water)] * 8, abs=0.02)
     assert np.mean(shown) == pytest.approx(1e3 * (BEAKER.mass + water), abs=0.01)
 
