@@ -111,6 +111,7 @@ def independent(seconds: np.ndarray) -> np.ndarray:
     return np.asarray(answer.y)
 
 
+@pytest.mark.slow
 def test_100_ml_of_water_warm_up_along_the_curve_that_power_and_losses_give():
     simulation = on_the_plate()
     switch_on(simulation)

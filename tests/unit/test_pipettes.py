@@ -76,6 +76,7 @@ def drawn(simulation: Simulation) -> float:
     return simulation.apparatus.reading(PIPETTE.drawn).value
 
 
+@pytest.mark.slow
 def test_a_millilitre_is_one_twenty_times(simulation):
     given = []
     for _ in range(20):
