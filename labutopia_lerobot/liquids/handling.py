@@ -1,4 +1,4 @@
-"""Moving liquid out of vessels and into pipettes, as processes do."""
+"""What processes do to a liquid: move it, warm it, stir it."""
 
 from typing import override
 
@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.kept import Portion
 from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.temperature import capacities, mix, warmth
+from labutopia_lerobot.liquids.vortex import stir
 from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
 from labutopia_lerobot.substances.filling import Dispenser
 from labutopia_lerobot.world import FloatArray, Pose
@@ -84,11 +86,17 @@ class Handling(LiquidHandling):
 
     @override
     def warmth(self, vessel: str) -> Warmth | None:
-        return self._liquid.warmth(vessel)
+        liquid = self._liquid
+        held = self._held(vessel) if vessel in liquid.names else None
+        if held is None or not held.any():
+            return None
+        own = liquid.temperatures[held]
+        return warmth(liquid.amounts[held], own, liquid.substances, liquid.volume)
 
     @override
     def warm(self, vessel: str, heat: float) -> None:
-        self._liquid.warm(vessel, heat)
+        held = self._held(vessel)
+        self._liquid.temperatures[held] += heat / self._capacities()[held].sum()
 
     @override
     def warm_to(self, temperature: float) -> None:
@@ -96,19 +104,36 @@ class Handling(LiquidHandling):
 
     @override
     def all_at(self, temperature: float) -> bool:
-        return self._liquid.all_at(temperature)
+        return bool((self._liquid.temperatures == temperature).all())
 
     @override
     def mix(self, period: float) -> None:
-        self._liquid.mix(period)
+        liquid = self._liquid
+        mix(liquid.temperatures, self._capacities(), liquid.accounted, liquid.speeds, period)
 
     @override
     def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:
-        self._liquid.stir(at, speed, radius, duration)
+        liquid = self._liquid
+        inside = liquid.vessels_at(np.vstack([at, liquid.positions]))
+        if inside[0] >= 0 and len(liquid.positions):
+            wet = inside[1:] == inside[0]
+            stir(liquid.velocities, liquid.positions, wet, at, speed, radius, duration)
 
     @override
     def masses(self) -> tuple[FloatArray, FloatArray]:
-        return self._liquid.masses()
+        liquid = self._liquid
+        densities = np.array([substance.density for substance in liquid.substances])
+        return liquid.positions.copy(), liquid.volume * liquid.amounts @ densities
+
+    def _held(self, vessel: str) -> NDArray[np.bool_]:
+        """Return which particles a vessel held at the last account, shape (n,)."""
+        liquid = self._liquid
+        held: NDArray[np.bool_] = liquid.accounted == liquid.names.index(vessel)
+        return held
+
+    def _capacities(self) -> FloatArray:
+        liquid = self._liquid
+        return capacities(liquid.amounts, liquid.substances, liquid.volume)
 
     def _put(self, portion: Portion, outlet: Pose, speed: float) -> None:
         """Put particles before an outlet, one after the other."""

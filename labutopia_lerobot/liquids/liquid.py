@@ -7,15 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import announce_compiling
-from labutopia_lerobot.liquids import temperature
 from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
 from labutopia_lerobot.liquids.kept import Kept, Portion, is_column
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
 from labutopia_lerobot.liquids.surroundings import Surroundings
-from labutopia_lerobot.liquids.vortex import stir
-from labutopia_lerobot.processes import AMBIENT, Warmth
+from labutopia_lerobot.processes import AMBIENT
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake
 from labutopia_lerobot.substances.substance import ZERO_C, Substance
@@ -53,6 +51,8 @@ class Liquid:
         names: Of all vessels, bottles and pipettes.
         kept: What stands in narrow tubes; `positions` and all other arrays are without it.
         temperatures: Of each particle, shape (n,), K.
+        accounted: Which of `names` each particle was in at the last account, shape (n,); -1 none.
+        speeds: Mean speed in each of `names` at the last account [m/s].
         diverged: Whether the solver has failed; the particles then stay where they are.
     """
 
@@ -127,8 +127,8 @@ class Liquid:
         self.origins = origins
         self.amounts = amounts
         self.temperatures = self._beginning(origins)
-        self._inside: NDArray[np.int64] = np.full(len(positions), -1)
-        self._speeds: FloatArray = np.zeros(len(self.names))
+        self.accounted: NDArray[np.int64] = np.full(len(positions), -1)
+        self.speeds: FloatArray = np.zeros(len(self.names))
         self._last_held: NDArray[np.int64] = origins.copy()
         self._pressure: FloatArray = np.zeros(len(positions))
         self._touching: NDArray[np.int64] = np.full(len(positions), NOTHING)
@@ -257,7 +257,7 @@ class Liquid:
         self.origins = np.append(self.origins, portion.origins)
         self._last_held = np.append(self._last_held, portion.last_held)
         self.temperatures = np.append(self.temperatures, portion.temperatures)
-        self._inside = np.append(self._inside, np.full(count, -1))
+        self.accounted = np.append(self.accounted, np.full(count, -1))
         self._pressure = np.append(self._pressure, np.zeros(count))
         self._touching = np.append(self._touching, np.full(count, NOTHING))
 
@@ -271,15 +271,19 @@ class Liquid:
         self.origins = np.delete(self.origins, which)
         self._last_held = np.delete(self._last_held, which)
         self.temperatures = np.delete(self.temperatures, which)
-        self._inside = np.delete(self._inside, which)
+        self.accounted = np.delete(self.accounted, which)
         self._pressure = np.delete(self._pressure, which)
         self._touching = np.delete(self._touching, which)
         return taken
 
     def inside(self) -> NDArray[np.int64]:
         """Return which of `names` each particle is in, shape (n,); -1 none."""
+        return self.vessels_at(self.positions)
+
+    def vessels_at(self, points_w: FloatArray) -> NDArray[np.int64]:
+        """Return which of `names` points are in, shape (m, 3) [m], shape (m,); -1 none."""
         around = self._around
-        return whereabouts(self.positions, around.glass, around.inner, around.smallest_first)
+        return whereabouts(points_w, around.glass, around.inner, around.smallest_first)
 
     def column(self, vessel: int) -> tuple[float, FloatArray]:
         """Return what stands in a narrow vessel, and what of it is each substance.
@@ -332,27 +336,6 @@ class Liquid:
             self._touching,
         )
 
-    def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:
-        """Draw the liquid of the vessel that a point is in towards a vortex around it.
-
-        Args:
-            at: Where the stirrer is, shape (3,), metres, world frame.
-            speed: Of the stirrer [rad/s].
-            radius: Of the stirrer [m].
-            duration: For how long [s].
-        """
-        around = self._around
-        points = np.vstack([at, self.positions])
-        inside = whereabouts(points, around.glass, around.inner, around.smallest_first)
-        if inside[0] >= 0 and len(self.positions):
-            wet = inside[1:] == inside[0]
-            stir(self.velocities, self.positions, wet, at, speed, radius, duration)
-
-    def masses(self) -> tuple[FloatArray, FloatArray]:
-        """Return where the particles are, shape (n, 3), and their masses, shape (n,) [kg]."""
-        densities = np.array([substance.density for substance in self.substances])
-        return self.positions.copy(), self.volume * self._amounts @ densities
-
     def take_account(self) -> LiquidAccount:
         """Return where the liquid is; `transfers` run from the previous call to this one."""
         count, kept = len(self.names), self.kept
@@ -368,41 +351,15 @@ class Liquid:
         moves = transfers(count, held, places)
         speeds = mean_speeds(count, self.velocities, inside)
         self._last_held = np.where(inside >= 0, inside, self._last_held)
-        self._inside, self._speeds = inside, speeds
+        self.accounted, self.speeds = inside, speeds
         kept.remember(kept.holders)
         return LiquidAccount(self.names, counts, moves, speeds, self.volume)
-
-    def warmth(self, vessel: str) -> Warmth | None:
-        """Return how warm what a vessel held at the last account is; None if it held nothing."""
-        held = self._inside == self.names.index(vessel) if vessel in self.names else None
-        if held is None or not held.any():
-            return None
-        return temperature.warmth(
-            self._amounts[held], self.temperatures[held], self.substances, self.volume
-        )
-
-    def warm(self, vessel: str, heat: float) -> None:
-        """Give what a vessel holds some heat [J], all of it alike."""
-        held = self._inside == self.names.index(vessel)
-        self.temperatures[held] += heat / self._capacities()[held].sum()
 
     def warm_to(self, temperature: float) -> None:
         """Bring all liquid, and what comes later, to where it begins in a room so warm [K]."""
         self._room = temperature
         self.temperatures[:] = self._beginning(self.origins)
         self.kept.portion.temperatures[:] = self._beginning(self.kept.portion.origins)
-
-    def all_at(self, temperature: float) -> bool:
-        """Return whether all liquid has a temperature [K]."""
-        return bool((self.temperatures == temperature).all())
-
-    def mix(self, period: float) -> None:
-        """Let what is in each vessel share its heat for a time [s]."""
-        weight = self._capacities()
-        temperature.mix(self.temperatures, weight, self._inside, self._speeds, period)
-
-    def _capacities(self) -> FloatArray:
-        return temperature.capacities(self._amounts, self.substances, self.volume)
 
     def state(self) -> FloatArray:
         """Return all that the next step depends on beside MuJoCo's state.

@@ -5,14 +5,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
-from scipy.spatial.transform import Rotation
-
 from labutopia_lerobot.predicates.readings import Readable
-from labutopia_lerobot.skills.skill import Condition, Phase, Target, arrived, waited
-from labutopia_lerobot.world import Pose, World
+from labutopia_lerobot.skills.skill import Condition, Phase, arrived, at, waited
+from labutopia_lerobot.skills.turn_knob import Turnable
+from labutopia_lerobot.world import World
 
-_SQUEEZE = 0.012
-"""How much narrower than the wing the closed gripper is commanded [m], at most shut; ours."""
 _OPENING = 0.040
 """Distance between the pads around the wing before they close [m]; ours."""
 _DEPTH = -0.007
@@ -26,23 +23,8 @@ _TURNING, _EASING = 0.8, 0.25
 """How fast the hand turns, and where the last drops count [rad/s]; ours."""
 
 
-class Wing(Protocol):
-    """The wing of a stopcock; its frame is in its middle, z into the barrel, x along it."""
-
-    @property
-    def name(self) -> str:
-        """Name of its body and of its frame."""
-        ...
-
-    @property
-    def joint(self) -> str:
-        """Name of its hinge [rad]; it turns about the z axis of its frame."""
-        ...
-
-    @property
-    def widest(self) -> float:
-        """Where it is open [rad]."""
-        ...
+class Wing(Turnable, Protocol):
+    """The wing of a stopcock, open at its stop; its frame is in its middle, x along it."""
 
     @property
     def closed_within(self) -> float:
@@ -73,41 +55,32 @@ class RunOut:
         touches = frozenset({self.wing.name})
         away, there = arrived(within=0.01, within_rad=0.1), arrived(within=0.004, within_rad=0.04)
         # Either way round the fingers hold it; this way the wrist is not yet at its stop.
-        wing = _turned(world.frame(self.wing.name), math.pi).advanced(_DEPTH)
-        shut_hand = _turned(wing, -world.joint(self.wing.joint))
+        wing = world.frame(self.wing.name).turned(math.pi).advanced(_DEPTH)
+        shut_hand = wing.turned(-world.joint(self.wing.joint))
         before = wing.advanced(-self.standoff)
-        yield Phase("approach", _at(before), _OPENING, away, timeout_s=8.0)
-        yield Phase("reach", _at(wing), _OPENING, there, touches, speed=0.10)
-        yield Phase("grip", _at(wing), 0.0, waited(0.6), touches)
+        yield Phase("approach", at(before), _OPENING, away, timeout_s=8.0)
+        yield Phase("reach", at(wing), _OPENING, there, touches, speed=0.10)
+        yield Phase("grip", at(wing), 0.0, waited(0.6), touches)
 
         def turn(name: str, angle: float, done: Condition, speed: float = _TURNING) -> Phase:
-            hand = _turned(shut_hand, angle)
-            return Phase(name, _at(hand), 0.0, done, touches, turn_speed=speed, timeout_s=60.0)
+            hand = shut_hand.turned(angle)
+            return Phase(name, at(hand), 0.0, done, touches, turn_speed=speed, timeout_s=60.0)
 
-        yield turn("open", self.wing.widest + _BEYOND, self._turned(self.wing.widest - _BEYOND))
+        yield turn(
+            "open", self.wing.widest + _BEYOND, self._wing_beyond(self.wing.widest - _BEYOND)
+        )
         coarse = self._has_run(self.ml - self.last_ml)
         yield turn("run", self.wing.widest, coarse)
-        yield turn("narrow", 0.0, self._turned(_SLIT, back=True), _EASING)
+        yield turn("narrow", 0.0, self._wing_beyond(_SLIT, back=True), _EASING)
         here = world.joint(self.wing.joint)
         yield turn("trickle", here, self._has_run(self.ml), _EASING)
-        yield turn("shut", -_BEYOND, self._turned(self.wing.closed_within / 5, back=True))
-        shut = _turned(shut_hand, 0.0)
-        yield Phase("release", _at(shut), _OPENING, waited(0.6), touches)
-        yield Phase("leave", _at(shut.advanced(-self.standoff)), _OPENING, away, touches)
+        yield turn("shut", -_BEYOND, self._wing_beyond(self.wing.closed_within / 5, back=True))
+        yield Phase("release", at(shut_hand), _OPENING, waited(0.6), touches)
+        yield Phase("leave", at(shut_hand.advanced(-self.standoff)), _OPENING, away, touches)
 
     def _has_run(self, ml: float) -> Condition:
         return lambda world, _, elapsed: world.reading(self.delivered.name).value >= ml
 
-    def _turned(self, angle: float, *, back: bool = False) -> Condition:
+    def _wing_beyond(self, angle: float, *, back: bool = False) -> Condition:
         sign = -1.0 if back else 1.0
         return lambda world, _, elapsed: sign * (world.joint(self.wing.joint) - angle) >= 0.0
-
-
-def _turned(pose: Pose, angle: float) -> Pose:
-    """Return a pose turned about its own z axis [rad]."""
-    turn = Rotation.from_euler("z", angle).as_matrix()
-    return Pose(pose.position_w, pose.rotation_w @ turn)
-
-
-def _at(pose: Pose) -> Target:
-    return lambda world: pose

@@ -81,6 +81,11 @@ class Skill(Protocol):
         ...
 
 
+def at(pose: Pose) -> Target:
+    """A target that stays where it is."""
+    return lambda world: pose
+
+
 def arrived(within: float, within_rad: float = 0.05) -> Condition:
     """Gripper is within a distance [m] and an angle [rad] of the target."""
     return lambda world, target, _: (

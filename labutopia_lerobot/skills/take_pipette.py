@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from labutopia_lerobot.skills.pipette_in_hand import HOLD, Workable, bodies
 from labutopia_lerobot.skills.posture import pointing
-from labutopia_lerobot.skills.skill import Phase, Target, arrived, waited
+from labutopia_lerobot.skills.skill import Phase, arrived, at, waited
 from labutopia_lerobot.world import Pose, Thing, World
 
 
@@ -37,17 +37,17 @@ class TakePipette:
         wide, shut = world.robot.max_opening, self.pipette.grip_width - HOLD
         away, there = arrived(within=0.015, within_rad=0.1), arrived(within=0.003, within_rad=0.03)
         grasp = self._grasp(world)
-        yield Phase("before", _at(grasp.advanced(-self.standoff)), wide, away, timeout_s=8.0)
-        yield Phase("reach", _at(grasp), wide, there, own, speed=0.15)
-        yield Phase("settle", _at(grasp), wide, waited(0.2), own)
-        yield Phase("close", _at(grasp), shut, waited(1.2), own)
+        yield Phase("before", at(grasp.advanced(-self.standoff)), wide, away, timeout_s=8.0)
+        yield Phase("reach", at(grasp), wide, there, own, speed=0.15)
+        yield Phase("settle", at(grasp), wide, waited(0.2), own)
+        yield Phase("close", at(grasp), shut, waited(1.2), own)
         on_hook = own | {self.stand.name, self.carousel.name}
         free = grasp.moved(z=self.unhook)
-        yield Phase("unhook", _at(free), shut, there, on_hook, pipette, speed=0.05)
+        yield Phase("unhook", at(free), shut, there, on_hook, pipette, speed=0.05)
         back = free.advanced(-self.standoff)
-        yield Phase("draw back", _at(back), shut, away, on_hook, pipette, speed=0.15)
+        yield Phase("draw back", at(back), shut, away, on_hook, pipette, speed=0.15)
         raised = back.moved(z=self.lift)
-        yield Phase("raise", _at(raised), shut, away, own, pipette, speed=0.15)
+        yield Phase("raise", at(raised), shut, away, own, pipette, speed=0.15)
 
     def _grasp(self, world: World) -> Pose:
         """Return the gripper pose around the grips, from outside."""
@@ -56,7 +56,3 @@ class TakePipette:
         point = here.position_w + self.pipette.grip_height * here.z_axis
         yaw = math.atan2(inward[1], inward[0])
         return pointing(point, yaw, world.robot.vessel_approach.pitch)
-
-
-def _at(pose: Pose) -> Target:
-    return lambda world: pose

@@ -5,9 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
-from scipy.spatial.transform import Rotation
-
-from labutopia_lerobot.skills.skill import Condition, Phase, Target, arrived, waited
+from labutopia_lerobot.skills.skill import Condition, Phase, arrived, at, waited
 from labutopia_lerobot.world import Pose, World
 
 _HALF = math.radians(50.0)
@@ -27,7 +25,7 @@ _GRIPS = 6
 
 
 class Turnable(Protocol):
-    """A knob; the frame of its name: in the middle of its face, z into the panel, x its pointer."""
+    """Something that turns about the z axis of its frame, which points into what bears it."""
 
     @property
     def name(self) -> str:
@@ -43,6 +41,10 @@ class Turnable(Protocol):
     def widest(self) -> float:
         """Where it stops [rad]."""
         ...
+
+
+class Dial(Turnable, Protocol):
+    """A knob; the origin of its frame is in the middle of its face, x along its pointer."""
 
     @property
     def diameter(self) -> float:
@@ -62,7 +64,7 @@ class TurnKnob:
         opening: Distance between the pads around the knob [m].
     """
 
-    knob: Turnable
+    knob: Dial
     to: float
     standoff: float = 0.10
     depth: float = 0.002
@@ -81,44 +83,34 @@ class TurnKnob:
             swing = max(-2 * _HALF, min(2 * _HALF, lacking))
             angle = -swing / 2
             if grip == 0:
-                before = _turned(axis, angle).advanced(-self.standoff)
-                yield Phase("approach", _at(before), self.opening, away, timeout_s=8.0)
-            near = _turned(axis, angle).advanced(-0.035)
-            yield Phase("align", _at(near), self.opening, away, touches)
-            held = _turned(axis, angle)
-            yield Phase("reach", _at(held), self.opening, there, touches, speed=0.10)
-            yield Phase("grip", _at(held), shut, waited(0.6), touches)
+                before = axis.turned(angle).advanced(-self.standoff)
+                yield Phase("approach", at(before), self.opening, away, timeout_s=8.0)
+            near = axis.turned(angle).advanced(-0.035)
+            yield Phase("align", at(near), self.opening, away, touches)
+            held = axis.turned(angle)
+            yield Phase("reach", at(held), self.opening, there, touches, speed=0.10)
+            yield Phase("grip", at(held), shut, waited(0.6), touches)
             goal, start = world.joint(self.knob.joint) + swing, angle
-            turned = _turned(axis, start + swing)
+            turned = axis.turned(start + swing)
             yield Phase(
                 "turn",
-                _at(turned),
+                at(turned),
                 shut,
                 _reached(self.knob.joint, goal, 0.6 + abs(swing) / _TURNING),
                 touches,
                 turn_speed=_TURNING,
             )
             angle = start + swing
-            yield Phase("release", _at(turned), self.opening, waited(0.6), touches)
-            yield Phase("back off", _at(turned.advanced(-0.035)), self.opening, away, touches)
-        last = _turned(axis, angle).advanced(-self.standoff)
-        yield Phase("leave", _at(last), self.opening, away, touches)
+            yield Phase("release", at(turned), self.opening, waited(0.6), touches)
+            yield Phase("back off", at(turned.advanced(-0.035)), self.opening, away, touches)
+        last = axis.turned(angle).advanced(-self.standoff)
+        yield Phase("leave", at(last), self.opening, away, touches)
 
     def _axis(self, world: World) -> Pose:
         """Return the pose of the hand around the knob at its middle position, as a panel is."""
         frame, half = world.frame(self.knob.name), self.knob.widest / 2
         middle = _COMFORT + half - world.joint(self.knob.joint)
-        return _turned(frame, middle).advanced(self.depth)
-
-
-def _turned(pose: Pose, angle: float) -> Pose:
-    """Return a pose turned about its own z axis [rad]."""
-    turn = Rotation.from_euler("z", angle).as_matrix()
-    return Pose(pose.position_w, pose.rotation_w @ turn)
-
-
-def _at(pose: Pose) -> Target:
-    return lambda world: pose
+        return frame.turned(middle).advanced(self.depth)
 
 
 def _reached(joint: str, goal: float, seconds: float) -> Condition:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 FloatArray = NDArray[np.float64]
 
@@ -70,6 +71,11 @@ class Pose:
     def advanced(self, distance: float) -> "Pose":
         """Return the same orientation, displaced along the frame's own z axis [m]."""
         return Pose(self.position_w + distance * self.z_axis, self.rotation_w)
+
+    def turned(self, angle: float) -> "Pose":
+        """Return the same origin, turned about the frame's own z axis [rad]."""
+        turn = Rotation.from_euler("z", angle).as_matrix()
+        return Pose(self.position_w, self.rotation_w @ turn)
 
     def distance_to(self, other: "Pose") -> float:
         """Return the distance between the two origins [m]."""

@@ -1,7 +1,6 @@
 """`labutopia-chem`: what a user types, what it answers."""
 
 import json
-import sys
 
 import pytest
 
@@ -10,6 +9,7 @@ from labutopia_lerobot.chemistry.refusals import ChemistryError
 from labutopia_lerobot.cli import quantities
 from labutopia_lerobot.cli.chem import main
 from loopback_model import LoopbackModel, sends
+from typed_commands import typed
 
 ACID_AND_BASE = ("hydrochloric acid", "sodium hydroxide")
 
@@ -20,18 +20,7 @@ def chem(monkeypatch, capsys, tmp_path):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     for name in ("LABUTOPIA_MODEL", "LABUTOPIA_MODEL_URL", "LABUTOPIA_MODEL_KEY"):
         monkeypatch.delenv(name, raising=False)
-
-    def run(*words: str) -> tuple[int, str, str]:
-        monkeypatch.setattr(sys, "argv", ["labutopia-chem", *words])
-        try:
-            main()
-            status = 0
-        except SystemExit as exit_:
-            status = int(exit_.code or 0)
-        out, err = capsys.readouterr()
-        return status, out, err
-
-    return run
+    return typed("labutopia-chem", main, monkeypatch, capsys)
 
 
 def test_the_summary_says_equation_products_what_one_sees_ph_and_temperature(chem):

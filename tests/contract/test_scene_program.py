@@ -1,7 +1,6 @@
 """`labutopia-scene`: what a user types, what it answers."""
 
 import json
-import sys
 
 import mujoco
 import numpy as np
@@ -13,23 +12,13 @@ from labutopia_lerobot.labware.instrument_catalogue import catalogue
 from labutopia_lerobot.scenes.families import families
 from labutopia_lerobot.scenes.plans import plan_names, text_of
 from small_room import ROOM
+from typed_commands import typed
 
 
 @pytest.fixture
 def scene(monkeypatch, capsys):
     """Type a command; returns its exit status, output and errors."""
-
-    def run(*words: str) -> tuple[int, str, str]:
-        monkeypatch.setattr(sys, "argv", ["labutopia-scene", *words])
-        try:
-            main()
-            status = 0
-        except SystemExit as exit_:
-            status = int(exit_.code or 0)
-        out, err = capsys.readouterr()
-        return status, out, err
-
-    return run
+    return typed("labutopia-scene", main, monkeypatch, capsys)
 
 
 def test_list_is_json_of_four_sorted_lists(scene):

@@ -53,7 +53,7 @@ def switch_on(simulation: Simulation) -> None:
 
 def energy(simulation: Simulation) -> tuple[float, float, float]:
     """Return the heat that is in all things above 0 K, what was supplied and what was lost [J]."""
-    apparatus, liquid = simulation.apparatus, simulation.liquid
+    apparatus, liquid = simulation.apparatus, simulation.apparatus.liquid
     exchange = apparatus.processes["surface_at_hand"]
     assert isinstance(exchange, HeatExchange)
     assert liquid is not None
@@ -184,8 +184,10 @@ def test_what_mixes_keeps_its_heat():
     liquid.temperatures[::2] += 40.0
     before = liquid.temperatures.sum()
     spread = np.ptp(liquid.temperatures)
+    handling = simulation.apparatus.liquid
+    assert handling is not None
     for _ in range(300):
-        liquid.mix(1 / 30)
+        handling.mix(1 / 30)
     assert liquid.temperatures.sum() == pytest.approx(before, rel=1e-9)
     assert np.ptp(liquid.temperatures) < 0.2 * spread
 
