@@ -8,10 +8,12 @@ A compound is a name, formula, synonym or CAS number, and behind a colon how muc
 import argparse
 import json
 import sys
+from collections.abc import Mapping
 
 from rich.console import Console
 
 from labutopia_lerobot.chemistry import Conditions, Outcome, react
+from labutopia_lerobot.chemistry.network import WATER
 from labutopia_lerobot.chemistry.output import amounts_form, paper_form
 from labutopia_lerobot.cli.chem_compounds import add_list, add_show
 from labutopia_lerobot.cli.clear_errors import clear_errors
@@ -22,6 +24,10 @@ from labutopia_lerobot.foreign_files import printable
 
 _COMMANDS = {"list": add_list, "show": add_show}
 _TRUTH = {"true": True, "false": False}
+_WORTH_SAYING = 1e-3
+"""Share of the largest amount from which on a summary names a species; ours."""
+_TRACE = 1e-8
+"""The same of the water: five times what it gives of ions by itself at pH 7."""
 
 
 class ChemistryOptionError(UserError, ValueError):
@@ -127,8 +133,19 @@ def _summarise(outcome: Outcome, conditions: Conditions, out: Console) -> None:
         f"{ph}{amounts.temperature - 273.15:.1f} C ({change:+.1f} C), "
         f"{amounts.volume * 1e6:.4g} ml of liquid"
     )
+    line(f"It holds: {_contents(amounts.after)}")
     if outcome.note:
         line(f"Note: {outcome.note}")
+
+
+def _contents(amounts: Mapping[str, float]) -> str:
+    """Return what is in a mixture beside water, the most first; gas has left it."""
+    held = {key: mol for key, mol in amounts.items() if key != WATER and not key.endswith("(g)")}
+    least = max(_WORTH_SAYING * max(held.values(), default=0.0), _TRACE * amounts.get(WATER, 0.0))
+    rounded = {key: float(f"{1e3 * mol:.3g}") for key, mol in held.items() if mol > least}
+    most = sorted(rounded, key=lambda key: (-rounded[key], key))
+    listed = [f"{key.removesuffix('(aq)')} {rounded[key]:g} mmol" for key in most]
+    return ", ".join(listed) or "nothing but water"
 
 
 def _truth(name: str, text: str) -> bool:

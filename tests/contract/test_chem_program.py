@@ -32,6 +32,7 @@ def test_the_summary_says_equation_products_what_one_sees_ph_and_temperature(che
     assert "One sees: " in out
     assert "pH 7.0" in out
     assert "200 ml of liquid" in out
+    assert "It holds: Cl^- 10 mmol, Na^+ 10 mmol\n" in out
 
 
 def test_json_is_the_papers_form_and_amounts_come_only_when_asked(chem):

@@ -14,4 +14,4 @@ def explains(change: Change) -> str | None:
     """Return who gives protons to whom; any other exchange in solution counts as well."""
     made = network().species
     names = " and ".join(made[key].name for key in change.reactants if key != "H2O(l)")
-    return f"Protons go from the stronger acid to the stronger base of {names}."
+    return f"Protons go from acid to base: {names} react."
