@@ -48,7 +48,7 @@ def _motion(points: FloatArray, robot: Robot, hand: HandKinematics) -> dict[str,
         greatest = np.abs(np.diff(points, n=order, axis=0)).max(axis=0) * PHYSICS_HZ**order
         for element, share in zip(robot.elements, greatest / limit, strict=True):
             shares[f"{kind} of {element.name}"] = float(share)
-    joints = points[:, : len(robot.joints)]
+    joints = points[:, robot.roles.joints]
     steps = zip(joints[:-1], np.diff(joints, axis=0), strict=True)
     fastest = max(float(np.linalg.norm(hand.jacobian(at) @ step)) for at, step in steps)
     return shares | {"speed of the hand": fastest * PHYSICS_HZ / robot.hand_speed}

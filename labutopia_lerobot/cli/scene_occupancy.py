@@ -39,15 +39,16 @@ def add_occupancy(commands: "argparse._SubParsersAction[argparse.ArgumentParser]
 
 def _run(arguments: argparse.Namespace) -> None:
     """Write the map of a room."""
-    from labutopia_lerobot.scenes.occupancy import FREE, Occupancy  # here: they bring mujoco
+    from labutopia_lerobot.navigation.occupancy import FREE  # here: they bring mujoco
     from labutopia_lerobot.scenes.plans import find_plan
+    from labutopia_lerobot.scenes.room_map import room_map
 
     if arguments.out.suffix in (".npz", ".png"):
         raise NoFolderError(
             f"--out {arguments.out} is to be a folder: the files in it are named for the room"
         )
     plan = find_plan(arguments.room)
-    occupancy = Occupancy.of(plan, arguments.resolution)
+    occupancy = room_map(plan, arguments.resolution)
     arguments.out.mkdir(parents=True, exist_ok=True)
     stem = arguments.out / f"{plan.name}_{arguments.resolution:g}"
     data, picture = Path(f"{stem}.npz"), Path(f"{stem}.png")

@@ -36,7 +36,7 @@ class ActionFilter:
     def __init__(self, robot: Robot, hand: "HandKinematics") -> None:
         self._names = robot.names
         self._limits = CommandLimits(robot)
-        self._hand, self._joints = hand, len(robot.joints)
+        self._hand, self._joints = hand, robot.roles.joints
         self._hand_step = _HAND_SHARE * robot.hand_speed / CONTROL_HZ
 
     def start(self, command: FloatArray) -> None:
@@ -80,8 +80,8 @@ class ActionFilter:
         least, greatest = limits.changes(before, last)
         bounded = np.minimum(np.maximum(change, least), greatest)
         passes = np.abs(bounded - change) + np.abs(gap) <= limits.resolution
-        jacobian = self._hand.jacobian((last + now)[: self._joints])
-        hand = jacobian @ bounded[: self._joints]
+        jacobian = self._hand.jacobian((last + now)[self._joints])
+        hand = jacobian @ bounded[self._joints]
         if hand @ hand > (self._hand_step + _NEGLIGIBLE) ** 2:
             braking = np.clip(limits.braking(now), least, greatest)
             bounded = braking + self._share(jacobian, braking, bounded) * (bounded - braking)
@@ -92,7 +92,7 @@ class ActionFilter:
 
     def _share(self, jacobian: FloatArray, braking: FloatArray, change: FloatArray) -> float:
         """Return how much of the way from braking to a change leaves the hand slow enough."""
-        start = jacobian @ braking[: self._joints]
-        way = jacobian @ change[: self._joints] - start
+        start = jacobian @ braking[self._joints]
+        way = jacobian @ change[self._joints] - start
         a, b, c = way @ way, start @ way, start @ start - self._hand_step**2
         return 0.0 if c > 0.0 else float((np.sqrt(b * b - a * c) - b) / a)

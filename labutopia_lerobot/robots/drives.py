@@ -24,6 +24,7 @@ class Drives:
     """
 
     def __init__(self, model: mujoco.MjModel, robot: Robot) -> None:
+        self._roles, self._elements = robot.roles, len(robot.elements)
         joints = [model.joint(joint.name) for joint in robot.joints]
         fingers = [model.joint(name) for name in robot.gripper.finger_joints]
         self._joints = np.array([joint.qposadr[0] for joint in joints])
@@ -31,12 +32,15 @@ class Drives:
         self.joint_dofs = np.array([joint.dofadr[0] for joint in joints])
         self._servos = np.array([model.actuator(name).id for name in robot.names])
         stiffness, damping = (model.actuator_biasprm[self._servos, kind] for kind in (1, 2))
-        self.lag: FloatArray = damping / stiffness
-        self.lag[len(joints) :] = 0.0
+        self.lag: FloatArray = np.zeros(self._elements)
+        self.lag[self._roles.joints] = (damping / stiffness)[self._roles.joints]
 
     def measured(self, data: mujoco.MjData) -> FloatArray:
         """Return joint angles [rad] and the opening [m], the sum of the fingers' slides."""
-        return np.append(data.qpos[self._joints], data.qpos[self._fingers].sum())
+        positions = np.empty(self._elements)
+        positions[self._roles.joints] = data.qpos[self._joints]
+        positions[self._roles.gripper] = data.qpos[self._fingers].sum()
+        return positions
 
     def command(self, data: mujoco.MjData, targets: FloatArray) -> None:
         """Give the servos their targets [rad or m]."""
@@ -44,5 +48,5 @@ class Drives:
 
     def place(self, qpos: FloatArray, positions: FloatArray) -> None:
         """Write positions [rad or m] into an array like `data.qpos`; the fingers share evenly."""
-        qpos[self._joints] = positions[:-1]
-        qpos[self._fingers] = positions[-1] / len(self._fingers)
+        qpos[self._joints] = positions[self._roles.joints]
+        qpos[self._fingers] = positions[self._roles.gripper] / len(self._fingers)

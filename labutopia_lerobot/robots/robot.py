@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.world import Approach
@@ -36,6 +36,18 @@ class Element:
     jerk: float
 
 
+class Roles(NamedTuple):
+    """Where the elements of a robot are, by what they do, in whatever has its elements in order.
+
+    Attributes:
+        joints: Those of the arm, from base to hand.
+        gripper: The distance between the pads.
+    """
+
+    joints: slice
+    gripper: int
+
+
 @dataclass(frozen=True)
 class ParallelGripper:
     """A hand with two fingers.
@@ -64,7 +76,7 @@ class Robot:
     """An arm with a parallel gripper: what to build, and the names and limits that go with it.
 
     It is a `world.Manipulator`. Whatever has as many numbers as the robot takes them from
-    `elements`; a mobile base will be further elements.
+    `elements`, and which of them is what from `roles`.
 
     Attributes:
         name: Short name.
@@ -98,6 +110,12 @@ class Robot:
     def elements(self) -> tuple[Element, ...]:
         """Everything that is measured and commanded, in order: the joints, then the gripper."""
         return (*self.joints, self.gripper.element)
+
+    @property
+    def roles(self) -> Roles:
+        """Where in `elements` which of them are: nothing else may count on their order."""
+        joints = len(self.joints)
+        return Roles(joints=slice(joints), gripper=joints)
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -5,9 +5,9 @@ from itertools import combinations
 
 import numpy as np
 
-from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Placed, Plan
 from labutopia_lerobot.scenes.plans import PlanError
+from labutopia_lerobot.scenes.room_map import room_map
 from labutopia_lerobot.scenes.space.boxes import TOUCHING, Boxes, boxes, joined
 from labutopia_lerobot.scenes.space.claims import Claim, claims
 from labutopia_lerobot.scenes.space.extent import extent
@@ -146,7 +146,7 @@ def _hangs(plan: Plan, piece: Placed, masonry: list[Boxes]) -> bool:
 
 
 def _unreached(plan: Plan) -> Iterator[str]:
-    reach = Reach.of(Occupancy.of(plan), plan.openings[0])
+    reach = Reach.of(room_map(plan), plan.openings[0])
     robot = f"a robot of {2 * ROBOT_RADIUS:g} m from the entrance"
     if not len(reach.middles):
         yield f"door 1: {robot} does not get in"

@@ -67,13 +67,14 @@ class HandControl:
             turning_b: Angular velocity about it, shape (3,) [rad/s], gripper frame.
             opening: How fast the pads part [m/s].
         """
-        limits, last = self._command_limits, self._last
+        limits, last, roles = self._command_limits, self._last, self._robot.roles
         least, greatest = limits.changes(self._before, last)
         if np.any(velocity_w) or np.any(turning_b):
-            change = np.append(self._joints(velocity_w, turning_b), 0.0) / CONTROL_HZ
+            change: FloatArray = np.zeros(len(last))
+            change[roles.joints] = self._joints(velocity_w, turning_b) / CONTROL_HZ
         else:
             change = limits.braking(last - self._before)
-        change[-1] = opening / CONTROL_HZ
+        change[roles.gripper] = opening / CONTROL_HZ
         self._before, self._last = last, last + np.clip(change, least, greatest)
         return self._last.copy()
 

@@ -65,7 +65,7 @@ class ReactiveMotion:
         self._world = world
         scene = simulation.scene
         self._robot, self._pieces = scene.robot, scene.pieces
-        self._joints = len(scene.robot.joints)
+        self._roles = scene.robot.roles
         self._model = _planning_model(scene)
         self._drives = Drives(self._model, scene.robot)
         self._configuration = mink.Configuration(self._model)
@@ -104,11 +104,13 @@ class ReactiveMotion:
         folded = min(1.0, abs(self._simulation.command[self._elbow]) / _STRETCHED)
         self._posture.set_cost(_POSTURE * (1.0 + _FOLDING * (1.0 - folded) ** 2))
         avoid = [self._clearances[pair] for pair in self._kept_apart(touches, holds)]
-        limits, commands, joints = self._command_limits, self._simulation.commands, self._joints
-        before, last = commands[-2:]
+        limits, joints, gripper = self._command_limits, *self._roles
+        before, last = self._simulation.commands[-2:]
         least, greatest = limits.changes(before, last)
-        self._box.least, self._box.greatest = least[:joints], greatest[:joints]
-        wanted = limits.within(np.append(last[:joints], opening))
+        self._box.least, self._box.greatest = least[joints], greatest[joints]
+        wanted = last.copy()
+        wanted[gripper] = opening
+        wanted = limits.within(wanted)
         change = np.clip(limits.closing(wanted - last), least, greatest)
         try:
             velocity = mink.solve_ik(
@@ -122,9 +124,9 @@ class ReactiveMotion:
         except (
             mink.NoSolutionFound
         ):  # hemmed in: whatever it did would bring it nearer to something
-            change[:joints] = np.clip(limits.braking(last - before), least, greatest)[:joints]
+            change[joints] = np.clip(limits.braking(last - before), least, greatest)[joints]
         else:
-            change[:joints] = velocity[self._drives.joint_dofs] / CONTROL_HZ
+            change[joints] = velocity[self._drives.joint_dofs] / CONTROL_HZ
         command: FloatArray = last + change
         return command
 
@@ -176,7 +178,7 @@ class ReactiveMotion:
         positions = self._simulation.command
         # A touch inside the range: measured openings overshoot it, which no motion could mend.
         widest = self._robot.max_opening
-        positions[-1] = np.clip(self._world.gripper_opening, 1e-4, widest - 1e-4)
+        positions[self._roles.gripper] = np.clip(self._world.gripper_opening, 1e-4, widest - 1e-4)
         qpos = self._model.qpos0.copy()
         self._drives.place(qpos, positions)
         self._configuration.update(qpos)

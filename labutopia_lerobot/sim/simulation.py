@@ -103,7 +103,7 @@ class Simulation:
                 model.body(body).pos = self._built[model.body(place).id]
         start = self._start.copy()
         if displacement is not None:
-            start[: len(displacement)] += displacement
+            start[self.scene.robot.roles.joints] += displacement
         self._drives.place(data.qpos, start)
         self._drives.command(data, start)
         self.commands[:] = start

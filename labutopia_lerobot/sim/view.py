@@ -29,6 +29,7 @@ class SimulatedWorld:
         scene = simulation.scene
         self._data = simulation.data
         self._model = scene.model
+        self._opening = scene.robot.roles.gripper
         self._gripper = scene.model.site(scene.robot.gripper.site).id
         self._group = {name: index for index, name in enumerate(scene.groups)}
         self._pieces = scene.pieces
@@ -66,12 +67,12 @@ class SimulatedWorld:
     @property
     def gripper_opening(self) -> float:
         """Distance between the pads [m]."""
-        return float(self._simulation.measured[-1])
+        return float(self._simulation.measured[self._opening])
 
     @property
     def commanded_opening(self) -> float:
         """Distance between the pads that is commanded [m]."""
-        return float(self._simulation.command[-1])
+        return float(self._simulation.command[self._opening])
 
     @property
     def movable(self) -> tuple[Thing, ...]:

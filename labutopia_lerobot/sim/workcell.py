@@ -166,7 +166,8 @@ class Workcell:
     def _here(self) -> NDArray[np.float32]:
         """The action that leaves the arm where it is, and what is held in the hand."""
         action = self.simulation.measured.astype(np.float32)
-        action[-1] = self.simulation.command[-1]
+        gripper = self.simulation.scene.robot.roles.gripper
+        action[gripper] = self.simulation.command[gripper]
         return action
 
     def color(self, camera: str) -> NDArray[np.uint8]:

@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.navigation.occupancy import COARSE, FREE, OCCUPIED, UNDEFINED, Occupancy
 from labutopia_lerobot.scenes.families import families, family
 from labutopia_lerobot.scenes.generation import RoomTooSmallError, generate, search
 from labutopia_lerobot.scenes.generation.footprint import draw_footprint
 from labutopia_lerobot.scenes.generation.words import BESIDE, VITAL, Chamber, Family, Need
-from labutopia_lerobot.scenes.occupancy import COARSE, FREE, OCCUPIED, UNDEFINED, Occupancy
 from labutopia_lerobot.scenes.plans import load_plan, plan_names, text_of
 from labutopia_lerobot.scenes.proof import faults
+from labutopia_lerobot.scenes.room_map import room_map
 from labutopia_lerobot.scenes.space.reach import Reach
 from small_room import ROOM
 
@@ -131,7 +132,7 @@ def test_sizes_that_cannot_be_and_families_that_do_not_exist_are_reported():
 
 
 def test_the_map_has_the_floor_free_and_what_stands_on_it_occupied():
-    fine = Occupancy.of(ROOM)
+    fine = room_map(ROOM)
     assert fine.cells.shape == (120, 140)
     assert fine.cells[fine.cell(2.0, 3.0)] == FREE
     assert fine.cells[fine.cell(5.0, 3.0)] == OCCUPIED  # the work bench
@@ -140,7 +141,7 @@ def test_the_map_has_the_floor_free_and_what_stands_on_it_occupied():
 
 
 def test_the_map_of_the_paper_is_coarse_and_knows_where_the_floor_ends():
-    coarse = Occupancy.of(ROOM, COARSE)
+    coarse = room_map(ROOM, COARSE)
     assert coarse.cells.shape == (12, 14)
     assert UNDEFINED not in coarse.cells
     cut = Occupancy.empty((7.2, 6.0), COARSE)
@@ -149,7 +150,7 @@ def test_the_map_of_the_paper_is_coarse_and_knows_where_the_floor_ends():
 
 
 def test_the_robot_keeps_its_radius_from_all_that_stands():
-    occupancy = Occupancy.of(ROOM)
+    occupancy = room_map(ROOM)
     middles = Reach.of(occupancy, ROOM.openings[0]).middles
     blocked = occupancy.middles(occupancy.cells != FREE)
     away = np.abs(middles[:, None] - blocked[None]) - occupancy.resolution / 2

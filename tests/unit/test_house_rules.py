@@ -15,7 +15,7 @@ SOURCES = sorted(PACKAGE.rglob("*.py"))
 LAYERS = (
     "errors foreign_files kernel registry world",
     "chemistry",
-    "substances places",
+    "substances places navigation",
     "processes",
     "labware robots scenes",
     "layout setting pictures",

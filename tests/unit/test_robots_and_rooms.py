@@ -3,7 +3,7 @@
 import re
 import subprocess
 import sys
-from dataclasses import replace
+from dataclasses import dataclass, fields, replace
 from importlib import import_module
 from pathlib import Path
 
@@ -21,8 +21,9 @@ from labutopia_lerobot.features import action_feature, observation_features
 from labutopia_lerobot.gymnasium_ids import make_env
 from labutopia_lerobot.layout import Workspace
 from labutopia_lerobot.lerobot_plugin import LabUtopiaEnvConfig
-from labutopia_lerobot.robots import IIWA, PANDA, ROBOTS, load_robot
+from labutopia_lerobot.robots import IIWA, PANDA, ROBOTS, Element, Robot, load_robot
 from labutopia_lerobot.robots.drives import Drives
+from labutopia_lerobot.robots.robot import Roles
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.scenes import LABORATORY, ROOMS, Surface, load_room
 from labutopia_lerobot.setting import Setting
@@ -110,6 +111,43 @@ def test_drives_find_the_elements_wherever_they_are_in_the_model():
     np.testing.assert_array_equal([data.actuator(name).ctrl[0] for name in SIX.names], positions)
     assert data.actuator("fan").ctrl[0] == 0.0
     assert data.actuator("gripper").ctrl[0] == positions[-1]
+
+
+@dataclass(frozen=True)
+class GripperFirst(Robot):
+    """A robot whose elements come in another order than usual."""
+
+    @property
+    def elements(self) -> tuple[Element, ...]:
+        return (self.gripper.element, *self.joints)
+
+    @property
+    def roles(self) -> Roles:
+        return Roles(joints=slice(1, 1 + len(self.joints)), gripper=0)
+
+    @property
+    def start(self) -> tuple[float, ...]:
+        return (self.max_opening, *self.home)
+
+
+def test_elements_go_by_what_they_do_and_in_whatever_order_give_the_same_motion(monkeypatch):
+    traces = {}
+    for kind in (Robot, GripperFirst):
+        robot = kind(**{field.name: getattr(PANDA, field.name) for field in fields(PANDA)})
+        monkeypatch.setitem(ROBOTS, "panda", robot)
+        env = LabEnv(Setting("level1/pick", obs="state"))
+        env.reset(seed=1)
+        expert, trace = env.expert(), []
+        expert.start()
+        for _ in range(120):  # to the flask, and the hand begins to close
+            env.step(expert.act())
+            world = env.workcell.world
+            opening = [world.gripper_opening, world.commanded_opening]
+            trace.append([*world.gripper.position_w, *opening])
+        assert env.workcell.filter.clipped == 0
+        traces[kind] = np.array(trace)
+    assert np.ptp(traces[Robot][:, 4]) > 0.02
+    np.testing.assert_allclose(traces[Robot], traces[GripperFirst], atol=1e-5)
 
 
 def test_the_same_seed_is_the_same_layout_for_every_robot():

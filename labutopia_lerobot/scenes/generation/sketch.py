@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.scenes.generation.family import Need
 from labutopia_lerobot.scenes.generation.footprint import Footprint, Region
 from labutopia_lerobot.scenes.generation.required_space import (
@@ -15,7 +16,6 @@ from labutopia_lerobot.scenes.generation.required_space import (
     work_place,
 )
 from labutopia_lerobot.scenes.generation.where import StandingPieces
-from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Heading, Placed, WorkPlace
 from labutopia_lerobot.scenes.space.boxes import TOUCHING, Boxes, joined
 from labutopia_lerobot.scenes.space.claims import claims_of_openings, masonry
@@ -59,7 +59,8 @@ class Sketch:
         openings, ceiling = self.footprint.openings, self.footprint.size[2]
         self._openings = joined(*(c.room for c in claims_of_openings(openings, ceiling)))
         self._maps = [Occupancy.empty(self.footprint.size[:2])]
-        self._maps[0].add(masonry(wall, openings, ceiling) for wall in self.footprint.walls)
+        walls = (masonry(wall, openings, ceiling) for wall in self.footprint.walls)
+        self._maps[0].add(*joined(*walls))
         self._reaches = [Reach.of(self._maps[0], openings[0])]
 
     def standing(self, region: Region) -> StandingPieces:
@@ -144,7 +145,7 @@ class Sketch:
     def add(self, entry: Entry) -> bool:
         """Add a piece, unless a robot would not get to it or to something else any more."""
         occupancy, reach = self._maps[-1].copy(), self._reaches[-1]
-        occupancy.add([entry.room.solids])
+        occupancy.add(*entry.room.solids)
         checked = [entry]
         if (occupancy.cells != self._maps[-1].cells).any():  # not above a bench, as a rule
             reach = Reach.of(occupancy, self.footprint.openings[0])

@@ -13,8 +13,8 @@ from labutopia_lerobot.labware.glass.catalogue import catalogue
 from labutopia_lerobot.labware.parts.top import Top
 from labutopia_lerobot.scenes.generation.family import WareNeed
 from labutopia_lerobot.scenes.generation.words import BENCHES
-from labutopia_lerobot.scenes.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Heading, Placed, PlacedWare, Plan
+from labutopia_lerobot.scenes.room_map import room_map
 from labutopia_lerobot.scenes.space.boxes import Boxes, boxes, joined
 from labutopia_lerobot.scenes.space.claims import claims
 from labutopia_lerobot.scenes.space.extent import extent
@@ -73,7 +73,7 @@ class _Stocking:
         self.holders: list[Placed] = []
         self.ware: list[PlacedWare] = []
         self._rng = rng
-        self._reach = Reach.of(Occupancy.of(plan), plan.openings[0])
+        self._reach = Reach.of(room_map(plan), plan.openings[0])
         self._taken = joined(*(claim.room for claim in claims(plan)))
         self._named = Counter(piece.kind for piece in plan.pieces)
 

@@ -7,7 +7,7 @@ import numpy as np
 from scipy import ndimage
 
 from labutopia_lerobot.labware.parts.top import Top
-from labutopia_lerobot.scenes.occupancy import Occupancy
+from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.scenes.plan import Opening, Placed, WorkPlace
 from labutopia_lerobot.scenes.space.extent import extent
 from labutopia_lerobot.world import FloatArray

@@ -1,11 +1,10 @@
-"""Map of where a robot can drive in a room: cells, as data and as a picture.
+"""Map of where a robot can drive: cells, as data and as a picture.
 
 As in the paper (appendix "Navigation Details"): what is between 0.1 and 1.6 m above the floor is
 projected onto it. What is beside the floor is undefined. Neither can be driven over.
 """
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,9 +13,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from scipy import ndimage
 
-from labutopia_lerobot.scenes.plan import Plan
-from labutopia_lerobot.scenes.space.boxes import Boxes
-from labutopia_lerobot.scenes.space.claims import claims
+from labutopia_lerobot.world import FloatArray
 
 FREE, OCCUPIED, UNDEFINED = 0, 1, -1
 """Kinds of cells."""
@@ -26,6 +23,9 @@ LOWEST, HIGHEST = 0.1, 1.6
 
 FINE, COARSE = 0.05, 0.5
 """Width of a cell [m]: ours, and that of the paper."""
+
+_HALF_DIAGONAL = math.sqrt(0.5)
+"""Of a cell, in widths: no point of it is further from its middle."""
 
 _GREYS = {FREE: 254, OCCUPIED: 0, UNDEFINED: 205}
 """Greys of cells, as ROS writes maps (map_server, "Image Format")."""
@@ -47,13 +47,6 @@ class Occupancy:
     resolution: float
 
     @classmethod
-    def of(cls, plan: Plan, resolution: float = FINE) -> "Occupancy":
-        """Return the map of a room, doors being open."""
-        occupancy = cls.empty(plan.size[:2], resolution)
-        occupancy.add(claim.room for claim in claims(plan) if not claim.what)
-        return occupancy
-
-    @classmethod
     def empty(cls, size: tuple[float, float], resolution: float = FINE) -> "Occupancy":
         """Return the map of a room in which nothing stands; the cells that are cut are undefined.
 
@@ -71,25 +64,40 @@ class Occupancy:
         """Return the same map, to be changed on its own."""
         return Occupancy(self.cells.copy(), self.origin, self.resolution)
 
-    def add(self, solids: Iterable[Boxes]) -> None:
-        """Mark what solid boxes stand in, as far as it is at a robot's height."""
+    def add(self, low: FloatArray, high: FloatArray) -> None:
+        """Mark where solid boxes stand, as far as they are at a robot's height.
+
+        Args:
+            low: Least corners of the boxes [m], shape (n, 3), room frame.
+            high: Greatest corners [m], shape (n, 3).
+        """
         rows, columns = self.cells.shape
-        for solid in solids:
-            tall = (solid.high[:, 2] > LOWEST) & (solid.low[:, 2] < HIGHEST)
-            low = np.floor(np.round(solid.low[tall, :2] / self.resolution, 3)).astype(int)
-            high = np.ceil(np.round(solid.high[tall, :2] / self.resolution, 3)).astype(int)
-            low, high = np.clip(low, 0, (columns, rows)), np.clip(high, 0, (columns, rows))
-            for (left, bottom), (right, top) in zip(low, high, strict=True):
-                block = self.cells[bottom:top, left:right]
-                block[block == FREE] = OCCUPIED
+        tall = (high[:, 2] > LOWEST) & (low[:, 2] < HIGHEST)
+        first = np.floor(np.round(low[tall, :2] / self.resolution, 3)).astype(int)
+        end = np.ceil(np.round(high[tall, :2] / self.resolution, 3)).astype(int)
+        first, end = np.clip(first, 0, (columns, rows)), np.clip(end, 0, (columns, rows))
+        for (left, bottom), (right, top) in zip(first, end, strict=True):
+            block = self.cells[bottom:top, left:right]
+            block[block == FREE] = OCCUPIED
 
     def passable(self, radius: float) -> NDArray[np.bool_]:
         """Return where the middle of a disc of a radius [m] can be, shape (rows, columns)."""
-        blocked = np.pad(self.cells != FREE, 1, constant_values=True)
-        distance = ndimage.distance_transform_edt(~blocked)[1:-1, 1:-1]
-        least = radius / self.resolution + math.sqrt(0.5)  # from middle to middle of a cell
-        free: NDArray[np.bool_] = distance >= least
+        least = radius / self.resolution + _HALF_DIAGONAL
+        free: NDArray[np.bool_] = self._widths_away() >= least
         return free
+
+    def clearance(self) -> FloatArray:
+        """Return how far the middle of each cell is from what is not free, at least [m].
+
+        Shape (rows, columns); negative in what is not free. A disc can be where this is its radius.
+        """
+        return (self._widths_away() - _HALF_DIAGONAL) * self.resolution
+
+    def _widths_away(self) -> FloatArray:
+        """Return the distances of middles of cells from those that are not free, in widths."""
+        blocked = np.pad(self.cells != FREE, 1, constant_values=True)
+        distance: FloatArray = ndimage.distance_transform_edt(~blocked)[1:-1, 1:-1]
+        return distance
 
     def cell(self, x: float, y: float) -> tuple[int, int]:
         """Return row and column of a point [m], room frame; the nearest if it is outside."""
