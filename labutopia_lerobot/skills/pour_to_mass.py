@@ -10,12 +10,13 @@ from labutopia_lerobot.skills.skill import Condition, Phase, Target, arrived, ca
 from labutopia_lerobot.world import OpenVessel, Pose, World
 
 _FURTHEST = math.radians(100.0)
-"""Lean at which the vessel counts as empty [rad]."""
+"""Lean at which a straight vessel counts as empty [rad]; one that tapers, further by its taper."""
 _DRY_LEAN = math.radians(35.0)
 """Lean up to which it goes fast [rad]: a vessel that is half full gives nothing yet."""
-_FIRST_SLOPE, _WIDEST_STEP = 80.0, 0.025
-"""What a beaker of 150 ml gives at first when it leans further [g/rad], and the largest step [rad]:
-measured on the shipped task; the skill goes by what it then reads."""
+_WATER = 1e6
+"""Mass of a cubic metre of water [g]."""
+_WIDEST_STEP = 0.05
+"""The largest step [rad]; ours."""
 
 
 @dataclass(frozen=True)
@@ -23,8 +24,9 @@ class PourToMass:
     """Hold the lip over the mouth, lean until the balance shows some of it, then in small steps.
 
     A balance lags behind what falls on its pan, by about 0.6 s. So the vessel leans slowly until
-    `coarse` of the mass is shown, and eases back; then it leans a little further each time, by less
-    the less is missing, and waits until the liquid has come to rest at its lip.
+    the balance shows `coarse` of the mass, and eases back; then it leans a little further each
+    time, as far as gives `share` of what is missing by what the step before gave, and waits until
+    the liquid has come to rest at its lip.
 
     Attributes:
         thing: The vessel in the hand.
@@ -32,7 +34,8 @@ class PourToMass:
         reading: What the balance reads [g].
         mass: The wanted reading [g].
         within: How near is near enough [g].
-        coarse: Share of the mass that is poured without a break.
+        coarse: Share of the mass that is shown when it eases back.
+        share: Share of what is missing that a step is to give.
         ease: How far it leans back then [rad].
         drop: Height of the lip above the other mouth [m].
         short: How far before the middle of the other mouth the lip is [m].
@@ -46,7 +49,8 @@ class PourToMass:
     reading: Readable
     mass: float
     within: float
-    coarse: float = 0.2
+    coarse: float = 0.1
+    share: float = 0.7
     ease: float = 0.15
     drop: float = 0.06
     short: float = 0.012
@@ -68,23 +72,33 @@ class PourToMass:
         yield phase("ready", lambda w: ready, arrived(within=0.006))
         leaning = pivot.towards(world, _DRY_LEAN)
         yield phase("lean", leaning, _leaning(thing, _DRY_LEAN - 0.05, beyond=True), 0.5)
-        tilt = pivot.towards(world, _FURTHEST)
+        furthest = _FURTHEST + thing.taper
+        tilt = pivot.towards(world, furthest)
         yield phase("pour", tilt, self._shows(self.coarse * self.mass), self.turn_speed)
-        lean, slope = world.pose(thing).tilt - self.ease, _FIRST_SLOPE
+        lean, slope = world.pose(thing).tilt - self.ease, self._least_slope
         yield phase("ease", pivot.towards(world, lean), _leaning(thing, lean + 0.02))
         yield phase("read", pivot.towards(world, lean), self._read)
         shown = world.reading(self.reading.name).value
-        while self.mass - shown > self.within and lean < _FURTHEST:
-            further = min(_WIDEST_STEP, 0.3 * (self.mass - shown) / slope)
+        while self.mass - shown > self.within and lean < furthest:
+            further = min(_WIDEST_STEP, self.share * (self.mass - shown) / slope)
             lean += further
             held = pivot.towards(world, lean)
             yield phase("add", held, _leaning(thing, lean - 0.005, beyond=True), 0.1)
             yield phase("read", held, self._read)
             before, shown = shown, world.reading(self.reading.name).value
-            slope = max(slope, (shown - before) / further)
+            slope = max(self._least_slope, slope / 2, (shown - before) / further)
         back = pivot.towards(world, 0.0)
         yield phase("tilt_back", back, arrived(within=0.006))
         yield phase("stabilise", back, waited(0.3))
+
+    @property
+    def _least_slope(self) -> float:
+        """Least that a vessel gives when it leans further [g/rad].
+
+        A surface from wall to wall, of radius r, gives pi r^3 / cos(lean)^2: about an axis in the
+        lip it turns as a whole. Twice pi r^3 is that at 45 degrees.
+        """
+        return 2 * _WATER * math.pi * self.thing.footprint_radius**3
 
     def _read(self, world: World, target: Pose, elapsed: float) -> bool:
         return elapsed >= self.pause_s and world.reading(self.reading.name).settled

@@ -1,0 +1,1 @@
+"""Level 3, beyond the paper: further tasks that generalise."""
