@@ -19,6 +19,7 @@ PROGRAMS = (
     "compare",
     "convert",
     "evaluate",
+    "film",
     "publish",
     "recipe",
     "record",

@@ -22,6 +22,8 @@ _WHITE = (0.90, 0.91, 0.92, 1.0)
 _GREY = (0.60, 0.63, 0.66, 1.0)
 _STEEL = (0.42, 0.45, 0.49, 1.0)
 _TOP = (0.35, 0.39, 0.44, 1.0)
+KEY_LAMP = "key"
+"""Name of the brighter lamp."""
 _TILES_PER_M = 2.5
 """Repetitions of a texture of the bench top [1/m]."""
 
@@ -147,7 +149,7 @@ def add_lights(spec: mujoco.MjSpec) -> None:
     spec.visual.headlight.diffuse = [0.10, 0.10, 0.10]
     spec.visual.headlight.specular = [0.15, 0.15, 0.15]
     for name, direction, diffuse in (
-        ("key", [-0.45, 0.55, -0.9], 0.42),
+        (KEY_LAMP, [-0.45, 0.55, -0.9], 0.42),
         ("fill", [0.7, -0.6, -0.5], 0.18),
     ):
         spec.worldbody.add_light(

@@ -15,8 +15,11 @@ from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.scenes.views import FIXED_CAMERAS, WIDEST_PICTURE
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
+from labutopia_lerobot.sim.eye import copy_eye, turned_by_pixels
 from labutopia_lerobot.sim.gleaming_walls import GleamingWalls
+from labutopia_lerobot.sim.linear_light import light_of
 from labutopia_lerobot.sim.opengl import BACKENDS, refused_backend
+from labutopia_lerobot.sim.supersampling import Sample
 from labutopia_lerobot.sim.texture_filter import sample_one_level
 from labutopia_lerobot.world import FloatArray
 from labutopia_lerobot.world.model import BEYOND_GROUP, SKIN_GROUP
@@ -86,6 +89,16 @@ class ClassicRenderer:
         picture: NDArray[np.uint8] = self._renderer.render()
         return picture
 
+    def exposure(
+        self, data: mujoco.MjData, eye: mujoco.MjvGLCamera, sample: Sample
+    ) -> NDArray[np.float32]:
+        """Return what an eye sees, linear (see `Renderer`); its lamps cast no shadows."""
+        height = self._renderer.height
+        self._update(data, turned_by_pixels(eye, sample.right, sample.up, height))
+        if self._shadows is not None:
+            self._shadows.draw(self._renderer.scene, data)
+        return light_of(self._renderer.render())
+
     def depth(self, data: mujoco.MjData, camera: str) -> NDArray[np.float32]:
         """Return the distance along the optical axis [m], shape (height, width)."""
         self._renderer.enable_depth_rendering()
@@ -119,14 +132,21 @@ class ClassicRenderer:
             segments[of_kind] = bodies[objects[of_kind]]
         return segments
 
-    def _update(self, data: mujoco.MjData, camera: str) -> None:
-        """Fill the scene with what there is to see."""
+    def _update(self, data: mujoco.MjData, camera: str | mujoco.MjvGLCamera) -> None:
+        """Fill the scene with what there is to see through a camera, or from where an eye is."""
         if self._apparatus is not None:
             self._apparatus.show()
         self._options.geomgroup[BEYOND_GROUP] = self._wide or camera not in FIXED_CAMERAS
-        self._renderer.update_scene(data, camera, self._options)
-        self._take_ceiling_off(data, data.camera(camera).xpos)
-        self._turn_glass(data, data.camera(camera).xpos)
+        if isinstance(camera, str):
+            self._renderer.update_scene(data, camera, self._options)
+            at_w = data.camera(camera).xpos
+        else:
+            self._renderer.update_scene(data, scene_option=self._options)
+            for drawn in self._renderer.scene.camera:  # one for each eye of a person: both the same
+                copy_eye(camera, drawn)
+            at_w = camera.pos
+        self._take_ceiling_off(data, at_w)
+        self._turn_glass(data, at_w)
         self._show_processes()
         for liquid in self._liquids:
             liquid.draw(self._renderer.scene, self._renderer.model)

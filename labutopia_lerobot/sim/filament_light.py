@@ -9,6 +9,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.sim.linear_light import picture_of
+
 _ENVIRONMENT, _LAMPS = 16_000.0, 200_000.0
 """Light from all around, and of all lamps together (MuJoCo, "Rendering", `fallback.*`): chosen so
 that what is white and faces the lamps just does not saturate in the tasks of level 1."""
@@ -18,6 +20,9 @@ HEADLIGHT_LUX = 90_000.0
 
 _WHITE_BALANCE = (0.96, 1.0, 1.08)
 """Gains of red, green and blue that make a white wall grey: Filament's surroundings are warm."""
+
+_FILM_GAIN = 1.2
+"""How much brighter films are than the pictures of policies: one sees into the shade (ours)."""
 
 
 def light_for_filament(spec: mujoco.MjSpec) -> None:
@@ -32,12 +37,11 @@ def developed(linear: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.stack(channels, axis=-1)
 
 
-def _curve(gain: float) -> NDArray[np.uint8]:
-    """Return the levels of sRGB for the 256 levels of light (IEC 61966-2-1)."""
-    light = np.minimum(gain * np.arange(256) / 255, 1.0)
-    curved = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
-    levels: NDArray[np.uint8] = np.rint(255 * curved).astype(np.uint8)
-    return levels
+def balanced(linear: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """Return the light of a film's picture, 0 to 1, from what fell on it; (height, width, 3)."""
+    light = linear * (np.array(_WHITE_BALANCE, np.float32) * np.float32(_FILM_GAIN / 255))
+    seen: NDArray[np.float32] = np.minimum(light, np.float32(1.0))
+    return seen
 
 
-_CURVES = [_curve(gain) for gain in _WHITE_BALANCE]
+_CURVES = [picture_of(np.minimum(gain * np.arange(256) / 255, 1.0)) for gain in _WHITE_BALANCE]

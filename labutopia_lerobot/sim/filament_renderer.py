@@ -9,6 +9,7 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import mujoco
@@ -18,10 +19,14 @@ from numpy.typing import NDArray
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.processes import Apparatus
+from labutopia_lerobot.scenes.laboratory_model import KEY_LAMP
 from labutopia_lerobot.scenes.views import FIXED_CAMERAS, WIDEST_PICTURE
-from labutopia_lerobot.sim.filament_light import HEADLIGHT_LUX, developed
+from labutopia_lerobot.sim.eye import eye_of_camera, turned_by_pixels
+from labutopia_lerobot.sim.filament_light import HEADLIGHT_LUX, balanced, developed
+from labutopia_lerobot.sim.filament_shadows import WideLamp
 from labutopia_lerobot.sim.filament_surfaces import FilamentLiquid, FilamentPaintings, thin_out
 from labutopia_lerobot.sim.gleaming_walls import GleamingWalls
+from labutopia_lerobot.sim.supersampling import Sample
 from labutopia_lerobot.sim.vulkan import vulkan_device
 from labutopia_lerobot.world.model import BEYOND_GROUP
 
@@ -80,27 +85,47 @@ class FilamentRenderer:
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
+        self._update(data, self._wide or camera not in FIXED_CAMERAS)
+        self._expose(eye_of_camera(self._model, data, camera))
+        return developed(self._film)
+
+    def exposure(
+        self, data: mujoco.MjData, eye: mujoco.MjvGLCamera, sample: Sample
+    ) -> NDArray[np.float32]:
+        """Return what an eye sees while the brighter lamp casts shadows (see `Renderer`)."""
+        self._update(data, beyond=True)
+        with self._lamp.casting(sample):
+            self._expose(turned_by_pixels(eye, sample.right, sample.up, len(self._film)))
+        return balanced(self._film)
+
+    @cached_property
+    def _lamp(self) -> WideLamp:
+        light, shown = self._things.light(KEY_LAMP), self._things.of_geom
+        return WideLamp(self._model, KEY_LAMP, light, shown, self._walls)
+
+    def _update(self, data: mujoco.MjData, beyond: bool) -> None:
+        """Fill the scene with what there is to see."""
         if self._apparatus is not None:
             self._apparatus.show()
-        self._things.update(data, self._wide or camera not in FIXED_CAMERAS)
+        self._things.update(data, beyond)
         for liquid in self._liquids:
             liquid.update()
         for wall in self._walls:
             thin_out(self._model, wall, self._things.of_geom(wall))
         if self._apparatus is not None:
             self._painted.update(self._apparatus.paintings, self._things.of_geom)
-        eye = mujoco.MjvCamera()
-        eye.type, eye.fixedcamid = mujoco.mjtCamera.mjCAMERA_FIXED, self._model.camera(camera).id
+
+    def _expose(self, eye: mujoco.MjvGLCamera) -> None:
+        """Draw the scene into the film."""
         view = self._view(
             scene=_SCENE,
             target=_FILM,
-            camera=mujoco.mjv_camera2GLCamera(self._model, data, eye),
+            camera=eye,
             post_processing=False,
             headlight=True,
             headlight_intensity=HEADLIGHT_LUX * float(self._model.vis.headlight.diffuse.mean()),
         )
         self._renderer.render([view])
-        return developed(self._film)
 
     def depth(self, data: mujoco.MjData, camera: str) -> NDArray[np.float32]:
         """Refuse: see `NoFilamentError`."""
@@ -115,6 +140,7 @@ class FilamentRenderer:
         for liquid in self._liquids:
             liquid.close()
         self._liquids = []
+        self.__dict__.pop("_lamp", None)
         del self._painted, self._things, self._renderer
 
 
@@ -124,7 +150,7 @@ class _Things:
     def __init__(self, context: "mjrf.Context", model: mujoco.MjModel, scene: "mjrf.Scene") -> None:
         from mujoco import mjrf
 
-        self.scene = scene
+        self.scene, self._model = scene, model
         scene.configure_from_model(model)
         self._resources = mjrf.ModelResources(context, model)
         self._lights = mjrf.ModelLights(scene, self._resources)
@@ -144,6 +170,12 @@ class _Things:
         self._renderables.set_options(self._shown)
         self._lights.update(data)
         self._renderables.update(data)
+
+    def light(self, name: str) -> "mjrf.Light":
+        """Return a lamp of the model by its name."""
+        light = self._lights.get_light(self._model.light(name).id)
+        assert light is not None  # every lamp of a model has one
+        return light
 
     def of_geom(self, geom: int) -> "mjrf.Renderable":
         """Return what shows a geom."""

@@ -12,6 +12,7 @@ from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.setting import FILAMENT
 from labutopia_lerobot.sim import classic_renderer, filament_renderer
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
+from labutopia_lerobot.sim.supersampling import Sample
 
 
 class Renderer(Protocol):
@@ -19,6 +20,21 @@ class Renderer(Protocol):
 
     def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
         """Return what the camera sees, shape (height, width, 3)."""
+        ...
+
+    def exposure(
+        self, data: mujoco.MjData, eye: mujoco.MjvGLCamera, sample: Sample
+    ) -> NDArray[np.float32]:
+        """Return one of many exposures that a picture of a film is the mean of.
+
+        Args:
+            data: Where everything is.
+            eye: Where from; whatever is there is drawn.
+            sample: Which of them.
+
+        Returns:
+            Linear light, 0 to 1, shape (height, width, 3).
+        """
         ...
 
     def depth(self, data: mujoco.MjData, camera: str) -> NDArray[np.float32]:

@@ -85,6 +85,10 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
         ("bench", ["tasks", "--json", "--seconds", "--episodes"]),
         ("check", ["folder", "--task"]),
         ("compare", ["first", "second", "--tables", "--json"]),
+        (
+            "film",
+            ["task", "--out", "--seed", "--camera", "--exposures", "--fps", "--speed", "--room"],
+        ),
         ("recipe", ["policy", "DATASET", "--epochs", "--batch-size", "--out"]),
         ("report", ["DIR", "--tables", "--out"]),
         ("scene", ["  list", "  generate", "  check", "  export"]),
