@@ -90,6 +90,19 @@ def read(folder: Path) -> dict[str, list[Row]]:
     return rows_of
 
 
+def commits(folder: Path) -> dict[str, str]:
+    """Return the commit by which the rows of each task were played, abbreviated.
+
+    Raises:
+        OtherRowsError: If a file cannot be read.
+    """
+    files = {task: folder / _name(task) for task in task_files()}
+    return {
+        task: read_json_object(file, OtherRowsError)["provenance"]["commit"][:7]
+        for task, file in files.items()
+    }
+
+
 def _require_expert(
     file: Path, task: str, rows: list[dict[str, Any]], provenance: dict[str, Any]
 ) -> None:

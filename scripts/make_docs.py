@@ -45,16 +45,16 @@ def main() -> None:
     parser.add_argument("--tables", action="store_true", help="leave the pictures as they are")
     parser.add_argument("--only", metavar="TASK", nargs="+", help="of which tasks to make pictures")
     arguments = parser.parse_args()
-    write_tables(expert_rows.read(arguments.results))
+    write_tables(expert_rows.read(arguments.results), expert_rows.commits(arguments.results))
     write_gallery([] if arguments.tables else arguments.only or [*task_files(), POURING])
 
 
-def write_tables(rows: dict[str, list[Row]]) -> None:
+def write_tables(rows: dict[str, list[Row]], commits: Mapping[str, str]) -> None:
     """Write the table of tasks in the README, where things start and how experts fail."""
     readme = (ROOT / "README.md").read_text()
     before, _, rest = readme.partition(BEGIN)
     _, _, after = rest.partition(END)
-    table = "\n".join(task_table(rows))
+    table = "\n".join(task_table(rows, commits))
     (ROOT / "README.md").write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
     (DOCS / "starts.md").write_text("\n".join(start_table()) + "\n")
     (DOCS / "failures.md").write_text("\n".join(failure_table(rows)) + "\n")
@@ -135,17 +135,22 @@ def _all_cameras(env: LabEnv) -> NDArray[np.uint8]:
     return np.hstack(list(env.workcell.pictures(env.setting.cameras).values()))
 
 
-def task_table(rows: Rows) -> list[str]:
-    """Return the table of tasks in Markdown."""
+def task_table(rows: Rows, commits: Mapping[str, str]) -> list[str]:
+    """Return the table of tasks in Markdown.
+
+    Args:
+        rows: The expert's.
+        commits: Task id -> by which they were played.
+    """
     lines = [
-        "| task | instruction | expert | 95 % | mean time |",
-        "| --- | --- | --- | --- | --- |",
+        "| task | instruction | expert | 95 % | mean time | commit |",
+        "| --- | --- | --- | --- | --- | --- |",
     ]
     beyond = False
     for task_id, played in rows.items():
         if is_beyond_paper(task_id) and not beyond:
             beyond = True
-            lines.append("| *beyond the paper* | | | | |")
+            lines.append("| *beyond the paper* | | | | | |")
         (line,) = summarise(played)
         low, high = line.wilson95
         seconds = line.mean_seconds_to_success
@@ -155,6 +160,7 @@ def task_table(rows: Rows) -> list[str]:
             f"{line.successes}/{line.n}",
             f"{100 * low:.0f} to {100 * high:.0f} %",
             "-" if seconds is None else f"{seconds:.1f} s",
+            commits[task_id],
         ]
         lines.append(f"| {' | '.join(cells)} |")
     return lines
