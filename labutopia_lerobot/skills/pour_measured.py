@@ -1,10 +1,10 @@
-"""Pour onto a balance until it reads a wanted mass."""
+"""Pour until a gauge shows a wanted amount."""
 
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from labutopia_lerobot.predicates.readings import Readable
+from labutopia_lerobot.skills.gauge import Gauge
 from labutopia_lerobot.skills.pour import Pivot, Pourable
 from labutopia_lerobot.skills.skill import Condition, Phase, Target, arrived, carrier, waited
 from labutopia_lerobot.world import OpenVessel, Pose, World
@@ -14,25 +14,25 @@ _FURTHEST = math.radians(100.0)
 _DRY_LEAN = math.radians(35.0)
 """Lean up to which it goes fast [rad]: a vessel that is half full gives nothing yet."""
 _FIRST_SLOPE, _WIDEST_STEP = 80.0, 0.025
-"""What a beaker of 150 ml gives at first when it leans further [g/rad], and the largest step [rad]:
-measured on the shipped task; the skill goes by what it then reads."""
+"""What a beaker of 150 ml gives at first when it leans further [g/rad or ml/rad], and the largest
+step [rad]: measured on `level2/pour_to_mass`; the skill goes by what it then reads."""
 
 
 @dataclass(frozen=True)
-class PourToMass:
-    """Hold the lip over the mouth, lean until the balance shows some of it, then in small steps.
+class PourMeasured:
+    """Hold the lip over the mouth, lean until the gauge shows some of it, then in small steps.
 
     A balance lags behind what falls on its pan, by about 0.6 s. So the vessel leans slowly until
-    `coarse` of the mass is shown, and eases back; then it leans a little further each time, by less
-    the less is missing, and waits until the liquid has come to rest at its lip.
+    `coarse` of the amount is shown, and eases back; then it leans a little further each time, by
+    less the less is missing, and waits until the liquid has come to rest at its lip.
 
     Attributes:
         thing: The vessel in the hand.
-        into: What stands on the pan.
-        reading: What the balance reads [g].
-        mass: The wanted reading [g].
-        within: How near is near enough [g].
-        coarse: Share of the mass that is poured without a break.
+        into: What it is poured into.
+        gauge: What shows how much has arrived.
+        amount: What it is to show, in its unit.
+        within: How near is near enough.
+        coarse: Share of the amount that is poured without a break.
         ease: How far it leans back then [rad].
         drop: Height of the lip above the other mouth [m].
         short: How far before the middle of the other mouth the lip is [m].
@@ -43,8 +43,8 @@ class PourToMass:
 
     thing: Pourable
     into: OpenVessel
-    reading: Readable
-    mass: float
+    gauge: Gauge
+    amount: float
     within: float
     coarse: float = 0.2
     ease: float = 0.15
@@ -55,7 +55,7 @@ class PourToMass:
     pause_s: float = 1.0
 
     def phases(self, world: World) -> Iterator[Phase]:
-        """Yield start, ready, pour, then ease and add until the mass is there, and tilt back."""
+        """Yield start, ready, pour, then ease and add until it is there, and tilt back."""
         thing, shut, own = self.thing, world.commanded_opening, frozenset({self.thing.name})
         pivot = Pivot.over(world, thing, world.frame(self.into.rim), self.drop, self.short)
         ready = carrier(world, thing)(pivot.tilted(0.0))
@@ -69,29 +69,29 @@ class PourToMass:
         leaning = pivot.towards(world, _DRY_LEAN)
         yield phase("lean", leaning, _leaning(thing, _DRY_LEAN - 0.05, beyond=True), 0.5)
         tilt = pivot.towards(world, _FURTHEST)
-        yield phase("pour", tilt, self._shows(self.coarse * self.mass), self.turn_speed)
+        yield phase("pour", tilt, self._shows(self.coarse * self.amount), self.turn_speed)
         lean, slope = world.pose(thing).tilt - self.ease, _FIRST_SLOPE
         yield phase("ease", pivot.towards(world, lean), _leaning(thing, lean + 0.02))
         yield phase("read", pivot.towards(world, lean), self._read)
-        shown = world.reading(self.reading.name).value
-        while self.mass - shown > self.within and lean < _FURTHEST:
-            further = min(_WIDEST_STEP, 0.3 * (self.mass - shown) / slope)
+        shown = self.gauge.shown(world)
+        while self.amount - shown > self.within and lean < _FURTHEST:
+            further = min(_WIDEST_STEP, 0.3 * (self.amount - shown) / slope)
             lean += further
             held = pivot.towards(world, lean)
             yield phase("add", held, _leaning(thing, lean - 0.005, beyond=True), 0.1)
             yield phase("read", held, self._read)
-            before, shown = shown, world.reading(self.reading.name).value
+            before, shown = shown, self.gauge.shown(world)
             slope = max(slope, (shown - before) / further)
         back = pivot.towards(world, 0.0)
         yield phase("tilt_back", back, arrived(within=0.006))
         yield phase("stabilise", back, waited(0.3))
 
     def _read(self, world: World, target: Pose, elapsed: float) -> bool:
-        return elapsed >= self.pause_s and world.reading(self.reading.name).settled
+        return elapsed >= self.pause_s and self.gauge.settled(world)
 
-    def _shows(self, mass: float) -> Condition:
+    def _shows(self, amount: float) -> Condition:
         def done(world: World, target: Pose, elapsed: float) -> bool:
-            return world.reading(self.reading.name).value >= mass
+            return self.gauge.shown(world) >= amount
 
         return done
 
