@@ -28,6 +28,8 @@ _DEPTH_PATH = "images."
 
 _POSE_NAMES = ("x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz")
 
+_SOLUTION_NAMES = ("acidity", "red", "green", "blue")
+
 
 @dataclass(frozen=True)
 class Feature:
@@ -172,7 +174,8 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
     there: the continuous representation of rotations (Zhou et al. 2019, "On the Continuity of
     Rotation Representations in Neural Networks"), since quaternions jump. Then the position of each
     of its hinges [rad] and slides [m], and the place [m] of each of its parts that is shuffled.
-    Where there is liquid: how deep it would be in each vessel [m], were that upright.
+    Where there is liquid: how deep it would be in each vessel [m], were that upright. Where
+    something is dissolved: by how much the pH of each is below 7, and the sRGB of 1 cm of it.
     """
     return tuple(
         name
@@ -182,6 +185,11 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
             *piece.joints,
             *(f"{body}.{axis}" for body in region.shuffled for axis in "xyz"),
             *([f"{vessel.name}.fill" for vessel in _vessels(piece)] if task.contents else []),
+            *(
+                [f"{v.name}.{part}" for v in _vessels(piece) for part in _SOLUTION_NAMES]
+                if any(filling.dissolved for filling in task.contents.values())
+                else []
+            ),
         )
     )
 
@@ -199,6 +207,11 @@ def environment_state(task: Task, world: World) -> NDArray[np.float32]:
             inside = world.liquid.inside
             depths = [vessel.profile.depth(inside[vessel.name]) for vessel in _vessels(piece)]
             parts.append(np.array(depths))
+        for vessel in _vessels(piece):
+            solution = world.solution(vessel)
+            if solution is not None:
+                acidity = 7.0 - solution.ph if solution.volume else 0.0
+                parts.append(np.array([acidity, *solution.colour]))
     state: NDArray[np.float32] = np.concatenate(parts).astype(np.float32)
     return state
 

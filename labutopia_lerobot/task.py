@@ -268,6 +268,12 @@ class Task:
         Raises:
             NeedsLiquidError: If the task needs its liquid.
         """
+        dissolving = [vessel.name for vessel, held in self.contents.items() if held.dissolved]
+        if dissolving:
+            raise NeedsLiquidError(
+                f"liquid=off: the task '{self.instruction}' has solutions in "
+                f"{', '.join(dissolving)}, which only its liquid can show. Choose liquid=on"
+            )
         if self.needs_liquid:
             raise NeedsLiquidError(
                 f"liquid=off: the task '{self.instruction}' is judged by its liquid. Choose "

@@ -25,6 +25,8 @@ _WIDTH = 4000.0
 _STATED_CONCENTRATION = 0.1
 """Of the solution that a colour without bands is of [mol/l] (`SpeciesRecord`)."""
 
+Floats = NDArray[np.float64]
+
 Rgb = tuple[float, float, float]
 
 
@@ -39,15 +41,35 @@ def of_solution(amounts: Mapping[str, float], volume: float) -> Rgb:
     absorbance = np.zeros(len(_WAVELENGTHS))
     channels = np.zeros(3)
     for key, amount in amounts.items():
-        one = network().species.get(key)
-        if one is None or one.phase != "aq":
-            continue
-        if one.absorption and (one.colour is None or _is_in_sight(key)):
-            absorbance += _spectrum(key) * (amount / litres)
-        elif one.colour:
-            channels -= np.log10(_linear(one.colour)) * (amount / litres / _STATED_CONCENTRATION)
-    light = (_to_linear_srgb() @ 10.0**-absorbance) * 10.0**-channels
-    return _encoded(np.clip(light, 0.0, 1.0))
+        absorbance += spectrum_of(key) * (amount / litres)
+        channels += tint_of(key) * (amount / litres)
+    light = (to_linear_srgb() @ 10.0**-absorbance) * 10.0**-channels
+    red, green, blue = (float(round(one, 4)) for one in encoded(np.clip(light, 0.0, 1.0)))
+    return (red, green, blue)
+
+
+@cache
+def spectrum_of(key: str) -> Floats:
+    """Return the molar absorptivity of a species at each wavelength [l/(mol cm)].
+
+    0 of what has no spectrum that counts: see `tint_of`.
+    """
+    one = network().species.get(key)
+    if one is None or one.phase != "aq" or not one.absorption:
+        return np.zeros(len(_WAVELENGTHS))
+    return _spectrum(key) if one.colour is None or _is_in_sight(key) else 0.0 * _spectrum(key)
+
+
+@cache
+def tint_of(key: str) -> Floats:
+    """Return what a species absorbs in each channel of linear sRGB [l/(mol cm)], shape (3,).
+
+    0 of what is colourless or has a spectrum that counts instead.
+    """
+    one = network().species.get(key)
+    if one is None or one.phase != "aq" or not one.colour or spectrum_of(key).any():
+        return np.zeros(3)
+    return -np.log10(_linear(one.colour)) / _STATED_CONCENTRATION
 
 
 @cache
@@ -57,7 +79,7 @@ def _is_in_sight(key: str) -> bool:
 
 
 @cache
-def _spectrum(key: str) -> NDArray[np.float64]:
+def _spectrum(key: str) -> Floats:
     """Return the molar absorptivity at each wavelength [l/(mol cm)]."""
     wavenumbers = 1e7 / _WAVELENGTHS
     total = np.zeros(len(_WAVELENGTHS))
@@ -68,14 +90,14 @@ def _spectrum(key: str) -> NDArray[np.float64]:
 
 
 @cache
-def _to_linear_srgb() -> NDArray[np.float64]:
+def to_linear_srgb() -> Floats:
     """Return the matrix from transmittances to linear sRGB; all 1 gives white.
 
     Colour matching functions: the fits of Wyman, Sloan and Shirley, Journal of Computer Graphics
     Techniques 2 (2013) 1. From XYZ: IEC 61966-2-1. The light is of equal energy, adapted to white.
     """
 
-    def lobe(height: float, centre: float, left: float, right: float) -> NDArray[np.float64]:
+    def lobe(height: float, centre: float, left: float, right: float) -> Floats:
         sigma = np.where(centre > _WAVELENGTHS, left, right)
         return np.asarray(height * np.exp(-0.5 * ((_WAVELENGTHS - centre) * sigma) ** 2))
 
@@ -101,15 +123,15 @@ def rgb(colour: str) -> Rgb:
     return (int(colour[1:3], 16) / 255, int(colour[3:5], 16) / 255, int(colour[5:7], 16) / 255)
 
 
-def _linear(colour: str) -> NDArray[np.float64]:
+def _linear(colour: str) -> Floats:
     values = np.maximum(np.array(rgb(colour)), 0.004)
     return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
 
-def _encoded(linear: NDArray[np.float64]) -> Rgb:
+def encoded(linear: Floats) -> Floats:
+    """Return sRGB as screens take it of linear sRGB, both in [0, 1]."""
     values = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-    red, green, blue = (float(round(min(max(one, 0.0), 1.0), 4)) for one in values)
-    return (red, green, blue)
+    return np.asarray(np.clip(values, 0.0, 1.0))
 
 
 def word(colour: Rgb, *, clear: str = "colourless") -> str:

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.chemistry.equilibrium import solve
+from labutopia_lerobot.chemistry.equilibrium import Equilibrium, solve
 from labutopia_lerobot.chemistry.network import (
     HYDROXIDE,
     PROTON,
@@ -73,7 +73,7 @@ def settle(
     totals: dict[str, float] = {}
     kept: dict[str, float] = {}
     for key, amount in amounts.items():
-        if _takes_part(key):
+        if takes_part(key):
             for component, number in made[key].components.items():
                 totals[component] = totals.get(component, 0.0) + number * amount
         elif amount:
@@ -92,10 +92,11 @@ def settle(
         np.ascontiguousarray(chosen.phase_matrix[possible]),
         right,
     )
-    for one, concentration in zip(chosen.dissolved, answer.concentrations.tolist(), strict=True):
+    concentrations, phases = _balanced(chosen, possible, answer, right)
+    for one, concentration in zip(chosen.dissolved, concentrations.tolist(), strict=True):
         kept[one.key] = concentration * litres
         water -= one.components.get(WATER, 0.0) * concentration * litres
-    for index, amount in zip(possible, answer.phases.tolist(), strict=True):
+    for index, amount in zip(possible, phases.tolist(), strict=True):
         one = chosen.phases[index]
         if amount > 0.0:
             kept[one.key] = amount * litres
@@ -104,13 +105,32 @@ def settle(
     return {key: amount for key, amount in kept.items() if abs(amount) > _TRACE}
 
 
+def _balanced(
+    chosen: _Selection, possible: list[int], answer: Equilibrium, totals: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return dissolved species and phases of an answer, changed so that nothing is lost [mol/l].
+
+    The solver leaves some 1e-11 of each total. One more step of Newton's method, with the phases
+    among the species, shares that out: each species changes in proportion to what there is of it.
+    """
+    matrix = np.vstack([chosen.dissolved_matrix, chosen.phase_matrix[possible]])
+    amounts = np.concatenate([answer.concentrations, answer.phases])
+    lost = totals - matrix.T @ amounts
+    curvature = matrix.T @ (amounts[:, None] * matrix)
+    scale = 1.0 / np.sqrt(np.maximum(np.diagonal(curvature), 1e-300))
+    shares = scale * np.linalg.lstsq(curvature * np.outer(scale, scale), scale * lost)[0]
+    amounts = np.maximum(amounts * (1.0 + matrix @ shares), 0.0)
+    count = len(chosen.dissolved)
+    return amounts[:count], amounts[count:]
+
+
 def ph_of(amounts: Mapping[str, float], volume: float) -> float:
     """Return minus the logarithm of the concentration of protons in mol/l."""
     return -math.log10(max(amounts.get(PROTON, 0.0), 1e-30) / (volume * 1000.0))
 
 
 @lru_cache(maxsize=100_000)
-def _takes_part(key: str) -> bool:
+def takes_part(key: str) -> bool:
     """Whether a species belongs to the equilibrium; a metal or an insoluble solid does not."""
     one = network().species.get(key)
     return one is not None and (one.phase == "aq" or not one.is_component or key == WATER)
@@ -130,7 +150,7 @@ def _select(
         for one in network().species.values()
         if one.key != WATER
         and allowed.issuperset(one.components)
-        and _takes_part(one.key)
+        and takes_part(one.key)
         and (not one.only_dissolves or one.key in dissolving)
     ]
     dissolved = tuple(one for one in chosen if one.phase == "aq")
@@ -168,4 +188,4 @@ def _possible(chosen: _Selection, totals: NDArray[np.float64]) -> list[int]:
     return [p for p in range(len(chosen.phases)) if most[p] > 0.0 or not chosen.simple[p]]
 
 
-__all__ = ["HYDROXIDE", "PROTON", "WATER", "ph_of", "settle"]
+__all__ = ["HYDROXIDE", "PROTON", "WATER", "ph_of", "settle", "takes_part"]

@@ -184,6 +184,11 @@ def _row(job: EvaluationJob, seed: int, steps: int, info: Info, workcell: Workce
         nonfinite_actions=info["nonfinite_actions"],
         setup_failures=info["setup_failures"],
         readings={n: _finite(value) for n, value in info["readings"].items()},
+        solutions={
+            vessel: {name: _finite(value) for name, value in numbers.items()}
+            for vessel, numbers in info.get("solutions", {}).items()
+        },
+        unreacted=list(info.get("unreacted", ())),
     )
 
 

@@ -76,6 +76,9 @@ class Row:
         particles: In how many particles liquid was divided.
         after: Step behind which the episode began, or None for the start of the task.
         readings: What displays showed at the end, by name; None for dashes and errors.
+        solutions: Contents of vessels at the end, by vessel, as `Solution.numbers` has it; None for
+            no number. Empty without chemistry.
+        unreacted: Why mixtures were left as they were, in words.
     """
 
     task: str
@@ -120,6 +123,8 @@ class Row:
     particles: int = PARTICLES
     after: str | None = None
     readings: dict[str, float | None] = field(default_factory=dict)
+    solutions: dict[str, dict[str, float | None]] = field(default_factory=dict)
+    unreacted: list[str] = field(default_factory=list)
 
     @cached_property
     def condition(self) -> Condition:

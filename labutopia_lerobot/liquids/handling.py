@@ -5,8 +5,8 @@ from typing import override
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.liquids.kept import Portion
 from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.temperature import capacities, mix, warmth
 from labutopia_lerobot.liquids.vortex import stir
 from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
@@ -110,6 +110,13 @@ class Handling(LiquidHandling):
     def mix(self, period: float) -> None:
         liquid = self._liquid
         mix(liquid.temperatures, self._capacities(), liquid.accounted, liquid.speeds, period)
+
+    @override
+    def react(self, period: float) -> None:
+        liquid = self._liquid
+        if liquid.solutions is not None:
+            capacity = self._capacities()
+            liquid.solutions.react(liquid.what, capacity, liquid.accounted, liquid.speeds, period)
 
     @override
     def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:

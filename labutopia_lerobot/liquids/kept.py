@@ -1,50 +1,32 @@
 """Particles that stand still in narrow tubes: they count, but nothing moves them."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.substances.filling import Fillable, Narrow
 from labutopia_lerobot.world import FloatArray
-
-
-class Portion(NamedTuple):
-    """What particles are, wherever they are.
-
-    Attributes:
-        origins: Where they were filled, shape (m,); -1 nowhere.
-        last_held: What held them last, shape (m,); -1 nothing.
-        temperatures: Of each, shape (m,), K.
-        amounts: Part of each that is each substance, shape (m, substances).
-    """
-
-    origins: NDArray[np.int64]
-    last_held: NDArray[np.int64]
-    temperatures: FloatArray
-    amounts: FloatArray
 
 
 class Kept:
     """The particles in burettes, pipettes and syringes, in the order in which they came there.
 
     Args:
-        substances: How many there are.
+        nothing: No particles, of the substances and species of the scene.
 
     Attributes:
         holders: What each is in, shape (m,).
         portion: What they are.
     """
 
-    def __init__(self, substances: int) -> None:
-        self._substances = substances
+    def __init__(self, nothing: Portion) -> None:
+        self._nothing = nothing
         self.empty()
 
     def empty(self) -> None:
         """Take all away."""
-        nothing = np.empty(0, dtype=int)
-        self.holders: NDArray[np.int64] = nothing
-        self.portion = Portion(nothing, nothing, np.empty(0), np.empty((0, self._substances)))
+        self.holders: NDArray[np.int64] = np.empty(0, dtype=int)
+        self.portion = self._nothing
 
     def count(self, holder: int) -> int:
         """Return how many are in something."""
@@ -53,13 +35,7 @@ class Kept:
     def add(self, holder: int, portion: Portion) -> None:
         """Put particles into something, after those that are there."""
         self.holders = np.append(self.holders, np.full(len(portion.origins), holder))
-        old = self.portion
-        self.portion = Portion(
-            np.append(old.origins, portion.origins),
-            np.append(old.last_held, portion.last_held),
-            np.append(old.temperatures, portion.temperatures),
-            np.vstack([old.amounts, portion.amounts]),
-        )
+        self.portion = self.portion.with_more(portion)
 
     def take(self, holder: int, count: int, *, last: bool) -> Portion:
         """Take particles out of something.
@@ -71,15 +47,9 @@ class Kept:
         """
         there = np.flatnonzero(self.holders == holder)
         chosen = there[::-1][:count] if last else there[:count]
-        origins, last_held, temperatures, amounts = self.portion
-        taken = Portion(origins[chosen], last_held[chosen], temperatures[chosen], amounts[chosen])
+        taken = self.portion.part(chosen)
         self.holders = np.delete(self.holders, chosen)
-        self.portion = Portion(
-            np.delete(origins, chosen),
-            np.delete(last_held, chosen),
-            np.delete(temperatures, chosen),
-            np.delete(amounts, chosen, axis=0),
-        )
+        self.portion = self.portion.without(chosen)
         return taken
 
     def remember(self, inside: NDArray[np.int64]) -> None:
@@ -87,22 +57,15 @@ class Kept:
         self.portion = self.portion._replace(last_held=inside.copy())
 
     def state(self) -> FloatArray:
-        """Return all of it, shape (1 + (4 + substances) m,)."""
-        origins, last_held, temperatures, amounts = self.portion
-        return np.concatenate(
-            [[len(origins)], self.holders, origins, last_held, temperatures, amounts.ravel()]
-        ).astype(float)
+        """Return all of it, shape (1 + (4 + substances + species) m,)."""
+        return np.concatenate([[len(self.holders)], self.holders, self.portion.numbers()])
 
     def restore(self, state: FloatArray) -> FloatArray:
         """Go back to what `state` returned, and return what follows it."""
         count = int(state[0])
-        numbers, amounts, rest = np.split(state[1:], [4 * count, (4 + self._substances) * count])
-        holders, origins, last_held, temperatures = numbers.reshape(4, -1)
+        holders, rest = np.split(state[1:], [count])
         self.holders = holders.astype(int)
-        parts = amounts.reshape(-1, self._substances).copy()
-        self.portion = Portion(
-            origins.astype(int), last_held.astype(int), temperatures.copy(), parts
-        )
+        self.portion, rest = self._nothing.from_numbers(rest, count)
         return rest
 
 

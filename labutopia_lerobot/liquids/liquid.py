@@ -8,16 +8,18 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import announce_compiling
 from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
-from labutopia_lerobot.liquids.kept import Kept, Portion, is_column
+from labutopia_lerobot.liquids.beginning import Beginning
+from labutopia_lerobot.liquids.bottled import Bottles
+from labutopia_lerobot.liquids.kept import Kept, is_column
 from labutopia_lerobot.liquids.lattice import lattice
+from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
 from labutopia_lerobot.liquids.surroundings import Surroundings
-from labutopia_lerobot.processes import AMBIENT
+from labutopia_lerobot.liquids.temperature import capacities
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake
-from labutopia_lerobot.substances.substance import ZERO_C, Substance
-from labutopia_lerobot.world import FloatArray, LiquidAccount, Pose
+from labutopia_lerobot.world import FloatArray, LiquidAccount, Pose, Solution
 
 _SETTLE_STEPS = 120
 """Steps in which a new filling comes to rest, the vessels standing still."""
@@ -25,9 +27,6 @@ _SETTLE_STEPS = 120
 _SETTLE_DAMPING = 0.9
 _FASTEST = 50.0
 """Speed [m/s] that no liquid on a bench has: beyond it the solver has diverged."""
-
-_JET_SPEED = 2.0
-"""Fastest that liquid leaves a spout [m/s]: what 2 kPa, a squeeze by hand, drive out of it."""
 
 
 class Liquid:
@@ -47,10 +46,10 @@ class Liquid:
         volume: Of a particle [m^3].
         positions: Shape (n, 3), metres, world frame; none before `fill`.
         velocities: Shape (n, 3), m/s, world frame.
-        origins: Which of `names` held each particle at the fill, shape (n,); -1 none.
         names: Of all vessels, bottles and pipettes.
+        bottles: What waits in squeeze bottles.
+        solutions: All that is dissolved; None where nothing is.
         kept: What stands in narrow tubes; `positions` and all other arrays are without it.
-        temperatures: Of each particle, shape (n,), K.
         accounted: Which of `names` each particle was in at the last account, shape (n,); -1 none.
         speeds: Mean speed in each of `names` at the last account [m/s].
         diverged: Whether the solver has failed; the particles then stay where they are.
@@ -70,17 +69,15 @@ class Liquid:
         self.vessels = tuple(vessel for vessel in vessels if isinstance(vessel, Fillable))
         pipettes = [vessel for vessel in vessels if isinstance(vessel, Intake)]
         self.names = tuple(vessel.name for vessel in (*self.vessels, *bottles, *pipettes))
-        self.substances = tuple(dict.fromkeys(filling.substance for filling in fillings))
         volume = sum(filling.ml for filling in fillings) * 1e-6
         self.volume = volume / particles
         self._particles = particles
-        self._waiting = {bottle.name: 0 for bottle in bottles}
-        self._waiting_at_start = dict(self._waiting)
-        self._room = AMBIENT
-        self._own = np.full(len(self.names), np.nan)
-        self._held = dict.fromkeys(self._waiting, self.substances[0])
+        self.bottles = Bottles([bottle.name for bottle in bottles], self.volume)
+        self._beginning = Beginning(fillings, self.names, self.volume)
+        self.substances, self.solutions = self._beginning.substances, self._beginning.solutions
         columns = [vessel for vessel in self.vessels if is_column(vessel)]
-        self.kept = Kept(len(self.substances))
+        self.kept = Kept(self._beginning.nothing)
+        self._what = self._beginning.nothing
         self._keeps = bool(columns or pipettes)
         depths = [v.profile.depth(volume) for v in self.vessels if v not in columns]
         self._mixing = Mixing(self.substances, self.volume, max(depths, default=0.0))
@@ -99,37 +96,52 @@ class Liquid:
         return self._mixing.flow.spacing
 
     @property
+    def origins(self) -> NDArray[np.int64]:
+        """Which of `names` held each particle at the fill, shape (n,); -1 none."""
+        return self._what.origins
+
+    @property
+    def temperatures(self) -> FloatArray:
+        """Of each particle, shape (n,), K; processes change it in place."""
+        return self._what.temperatures
+
+    @property
+    def what(self) -> Portion:
+        """What the particles in motion are; processes change temperatures and contents in place."""
+        return self._what
+
+    @property
     def amounts(self) -> FloatArray:
         """Part of each particle that is each substance, by volume, shape (n, substances).
 
         A copy; to set it changes what the particles are made of, and with that how they flow.
         """
-        return self._amounts.copy()
+        return self._what.amounts.copy()
 
     @amounts.setter
     def amounts(self, amounts: FloatArray) -> None:
-        self._amounts = np.array(amounts)
-        self._matter = self._mixing.matter(self._amounts)
+        self._be(self._what._replace(amounts=np.array(amounts)))
+
+    def _be(self, what: Portion) -> None:
+        """Let the particles in motion be made of something."""
+        self._what = what
+        self._matter = self._mixing.matter(what.amounts)
 
     def empty(self) -> None:
         """Take all liquid away."""
-        self._waiting = dict.fromkeys(self._waiting, 0)
-        self._waiting_at_start = dict(self._waiting)
+        self.bottles.empty()
         self.kept.empty()
-        self._start(np.empty((0, 3)), np.empty(0, int), np.empty((0, len(self.substances))))
+        if self.solutions is not None:
+            self.solutions.empty()
+        self._start(np.empty((0, 3)), self._beginning.nothing)
 
-    def _start(
-        self, positions: FloatArray, origins: NDArray[np.int64], amounts: FloatArray
-    ) -> None:
+    def _start(self, positions: FloatArray, what: Portion) -> None:
         self.positions = positions
         self.velocities = np.zeros_like(positions)
         self.diverged = False
-        self.origins = origins
-        self.amounts = amounts
-        self.temperatures = self._beginning(origins)
+        self._be(what)
         self.accounted: NDArray[np.int64] = np.full(len(positions), -1)
         self.speeds: FloatArray = np.zeros(len(self.names))
-        self._last_held: NDArray[np.int64] = origins.copy()
         self._pressure: FloatArray = np.zeros(len(positions))
         self._touching: NDArray[np.int64] = np.full(len(positions), NOTHING)
         self._impulse[:] = 0.0
@@ -150,74 +162,55 @@ class Liquid:
         """
         self.empty()
         total = sum(filling.volume for filling in contents.values())
-        heaps, origins, kinds, last = [np.empty((0, 3))], [], [], 0.0
+        heaps, held, last = [np.empty((0, 3))], list[tuple[int, Filling]](), 0.0
         for vessel, filling in contents.items():
             first, last = last, last + filling.volume
             if filling.celsius is not None:
-                self._own[self.names.index(vessel.name)] = filling.celsius + ZERO_C
+                self._beginning.warm(self.names.index(vessel.name), filling.celsius)
             counts = [round(volume / total * self._particles) for volume in (first, last)]
             share = counts[1] - counts[0]
             if isinstance(vessel, Dispenser):
-                self._waiting[vessel.name] = share
-                self._held[vessel.name] = filling.substance
+                self.bottles.fill(vessel.name, filling, share)
                 continue
             index = self.vessels.index(vessel)
             if is_column(vessel):
-                here = np.full(share, index)
-                self.kept.add(index, self._portion(here, self._pure([filling.substance] * share)))
+                self.kept.add(index, self._beginning.fresh([(index, filling)] * share))
                 continue
             local = lattice(vessel.profile, share, self._mixing.flow.spacing, rng)
             origin, rotation = self._around.glass.now
             heaps.append(origin[index] + local @ rotation[index].T)
-            origins += [index] * share
-            kinds += [filling.substance] * share
-        self.start_dispensing()
-        self._start(np.vstack(heaps), np.array(origins, dtype=int), self._pure(kinds))
+            held += [(index, filling)] * share
+        self.bottles.start()
+        self._start(np.vstack(heaps), self._beginning.fresh(held))
         for _ in range(_SETTLE_STEPS if len(self.positions) else 0):
             self._advance()
             self.velocities *= _SETTLE_DAMPING
-
-    def _pure(self, kinds: Sequence[Substance]) -> FloatArray:
-        """Return the amounts of particles of one substance each, shape (n, substances)."""
-        indices = [self.substances.index(kind) for kind in kinds]
-        return np.eye(len(self.substances))[indices]
-
-    def start_dispensing(self) -> None:
-        """Count from now what the walls of bottles displace."""
-        self._waiting_at_start = dict(self._waiting)
 
     def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
         """Let out of a bottle what its wall displaces, as fast as the spout lets it through.
 
         Args:
             bottle: What it leaves.
-            volume: What the wall has displaced since `start_dispensing`, all in all [m^3].
+            volume: What the wall has displaced since the start, all in all [m^3].
             spout: End of the spout; z the way that the liquid leaves.
             duration: Time since the previous call [s].
         """
-        waiting = self._waiting[bottle.name]
-        if not waiting:
-            return
-        due = volume - (self._waiting_at_start[bottle.name] - waiting) * self.volume
-        passing = min(due, _JET_SPEED * bottle.bore_area * duration)
-        count = min(waiting, max(int(passing / self.volume), int(due >= self.volume)))
-        if not count:
-            return
-        self._waiting[bottle.name] = waiting - count
-        velocity = passing / duration / bottle.bore_area * spout.z_axis
-        ages = duration * (np.arange(count)[:, None] + 0.5) / count
-        self.release(
-            spout.position_w + ages * velocity,
-            np.tile(velocity, (count, 1)),
-            self._held[bottle.name],
-            self.names.index(bottle.name),
-        )
+        count, speed = self.bottles.let_out(bottle, volume, duration)
+        if count:
+            velocity = speed * spout.z_axis
+            ages = duration * (np.arange(count)[:, None] + 0.5) / count
+            self.release(
+                spout.position_w + ages * velocity,
+                np.tile(velocity, (count, 1)),
+                self.bottles.held[bottle.name],
+                self.names.index(bottle.name),
+            )
 
     def release(
         self,
         positions: FloatArray,
         velocities: FloatArray,
-        of: Substance | None = None,
+        of: Filling | None = None,
         origin: int = -1,
     ) -> None:
         """Add particles, as from a spout.
@@ -225,22 +218,11 @@ class Liquid:
         Args:
             positions: Shape (m, 3), metres, world frame, none in glass.
             velocities: Shape (m, 3), m/s, world frame.
-            of: What they are; the first of the substances if not said.
+            of: What they are, whatever its volume; the first of the fillings if not said.
             origin: Which of `names` they come from; -1 none.
         """
-        count = len(positions)
-        amounts = self._pure([of or self.substances[0]] * count)
-        here = np.full(count, origin)
-        self.add(positions, velocities, self._portion(here, amounts))
-
-    def _portion(self, here: NDArray[np.int64], amounts: FloatArray) -> Portion:
-        """Return what particles are that come from where they are, as warm as they begin."""
-        return Portion(here, here, self._beginning(here), amounts)
-
-    def _beginning(self, origins: NDArray[np.int64]) -> FloatArray:
-        """Return how warm particles begin: as their filling says, or else as the room [K]."""
-        own = np.append(self._own, np.nan)[origins]  # the last is that of no origin, -1
-        return np.where(np.isnan(own), self._room, own)
+        held = [(origin, of or self._beginning.fillings[0])] * len(positions)
+        self.add(positions, velocities, self._beginning.fresh(held))
 
     def add(self, positions: FloatArray, velocities: FloatArray, portion: Portion) -> None:
         """Add particles.
@@ -253,24 +235,17 @@ class Liquid:
         count = len(positions)
         self.positions = np.vstack([self.positions, positions])
         self.velocities = np.vstack([self.velocities, velocities])
-        self.amounts = np.vstack([self._amounts, portion.amounts])
-        self.origins = np.append(self.origins, portion.origins)
-        self._last_held = np.append(self._last_held, portion.last_held)
-        self.temperatures = np.append(self.temperatures, portion.temperatures)
+        self._be(self._what.with_more(portion))
         self.accounted = np.append(self.accounted, np.full(count, -1))
         self._pressure = np.append(self._pressure, np.zeros(count))
         self._touching = np.append(self._touching, np.full(count, NOTHING))
 
     def take(self, which: NDArray[np.intp]) -> Portion:
         """Take particles away, by their indices, and return what they are."""
-        origins, held = self.origins[which], self._last_held[which]
-        taken = Portion(origins, held, self.temperatures[which], self._amounts[which])
+        taken = self._what.part(which)
         self.positions = np.delete(self.positions, which, axis=0)
         self.velocities = np.delete(self.velocities, which, axis=0)
-        self.amounts = np.delete(self._amounts, which, axis=0)
-        self.origins = np.delete(self.origins, which)
-        self._last_held = np.delete(self._last_held, which)
-        self.temperatures = np.delete(self.temperatures, which)
+        self._be(self._what.without(which))
         self.accounted = np.delete(self.accounted, which)
         self._pressure = np.delete(self._pressure, which)
         self._touching = np.delete(self._touching, which)
@@ -285,17 +260,40 @@ class Liquid:
         around = self._around
         return whereabouts(points_w, around.glass, around.inner, around.smallest_first)
 
-    def column(self, vessel: int) -> tuple[float, FloatArray]:
-        """Return what stands in a narrow vessel, and what of it is each substance.
+    def column(self, vessel: int, tints: FloatArray) -> tuple[float, FloatArray]:
+        """Return what stands in a narrow vessel [m^3], and how it looks, shape (4,).
 
         Args:
             vessel: Which of `names`; there is something in it.
-
-        Returns:
-            Volume [m^3], and parts by volume, shape (substances,).
+            tints: Colour and opacity of every substance, shape (substances, 4).
         """
-        there = self.kept.portion.amounts[self.kept.holders == vessel]
-        return len(there) * self.volume, there.mean(axis=0)
+        there = self.kept.portion.part(np.flatnonzero(self.kept.holders == vessel))
+        return len(there.origins) * self.volume, self.looks(there, tints).mean(axis=0)
+
+    def looks(self, what: Portion, tints: FloatArray) -> FloatArray:
+        """Return colour and opacity of particles, shape (m, 4).
+
+        Args:
+            what: The particles.
+            tints: Those of every substance, shape (substances, 4), where nothing is dissolved.
+        """
+        if self.solutions is not None:
+            return self.solutions.looks(what.contents)
+        looks: FloatArray = what.amounts @ tints
+        return looks
+
+    def solution(self, vessel: int) -> Solution | None:
+        """Return what is in a vessel or a pipette; None where nothing is dissolved anywhere.
+
+        Args:
+            vessel: Which of `names`.
+        """
+        if self.solutions is None:
+            return None
+        kept = self.kept.portion.part(np.flatnonzero(self.kept.holders == vessel))
+        what = self._what.part(np.flatnonzero(self.accounted == vessel)).with_more(kept)
+        weights = capacities(what.amounts, self.substances, self.volume)
+        return self.solutions.solution(vessel, what, weights)
 
     def step(self) -> None:
         """Move on by 1 / `hertz`, to where the bodies are now, and push them.
@@ -342,43 +340,45 @@ class Liquid:
         inside = self.inside()
         places = np.append(inside, kept.holders)
         origins = np.append(self.origins, kept.portion.origins)
-        held = np.append(self._last_held, kept.portion.last_held)
+        held = np.append(self._what.last_held, kept.portion.last_held)
         touching = np.append(self._touching, np.full(len(kept.holders), NOTHING))
         counts = tally(count, origins, places, touching, self._around.standing)
-        for name, waiting in self._waiting.items():
+        for name, waiting in self.bottles.waiting.items():
             bottle = self.names.index(name)
             counts[bottle, bottle] += waiting
         moves = transfers(count, held, places)
         speeds = mean_speeds(count, self.velocities, inside)
-        self._last_held = np.where(inside >= 0, inside, self._last_held)
+        last = np.where(inside >= 0, inside, self._what.last_held)
+        self._what = self._what._replace(last_held=last)
         self.accounted, self.speeds = inside, speeds
         kept.remember(kept.holders)
         return LiquidAccount(self.names, counts, moves, speeds, self.volume)
 
     def warm_to(self, temperature: float) -> None:
         """Bring all liquid, and what comes later, to where it begins in a room so warm [K]."""
-        self._room = temperature
-        self.temperatures[:] = self._beginning(self.origins)
-        self.kept.portion.temperatures[:] = self._beginning(self.kept.portion.origins)
+        self._beginning.room = temperature
+        self.temperatures[:] = self._beginning.temperatures(self.origins)
+        kept = self.kept.portion
+        kept.temperatures[:] = self._beginning.temperatures(kept.origins)
 
     def state(self) -> FloatArray:
         """Return all that the next step depends on beside MuJoCo's state.
 
-        Shape (2 + bottles + (11 + substances) n,), after what is kept where anything can be.
+        Shape (2 + bottles + (11 + substances + species) n,), after what is kept where anything can
+        be, and what gas has left where anything is dissolved.
         """
         kept = [self.kept.state()] if self._keeps else []
+        gas = [] if self.solutions is None else [self.solutions.given_off.ravel()]
         return np.concatenate(
             [
                 *kept,
-                [len(self.positions), self.diverged, *self._waiting.values()],
+                *gas,
+                [len(self.positions), self.diverged, *self.bottles.waiting.values()],
                 self.positions.ravel(),
                 self.velocities.ravel(),
                 self._pressure,
                 self._touching,
-                self.origins,
-                self._last_held,
-                self.temperatures,
-                self._amounts.ravel(),
+                self._what.numbers(),
             ]
         )
 
@@ -386,14 +386,15 @@ class Liquid:
         """Go back to what `state` returned; MuJoCo's state must have been restored before."""
         if self._keeps:
             state = self.kept.restore(state)
-        count, bottles = int(state[0]), len(self._waiting)
+        if self.solutions is not None:
+            state = self.solutions.restore(state)
+        count, bottles = int(state[0]), len(self.bottles.waiting)
         waiting, rest = np.split(state[2:], [bottles])
-        self._waiting = dict(zip(self._waiting, waiting.astype(int).tolist(), strict=True))
-        positions, velocities, rest, amounts = np.split(rest, [3 * count, 6 * count, 11 * count])
-        pressure, touching, origins, last_held, temperatures = rest.reshape(5, -1)
-        parts = amounts.reshape(-1, len(self.substances))
-        self._start(positions.reshape(-1, 3).copy(), origins.astype(int), parts)
+        self.bottles.restore(waiting)
+        positions, velocities, rest = np.split(rest, [3 * count, 6 * count])
+        pressure, touching, rest = np.split(rest, [count, 2 * count])
+        what, _ = self._what.from_numbers(rest, count)
+        self._start(positions.reshape(-1, 3).copy(), what)
         self.velocities[:] = velocities.reshape(-1, 3)
-        self._pressure[:], self._touching[:], self._last_held[:] = pressure, touching, last_held
-        self.temperatures[:] = temperatures
+        self._pressure[:], self._touching[:] = pressure, touching
         self.diverged = bool(state[1])

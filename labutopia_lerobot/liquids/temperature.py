@@ -1,19 +1,12 @@
 """The temperature of liquids: every particle has one, and shares it with those around."""
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.liquids.mixing import mixed_share
 from labutopia_lerobot.processes import Warmth
 from labutopia_lerobot.substances.substance import WATER, Substance
 from labutopia_lerobot.world import FloatArray
-
-_TURNOVER = 5.0
-"""Time in which what is in a vessel at rest mixes by itself [s]; ours: 0.05 m at the 1 to 2 cm/s
-that a difference of 2 to 5 K drives, sqrt(g beta dT L)."""
-_SWIRL = 0.05
-"""Way on which what moves mixes [m]; ours: the width of a vessel."""
 
 
 def capacities(amounts: FloatArray, substances: tuple[Substance, ...], volume: float) -> FloatArray:
@@ -71,5 +64,4 @@ def mix(
             if own.min() == own.max():
                 continue
             mean = weight @ own / weight.sum()
-            share = -math.expm1(-period * (1.0 / _TURNOVER + speed / _SWIRL))
-            temperatures[held] = own + share * (mean - own)
+            temperatures[held] = own + mixed_share(speed, period) * (mean - own)

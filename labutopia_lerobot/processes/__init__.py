@@ -13,6 +13,7 @@ from labutopia_lerobot.processes.process import (
     UnknownReadingError,
     slots_of,
 )
+from labutopia_lerobot.processes.reactions import Reactions
 from labutopia_lerobot.processes.thermostat import Thermostat
 
 __all__ = [
@@ -26,6 +27,7 @@ __all__ = [
     "Probe",
     "Process",
     "ProcessError",
+    "Reactions",
     "Stock",
     "ThermalMass",
     "Thermostat",

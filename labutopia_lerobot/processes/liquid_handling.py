@@ -108,6 +108,10 @@ class LiquidHandling(Protocol):
         """Let what is in each vessel share its heat for a time [s]."""
         ...
 
+    def react(self, period: float) -> None:
+        """Let what is dissolved in each vessel mix and react for a time [s]."""
+        ...
+
     def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:
         """Draw the liquid of the vessel that a point is in towards a vortex [m, rad/s, m, s]."""
         ...

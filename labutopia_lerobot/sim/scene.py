@@ -79,10 +79,11 @@ def compile_scene(
     contact_shadows.add_material(spec)
     standing = (*pieces, *room.pieces)
     processes = tuple(process for piece in standing for process in piece.processes)
-    processes += warm_processes(pieces, processes, robot.gripper.body)
+    contents = contents or {}
+    reacts = any(filling.dissolved for filling in contents.values())
+    processes += warm_processes(pieces, processes, robot.gripper.body, reacts=reacts)
     # MuJoCo keeps what it is given here with its state: the commands that act, then the processes.
     spec.nuserdata = SPAN * len(robot.elements) + slots_of(processes)
-    contents = contents or {}
     liquid = _drawing(spec, contents, particles, renderer == CLASSIC) if contents else None
     if renderer == FILAMENT:
         light_for_filament(spec)
@@ -142,7 +143,10 @@ def _drawing(
     volume = sum(filling.volume for filling in contents.values()) / particles
     colors = {filling.of: filling.substance.rgba for filling in contents.values()}
     name, spacing = " and ".join(colors), volume ** (1 / 3)
-    return LiquidDrawing.add_to(spec, name, list(colors.values()), spacing, particles, skin)
+    painted = any(filling.dissolved for filling in contents.values())
+    return LiquidDrawing.add_to(
+        spec, name, list(colors.values()), spacing, particles, skin, painted
+    )
 
 
 def _contact_groups(

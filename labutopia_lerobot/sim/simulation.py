@@ -134,7 +134,7 @@ class Simulation:
     def _start_processes(self, rng: np.random.Generator) -> None:
         self.apparatus.start(rng)
         if self.liquid is not None:
-            self.liquid.start_dispensing()
+            self.liquid.bottles.start()
 
     def step(self, command: FloatArray) -> None:
         """Advance by one control period, in which the servos follow a smooth curve.
@@ -190,23 +190,25 @@ class Simulation:
 
     def draw_liquid(self) -> None:
         """Find the surface of the liquid, once for all pictures of this moment."""
-        if self.liquid is not None and self.scene.liquid is not None:
+        liquid, drawing = self.liquid, self.scene.liquid
+        if liquid is not None and drawing is not None:
             vessels = [
-                VesselPose(vessel.profile, *self._frame(vessel.name))
-                for vessel in self.liquid.vessels
+                VesselPose(vessel.profile, *self._frame(vessel.name)) for vessel in liquid.vessels
             ]
-            liquid, height = self.liquid, self.scene.room.bench.height
             columns = [
-                Column(vessels[index], *liquid.column(index))
+                Column(vessels[index], *liquid.column(index, drawing.colors))
                 for index in range(len(vessels))
                 if liquid.kept.count(index)
             ]
-            self.scene.liquid.extract(liquid.positions, vessels, height, liquid.amounts, columns)
+            looks, height = liquid.looks(liquid.what, drawing.colors), self.scene.room.bench.height
+            drawing.extract(liquid.positions, vessels, height, looks, columns)
 
     def draw_particles(self, scene: mujoco.MjvScene) -> None:
         """Fill a user's scene, as MuJoCo's viewer has one, with the particles of the liquid."""
-        if self.liquid is not None and self.scene.liquid is not None:
-            self.scene.liquid.draw_particles(scene, self.liquid.positions, self.liquid.amounts)
+        liquid, drawing = self.liquid, self.scene.liquid
+        if liquid is not None and drawing is not None:
+            looks = liquid.looks(liquid.what, drawing.colors)
+            drawing.draw_particles(scene, liquid.positions, looks)
 
     def _frame(self, name: str) -> tuple[FloatArray, FloatArray]:
         body = self.data.body(name)

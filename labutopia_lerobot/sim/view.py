@@ -10,7 +10,15 @@ import numpy as np
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.processes import UnknownReadingError
 from labutopia_lerobot.sim.simulation import Simulation
-from labutopia_lerobot.world import FloatArray, LiquidAccount, Manipulator, Pose, Reading, Thing
+from labutopia_lerobot.world import (
+    FloatArray,
+    LiquidAccount,
+    Manipulator,
+    Pose,
+    Reading,
+    Solution,
+    Thing,
+)
 
 
 class UnknownThingError(UserError, LookupError):
@@ -160,6 +168,15 @@ class SimulatedWorld:
     def liquid(self) -> LiquidAccount | None:
         """Account of where the liquid is; None where none is simulated."""
         return self._simulation.account
+
+    def solution(self, vessel: Thing) -> Solution | None:
+        """Return what a vessel holds; None where nothing is dissolved in the scene's liquids."""
+        liquid = self._simulation.liquid
+        if liquid is None or liquid.solutions is None:
+            return None
+        if vessel.name not in liquid.names:
+            raise self._unknown("vessel", vessel.name, liquid.names)
+        return liquid.solution(liquid.names.index(vessel.name))
 
     def touching(self, first: str, second: str) -> bool:
         """Return whether the two touched since the last control step."""

@@ -1,4 +1,4 @@
-"""What a scene in which something heats or cools needs beside: warm vessels, and the exchange."""
+"""What a scene needs beside where something heats, cools or reacts: warm vessels, the exchange."""
 
 import math
 from collections.abc import Iterable
@@ -6,24 +6,26 @@ from itertools import pairwise
 
 from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.piece import Piece
-from labutopia_lerobot.processes import HeatExchange, Process, ThermalMass
+from labutopia_lerobot.processes import HeatExchange, Process, Reactions, ThermalMass
 
 
 def warm_processes(
-    pieces: Iterable[Piece], processes: Iterable[Process], hand: str
+    pieces: Iterable[Piece], processes: Iterable[Process], hand: str, *, reacts: bool = False
 ) -> tuple[Process, ...]:
-    """Return what keeps the heat of a scene; nothing where no piece heats or cools.
+    """Return what keeps the heat of a scene; nothing where nothing heats, cools or reacts.
 
     Args:
         pieces: Everything in the scene.
         processes: What they do by themselves.
         hand: Body that the robot's fingers hang on.
+        reacts: Whether there is something dissolved.
     """
     masses = [process for process in processes if isinstance(process, ThermalMass)]
-    if not masses:
+    if not masses and not reacts:
         return ()
     vessels = [warm_vessel(piece) for piece in pieces if isinstance(piece, Vessel)]
-    return (*vessels, HeatExchange((*masses, *vessels), hand))
+    exchange = HeatExchange((*masses, *vessels), hand)
+    return (*vessels, Reactions(), exchange) if reacts else (*vessels, exchange)
 
 
 def warm_vessel(vessel: Vessel) -> ThermalMass:

@@ -213,9 +213,21 @@ class Workcell:
             "after": self.after,
             "readings": {name: r.shown for name, r in self.world.displayed.items()},
             **({} if liquid is None else liquid.millilitres),
+            **self._chemistry(),
             "applied_action": filtered.applied.copy(),
             "clipped_actions": filtered.clipped,
             "nonfinite_actions": filtered.nonfinite,
+        }
+
+    def _chemistry(self) -> dict[str, Any]:
+        """Return what vessels hold, and what was left unreacted; nothing without solutions."""
+        liquid = self.simulation.liquid
+        if liquid is None or liquid.solutions is None:
+            return {}
+        held = {name: liquid.solution(index) for index, name in enumerate(liquid.names)}
+        return {
+            "solutions": {name: one.numbers for name, one in held.items() if one is not None},
+            "unreacted": liquid.solutions.unreacted,
         }
 
     def close(self) -> None:

@@ -11,6 +11,7 @@ from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.sim.workcell import Workcell
 from labutopia_lerobot.substances.filling import require_fillable
+from labutopia_lerobot.substances.possible_solutions import require_possible_solutions
 
 _TRIES = 5
 """Starts that a reset tries; more failures than that are a defect of the task."""
@@ -27,7 +28,8 @@ class Workcells:
 
     Raises:
         AxisError: If the task declares an axis wrongly.
-        ImpossibleFillingError: If vessels cannot hold what the task puts into them.
+        ImpossibleFillingError: If vessels cannot hold what the task puts into them, or what is
+            dissolved in them cannot be.
         ImpossibleStartError: If things cannot stand where the task wants them.
         UnknownOptionError: If the task does not have the axes of the setting.
     """
@@ -36,6 +38,7 @@ class Workcells:
         self._setting = setting
         self.task = canonical_task(setting)
         require_fillable(self.task.contents, self.task.start)
+        require_possible_solutions(setting.task, self.task.contents)
         workspace = Workspace.of(load_room(setting.room), load_robot(setting.robot))
         require_possible(self.task.start, workspace)
         self._kept: OrderedDict[object, Workcell] = OrderedDict()
@@ -86,6 +89,7 @@ class Workcells:
         if variant not in self._kept:
             if len(self._kept) == _KEPT:
                 self._kept.popitem(last=False)[1].close()
+            require_possible_solutions(self._setting.task, task.contents)
             self._kept[variant] = Workcell(scenario, self._setting)
         self._kept.move_to_end(variant)
         return self._kept[variant]

@@ -9,7 +9,7 @@ from labutopia_lerobot.skills.open import Open
 from labutopia_lerobot.skills.pick import Pick
 from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.pour import Pour
-from labutopia_lerobot.skills.pour_to_mass import PourToMass
+from labutopia_lerobot.skills.pour_measured import PourMeasured
 from labutopia_lerobot.skills.press import Press
 from labutopia_lerobot.skills.press_into import PressInto
 from labutopia_lerobot.skills.push_lid import PushLid
@@ -31,7 +31,7 @@ __all__ = [
     "Pick",
     "Place",
     "Pour",
-    "PourToMass",
+    "PourMeasured",
     "Press",
     "PressInto",
     "PushLid",

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
+from labutopia_lerobot.chemistry.inventory import Solute
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.substances.substance import ZERO_C, Substance, substance
 from labutopia_lerobot.world import Thing
@@ -79,18 +80,21 @@ class Intake(Thing, Protocol):
 
 @dataclass(frozen=True)
 class Filling:
-    """Some millilitres of a substance.
+    """Some millilitres of a substance, or of a solution in it.
 
     Attributes:
         ml: Volume [ml].
-        of: Name of the substance.
+        of: Name of the substance; of a solution `water`.
         celsius: How warm it is at the start, and its vessel with it [degrees C]; None for as warm
             as the room.
+        dissolved: Its solutes. Where any filling of a task has something, all that its
+            vessels hold can react.
     """
 
     ml: float
     of: str = "water"
     celsius: float | None = None
+    dissolved: tuple[Solute, ...] = ()
 
     @property
     def substance(self) -> Substance:

@@ -9,6 +9,7 @@ from labutopia_lerobot.predicates import (
     Predicate,
     Transfer,
     closed,
+    colour_turned,
     fingered,
     grasped,
     gripped,
@@ -39,7 +40,18 @@ from labutopia_lerobot.predicates import (
 from labutopia_lerobot.predicates.liquids import POURS_BELOW
 from labutopia_lerobot.predicates.readings import Readable
 from labutopia_lerobot.predicates.stirring import Filled
-from labutopia_lerobot.skills import Close, Open, Pick, Place, Pour, PourToMass, Press, Shake, Stir
+from labutopia_lerobot.skills import (
+    Close,
+    Open,
+    Pick,
+    Place,
+    Pour,
+    PourMeasured,
+    Press,
+    Shake,
+    Stir,
+)
+from labutopia_lerobot.skills.gauge import Received, Weighed
 from labutopia_lerobot.skills.handle import Operable
 from labutopia_lerobot.skills.pour import Pourable
 from labutopia_lerobot.substances.filling import Filling
@@ -124,10 +136,38 @@ def pour_by_reading(
     there = (reads(balance, low=mass - within, high=mass + within), settled(balance))
     return Step(
         "pour",
-        (PourToMass(vessel, into, balance, mass, 0.8 * within),),
+        (PourMeasured(vessel, into, Weighed(balance), mass, 0.8 * within),),
         (
             Substep("poured", there, (tilted(vessel, beyond_deg=30),)),
             Substep("righted", (*there, gripped(vessel), upright(vessel, within_deg=10))),
+        ),
+        (vessel,),
+        transfers=(Transfer(vessel, into),),
+    )
+
+
+def pour_until_it_turns(
+    vessel: Pourable, into: OpenVessel, *, to: str, about_ml: float, within_ml: float
+) -> Step:
+    """Pour until what is in the other vessel turns, and right the vessel.
+
+    Args:
+        vessel: The vessel in the hand.
+        into: What to pour into.
+        to: The colour that it is to turn to, as `colour_turned` has it.
+        about_ml: What the expert pours, who knows how much that takes [ml].
+        within_ml: How near to that it stops [ml].
+    """
+    turned = colour_turned(into, to=to)
+    gauge = Received(vessel, into)
+    # No balance that lags: most of it goes without a break, and what is at the lip then follows.
+    pour = PourMeasured(vessel, into, gauge, about_ml, within_ml, coarse=0.8, drop=0.10)
+    return Step(
+        "pour",
+        (pour,),
+        (
+            Substep("turned", (turned,), (tilted(vessel, beyond_deg=30),)),
+            Substep("righted", (turned, gripped(vessel), upright(vessel, within_deg=10))),
         ),
         (vessel,),
         transfers=(Transfer(vessel, into),),

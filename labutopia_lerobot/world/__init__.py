@@ -4,6 +4,7 @@ from labutopia_lerobot.world.liquid_account import LiquidAccount
 from labutopia_lerobot.world.manipulator import Approach, Manipulator
 from labutopia_lerobot.world.pose import FloatArray, Pose
 from labutopia_lerobot.world.reading import ON, PRESSED, Reading
+from labutopia_lerobot.world.solution import Solution
 from labutopia_lerobot.world.things import Button, Graspable, OpenVessel, Standing, Thing
 from labutopia_lerobot.world.world import (
     ARM,
@@ -35,6 +36,7 @@ __all__ = [
     "OpenVessel",
     "Pose",
     "Reading",
+    "Solution",
     "Standing",
     "Thing",
     "World",

@@ -7,6 +7,7 @@ from labutopia_lerobot.world.liquid_account import LiquidAccount
 from labutopia_lerobot.world.manipulator import Manipulator
 from labutopia_lerobot.world.pose import FloatArray, Pose
 from labutopia_lerobot.world.reading import Reading
+from labutopia_lerobot.world.solution import Solution
 from labutopia_lerobot.world.things import Thing
 
 CONTROL_HZ = 30
@@ -125,6 +126,10 @@ class World(Protocol):
     @property
     def liquid(self) -> LiquidAccount | None:
         """Account of where the liquid is; None where none is simulated."""
+        ...
+
+    def solution(self, vessel: Thing) -> Solution | None:
+        """Return what a vessel holds; None where nothing is dissolved in the scene's liquids."""
         ...
 
     def touching(self, first: str, second: str) -> bool:

@@ -7,7 +7,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from labutopia_lerobot.chemistry.compound import substances
-from labutopia_lerobot.chemistry.engine import ReactionVessel, proceed, react
+from labutopia_lerobot.chemistry.course import ReactionVessel, proceed
+from labutopia_lerobot.chemistry.engine import react
 from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.network import network
 from labutopia_lerobot.chemistry.reaction import Conditions, Outcome, Reactant

@@ -34,7 +34,7 @@ def volume(vertices: np.ndarray, quads: np.ndarray) -> float:
 @pytest.mark.parametrize("ml", [2.0, 5.0, 50.0])
 def test_it_is_as_high_as_its_volume_says(ml):
     tube = VesselPose(BURETTE.profile, HERE, np.eye(3))
-    surface = column_surface(Column(tube, ml * 1e-6, np.ones(1)))
+    surface = column_surface(Column(tube, ml * 1e-6, np.ones(4)))
     top = float(surface.vertices_w[:, 2].max() - HERE[2])
     assert top == pytest.approx(BURETTE.profile.fill_height(ml * 1e-6), abs=1e-6)
     # Twelve corners, and a gap to the glass: a tenth is not drawn.

@@ -141,7 +141,7 @@ def test_two_liquids_have_two_colours():
     mujoco.mj_forward(model, data)
     particles = pool(-0.5)
     second = particles[:, 1] > 0.0
-    liquid.extract(particles, (), 0.0, np.column_stack([~second, second]).astype(float))
+    liquid.extract(particles, (), 0.0, liquid.colors[second.astype(int)])
     renderer = FilamentRenderer(model, 120, 120, [liquid])
     picture = renderer.color(data, "top").astype(int)
     renderer.close()

@@ -45,7 +45,9 @@ class Scene:
         positions = np.concatenate([pose.position_w + disc + (0, 0, 0.003) for pose in self.poses])
         red = np.repeat([left, right], len(disc))
         amounts = np.column_stack([1 - red, red])
-        self.liquid.extract(positions, self.poses, LABORATORY.bench.height, amounts)
+        self.liquid.extract(
+            positions, self.poses, LABORATORY.bench.height, amounts @ self.liquid.colors
+        )
         color = self.renderer.color(self.data, "top").astype(int)
         body = self.model.body("both").id
         seen = self.renderer.segmentation(self.data, "top") == body
@@ -101,7 +103,7 @@ def test_one_of_several_substances_looks_as_if_it_were_the_only_one(scene: Scene
             disc,
             each.poses,
             LABORATORY.bench.height,
-            np.eye(len(each.liquid.colors))[[0] * len(disc)],
+            each.liquid.colors[[0] * len(disc)],
         )
         pictures.append(each.renderer.color(each.data, "top").astype(int))
     segments = alone.renderer.segmentation(alone.data, "top")

@@ -22,19 +22,19 @@ def test_without_liquid_it_is_refused():
 
 def test_three_grams_too_much_are_overshot(env):
     tare, pick, pour, _ = env.workcell.task.skills
-    info = play(env, tare, pick, replace(pour, mass=pour.mass + 4.0))
+    info = play(env, tare, pick, replace(pour, amount=pour.amount + 4.0))
     assert info["outcome"] == "overshot"
 
 
 @pytest.mark.slow
 def test_two_grams_too_little_are_not_enough(env):
     tare, pick, pour, place = env.workcell.task.skills
-    info = play(env, tare, pick, replace(pour, mass=pour.mass - 2.5), place)
+    info = play(env, tare, pick, replace(pour, amount=pour.amount - 2.5), place)
     assert info["outcome"] != "success"
 
 
 @pytest.mark.slow
 def test_a_balance_that_was_not_tared_reads_too_much(env):
     _, pick, pour, place = env.workcell.task.skills
-    info = play(env, pick, replace(pour, mass=pour.mass + 98.9), place)
+    info = play(env, pick, replace(pour, amount=pour.amount + 98.9), place)
     assert info["outcome"] != "success"

@@ -85,6 +85,18 @@ def known() -> tuple[_Parsed, ...]:
     )
 
 
+def products(species: frozenset[str]) -> set[str]:
+    """Return every species that some species can make in water, slow reactions left out."""
+    fast = (one for one in known() if not one.record.dry and not one.record.slow)
+    return {
+        key
+        for one in fast
+        if all(used in species for used, n in one.coefficients.items() if n < 0)
+        for key, n in one.coefficients.items()
+        if n > 0
+    }
+
+
 def steps(
     state: Mapping[str, float], *, temperature: float, ph: float | None, catalysts: frozenset[str]
 ) -> Iterator[ReactionStep]:

@@ -155,6 +155,12 @@ def _reactions() -> tuple[_Pair, ...]:
     return tuple(made)
 
 
+def products(components: frozenset[str]) -> set[str]:
+    """Return every species that couples can make of what consists of some components."""
+    pairs = (pair for pair in _reactions() if pair.cores <= components)
+    return {key for pair in pairs for key, n in pair.coefficients.items() if n > 0}
+
+
 def steps(
     state: Mapping[str, float], settled: Mapping[str, float], volume: float, temperature: float
 ) -> Iterator[ReactionStep]:

@@ -18,12 +18,12 @@ class Column(NamedTuple):
     Attributes:
         tube: What it is in.
         volume: Of the liquid [m^3].
-        amounts: Part of it that is each substance, shape (substances,).
+        color: Its colour and opacity, shape (4,).
     """
 
     tube: VesselPose
     volume: float
-    amounts: NDArray[np.float64]
+    color: NDArray[np.float64]
 
 
 def column_surface(column: Column) -> LiquidSurface:

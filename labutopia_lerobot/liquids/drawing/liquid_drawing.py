@@ -6,8 +6,8 @@ so that its list of faces never changes, and room for the surface of all particl
 drops. `mjr_uploadMesh`, the other way to draw a mesh that changes, costs as much by itself as
 drawing the skin does, and a sphere per particle several times as much as the whole picture.
 
-Where there are several substances, every quad of the skin has a texel of its own, and the texture
-is new in every frame too. One substance needs no texture.
+Where there are several substances, or particles have colours of their own, every quad of the skin
+has a texel of its own, and the texture is new in every frame too. One substance needs no texture.
 """
 
 from collections.abc import Sequence
@@ -33,6 +33,9 @@ most (of 2,000), and particles that touch have fewer."""
 
 _SPECULAR, _SHININESS = 0.6, 0.9
 _BALL = (3 / (4 * np.pi)) ** (1 / 3)  # radius of the ball with the volume of a cube of edge 1
+_PAINTED = 0.99
+"""Opacity that particles with colours of their own are drawn with, of which a texel has a part:
+MuJoCo does not blend what is quite opaque."""
 _FAR = 100.0  # where liquids are, to the sorting of transparent things [m]
 
 
@@ -50,10 +53,16 @@ class LiquidDrawing:
         spacing: Edge of the cube that has a particle's volume [m].
     """
 
-    def __init__(self, name: str, colors: Sequence[Color], spacing: float, capacity: int) -> None:
+    def __init__(
+        self, name: str, colors: Sequence[Color], spacing: float, capacity: int, painted: bool
+    ) -> None:
         self.name = name
         self.spacing = spacing
         self.colors: NDArray[np.float64] = np.array(colors, dtype=float)
+        self._textured = painted or len(colors) > 1
+        most = _PAINTED if painted else self.colors[:, 3].max()
+        plain = (1.0, 1.0, 1.0, most) if self._textured else self.colors[0]
+        self._tint = np.array(plain, np.float32)
         self._capacity = capacity
         self._texels: NDArray[np.uint8] = np.zeros((0, 4), np.uint8)
         self._corners: NDArray[np.float32] = np.zeros((0, 3), np.float32)
@@ -68,6 +77,7 @@ class LiquidDrawing:
         spacing: float,
         particles: int,
         skin: bool = True,
+        painted: bool = False,
     ) -> "LiquidDrawing":
         """Make room for a liquid in a scene: an empty body, and a skin that hangs on it.
 
@@ -78,11 +88,13 @@ class LiquidDrawing:
             spacing: Edge of the cube that has a particle's volume [m].
             particles: The most that are ever drawn.
             skin: Whether there is a skin: without, `draw` and `upload` draw nothing; see `quads`.
+            painted: Whether particles have other colours than those of the substances.
         """
         spec.worldbody.add_body(name=name)
         quads = QUADS_PER_PARTICLE * particles
+        drawing = cls(name, colors, spacing, quads, painted)
         if not skin:
-            return cls(name, colors, spacing, quads)
+            return drawing
         vertices = np.arange(4 * quads, dtype=np.int32)
         first = vertices[::4, None]
         added = spec.add_skin(
@@ -96,7 +108,7 @@ class LiquidDrawing:
             vertid=[vertices],
             vertweight=[np.ones(len(vertices), np.float32)],
         )
-        if len(colors) > 1:
+        if drawing._textured:
             side = int(np.ceil(np.sqrt(quads)))
             kind = mujoco.mjtTexture.mjTEXTURE_2D
             texture = spec.add_texture(name=name, type=kind, nchannel=4, width=side, height=side)
@@ -106,14 +118,14 @@ class LiquidDrawing:
             middles = (np.column_stack([quad % side, quad // side]) + 0.5) / side
             added.texcoord = np.repeat(middles, 4, axis=0).astype(np.float32).ravel()
             added.material = name
-        return cls(name, colors, spacing, quads)
+        return drawing
 
     def extract(
         self,
         positions_w: NDArray[np.float64],
         vessels: Sequence[VesselPose],
         bench_height: float,
-        amounts: NDArray[np.float64] | None = None,
+        colors: NDArray[np.float64] | None = None,
         columns: Sequence[Column] = (),
     ) -> LiquidSurface:
         """Find the surface that the next pictures show, and return it.
@@ -122,8 +134,8 @@ class LiquidDrawing:
             positions_w: The particles, shape (n, 3), metres, world frame.
             vessels: All that may hold some of the liquid.
             bench_height: Height of the bench top [m].
-            amounts: Part of each particle that is each substance, shape (n, substances); all is
-                the first if not said.
+            colors: Colour and opacity of every particle, shape (n, 4); all is the first substance
+                if not said.
             columns: What stands in narrow tubes.
 
         Raises:
@@ -139,22 +151,21 @@ class LiquidDrawing:
             )
         self._corners = surface.vertices_w[surface.quads.ravel()]
         self._normals = surface.normals_w[surface.quads.ravel()]
-        if len(self.colors) > 1:
+        if self._textured:
             middles = surface.vertices_w[surface.quads[:loose]].mean(axis=1)
-            colors = self._colors(len(positions_w), amounts)
+            colors = self._colors(len(positions_w), colors)
             texels = colors_at(middles, positions_w, colors, REACH * self.spacing)
             for column in columns:
                 quads = len(column_surface(column).quads)
-                texels = np.vstack([texels, np.tile(column.amounts @ self.colors, (quads, 1))])
+                texels = np.vstack([texels, np.tile(column.color, (quads, 1))])
             # The picture is drawn with the greatest opacity, of which a texel has a part.
-            texels[:, 3] /= self.colors[:, 3].max()
+            texels[:, 3] /= self._tint[3]
             self._texels = np.rint(255 * texels).astype(np.uint8)
         return surface
 
-    def _colors(self, count: int, amounts: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    def _colors(self, count: int, colors: NDArray[np.float64] | None) -> NDArray[np.float64]:
         """Return the colour of every particle, shape (n, 4)."""
-        colors = np.tile(self.colors[0], (count, 1)) if amounts is None else amounts @ self.colors
-        return np.asarray(colors)
+        return np.tile(self.colors[0], (count, 1)) if colors is None else colors
 
     def draw(self, scene: mujoco.MjvScene, model: mujoco.MjModel) -> None:
         """Put the surface into an updated scene.
@@ -187,7 +198,7 @@ class LiquidDrawing:
         geom.category = mujoco.mjtCatBit.mjCAT_DYNAMIC
         geom.specular, geom.shininess = _SPECULAR, _SHININESS
         geom.segid = scene.ngeom
-        if len(self.colors) > 1:
+        if self._textured:
             geom.matid, geom.texcoord = model.material(self.name).id, 1
         scene.ngeom += 1
 
@@ -203,13 +214,11 @@ class LiquidDrawing:
     @property
     def tint(self) -> NDArray[np.float32]:
         """Colour that the surface is drawn with, shape (4,): its own, or that of full texels."""
-        tint: NDArray[np.float32] = np.ones(4, np.float32)
-        tint[:] = self.colors[0] if len(self.colors) == 1 else (1, 1, 1, self.colors[:, 3].max())
-        return tint
+        return self._tint
 
     def upload(self, model: mujoco.MjModel, context: mujoco.MjrContext) -> None:
-        """Send the colours of several substances to OpenGL, whose context must be current."""
-        if len(self.colors) > 1 and len(self._texels):
+        """Send the colours of particles to OpenGL, whose context must be current."""
+        if self._textured and len(self._texels):
             texture = model.texture(self.name).id
             start = model.tex_adr[texture]
             texels = self._texels.ravel()
@@ -220,18 +229,18 @@ class LiquidDrawing:
         self,
         scene: mujoco.MjvScene,
         positions_w: NDArray[np.float64],
-        amounts: NDArray[np.float64] | None = None,
+        colors: NDArray[np.float64] | None = None,
     ) -> None:
         """Fill a scene with a ball for every particle, for viewers that draw no changing skin.
 
         Args:
             scene: That of the viewer's user; what was in it goes.
             positions_w: The particles, shape (n, 3), metres, world frame.
-            amounts: As in `extract`.
+            colors: As in `extract`.
         """
         size = np.array([_BALL * self.spacing, 0.0, 0.0])
         scene.ngeom = len(positions_w)
-        colors = self._colors(len(positions_w), amounts).astype(np.float32)
-        for geom, position, color in zip(scene.geoms, positions_w, colors, strict=False):
+        every = self._colors(len(positions_w), colors).astype(np.float32)
+        for geom, position, color in zip(scene.geoms, positions_w, every, strict=False):
             kind = mujoco.mjtGeom.mjGEOM_SPHERE
             mujoco.mjv_initGeom(geom, kind, size, position, np.eye(3).ravel(), color)

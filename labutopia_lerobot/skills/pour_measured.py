@@ -1,10 +1,10 @@
-"""Pour onto a balance until it reads a wanted mass."""
+"""Pour until a gauge shows a wanted amount."""
 
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from labutopia_lerobot.predicates.readings import Readable
+from labutopia_lerobot.skills.gauge import Gauge
 from labutopia_lerobot.skills.pour import Pivot, Pourable
 from labutopia_lerobot.skills.skill import Condition, Phase, Target, arrived, carrier, waited
 from labutopia_lerobot.world import OpenVessel, Pose, World
@@ -14,27 +14,27 @@ _FURTHEST = math.radians(100.0)
 _DRY_LEAN = math.radians(35.0)
 """Lean up to which it goes fast [rad]: a vessel that is half full gives nothing yet."""
 _WATER = 1e6
-"""Mass of a cubic metre of water [g]."""
+"""What a cubic metre of water is [g or ml]."""
 _WIDEST_STEP = 0.05
 """The largest step [rad]; ours."""
 
 
 @dataclass(frozen=True)
-class PourToMass:
-    """Hold the lip over the mouth, lean until the balance shows some of it, then in small steps.
+class PourMeasured:
+    """Hold the lip over the mouth, lean until the gauge shows some of it, then in small steps.
 
     A balance lags behind what falls on its pan, by about 0.6 s. So the vessel leans slowly until
-    the balance shows `coarse` of the mass, and eases back; then it leans a little further each
+    the gauge shows `coarse` of the amount, and eases back; then it leans a little further each
     time, as far as gives `share` of what is missing by what the step before gave, and waits until
     the liquid has come to rest at its lip.
 
     Attributes:
         thing: The vessel in the hand.
-        into: What stands on the pan.
-        reading: What the balance reads [g].
-        mass: The wanted reading [g].
-        within: How near is near enough [g].
-        coarse: Share of the mass that is shown when it eases back.
+        into: What it is poured into.
+        gauge: What shows how much has arrived.
+        amount: What it is to show, in its unit.
+        within: How near is near enough.
+        coarse: Share of the amount that is shown when it eases back.
         share: Share of what is missing that a step is to give.
         ease: How far it leans back then [rad].
         drop: Height of the lip above the other mouth [m].
@@ -46,8 +46,8 @@ class PourToMass:
 
     thing: Pourable
     into: OpenVessel
-    reading: Readable
-    mass: float
+    gauge: Gauge
+    amount: float
     within: float
     coarse: float = 0.1
     share: float = 0.7
@@ -59,7 +59,7 @@ class PourToMass:
     pause_s: float = 1.0
 
     def phases(self, world: World) -> Iterator[Phase]:
-        """Yield start, ready, pour, then ease and add until the mass is there, and tilt back."""
+        """Yield start, ready, pour, then ease and add until it is there, and tilt back."""
         thing, shut, own = self.thing, world.commanded_opening, frozenset({self.thing.name})
         pivot = Pivot.over(world, thing, world.frame(self.into.rim), self.drop, self.short)
         ready = carrier(world, thing)(pivot.tilted(0.0))
@@ -74,18 +74,18 @@ class PourToMass:
         yield phase("lean", leaning, _leaning(thing, _DRY_LEAN - 0.05, beyond=True), 0.5)
         furthest = _FURTHEST + thing.taper
         tilt = pivot.towards(world, furthest)
-        yield phase("pour", tilt, self._shows(self.coarse * self.mass), self.turn_speed)
+        yield phase("pour", tilt, self._shows(self.coarse * self.amount), self.turn_speed)
         lean, slope = world.pose(thing).tilt - self.ease, self._least_slope
         yield phase("ease", pivot.towards(world, lean), _leaning(thing, lean + 0.02))
         yield phase("read", pivot.towards(world, lean), self._read)
-        shown = world.reading(self.reading.name).value
-        while self.mass - shown > self.within and lean < furthest:
-            further = min(_WIDEST_STEP, self.share * (self.mass - shown) / slope)
+        shown = self.gauge.shown(world)
+        while self.amount - shown > self.within and lean < furthest:
+            further = min(_WIDEST_STEP, self.share * (self.amount - shown) / slope)
             lean += further
             held = pivot.towards(world, lean)
             yield phase("add", held, _leaning(thing, lean - 0.005, beyond=True), 0.1)
             yield phase("read", held, self._read)
-            before, shown = shown, world.reading(self.reading.name).value
+            before, shown = shown, self.gauge.shown(world)
             slope = max(self._least_slope, slope / 2, (shown - before) / further)
         back = pivot.towards(world, 0.0)
         yield phase("tilt_back", back, arrived(within=0.006))
@@ -93,7 +93,7 @@ class PourToMass:
 
     @property
     def _least_slope(self) -> float:
-        """Least that a vessel gives when it leans further [g/rad].
+        """Least that a vessel gives when it leans further [g/rad or ml/rad].
 
         A surface from wall to wall, of radius r, gives pi r^3 / cos(lean)^2: about an axis in the
         lip it turns as a whole. Twice pi r^3 is that at 45 degrees.
@@ -101,11 +101,11 @@ class PourToMass:
         return 2 * _WATER * math.pi * self.thing.footprint_radius**3
 
     def _read(self, world: World, target: Pose, elapsed: float) -> bool:
-        return elapsed >= self.pause_s and world.reading(self.reading.name).settled
+        return elapsed >= self.pause_s and self.gauge.settled(world)
 
-    def _shows(self, mass: float) -> Condition:
+    def _shows(self, amount: float) -> Condition:
         def done(world: World, target: Pose, elapsed: float) -> bool:
-            return world.reading(self.reading.name).value >= mass
+            return self.gauge.shown(world) >= amount
 
         return done
 

@@ -1,0 +1,73 @@
+"""How solutions of a fixed list of species look, many at once: clear, coloured or clouded."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.chemistry import colour
+from labutopia_lerobot.chemistry.colour import Floats, Rgb
+from labutopia_lerobot.chemistry.network import network
+
+_CLEAR = np.array([0.80, 0.87, 0.92, 0.40])
+"""Clear water before a light wall, and its opacity; ours, that of other clear liquids."""
+
+_THICK = 3.0
+"""Thickness of liquid that one looks through, in cm; ours: half a beaker's width."""
+
+_DEEPEST, _MILKY = 0.90, 0.985
+"""Opacity of what lets no light through, and of what scatters all of it; ours."""
+
+_SCATTERING = 130.0
+"""What a suspension scatters out of the way [m^2/kg]; ours: spheres of 1 micrometre of 4500 kg/m^3,
+of whose cross-section 3 / (2 r rho) a fifth turns light around (1 - g = 0.2, Bohren and Huffman,
+Absorption and Scattering of Light by Small Particles)."""
+
+
+class Palette:
+    """The looks of solutions.
+
+    Args:
+        species: Keys of what may be in them, in the order of all rows.
+    """
+
+    def __init__(self, species: Sequence[str]) -> None:
+        made = network().species
+        self._spectra = np.array([colour.spectrum_of(key) for key in species])
+        self._tints = np.array([colour.tint_of(key) for key in species])
+        solid = [key.endswith("(s)") for key in species]
+        masses = [made[key].composition.molar_mass for key in species]
+        self._solid = np.where(solid, masses, 0.0)
+        looks = [colour.rgb(made[key].colour or "#ffffff") for key in species]
+        self._looks = np.array(looks)
+
+    def colour(self, amounts: NDArray[np.float64]) -> Rgb:
+        """Return the sRGB of 1 cm of a solution, as it is dissolved.
+
+        Args:
+            amounts: Shape (species,) [mol/m^3].
+        """
+        red, green, blue = colour.encoded(self._light(amounts[None], 1.0))[0].tolist()
+        return (red, green, blue)
+
+    def seen(self, amounts: NDArray[np.float64]) -> Floats:
+        """Return how solutions look in a vessel, colour and opacity, shape (n, 4).
+
+        Args:
+            amounts: Shape (n, species) [mol/m^3].
+        """
+        through = self._light(amounts, _THICK)
+        grams = amounts * self._solid
+        mass = grams.sum(axis=1)[:, None]
+        cloud = 1.0 - np.exp(-_SCATTERING * mass * 0.01 * _THICK)
+        solid = np.divide(grams @ self._looks, mass, out=np.ones((len(mass), 3)), where=mass > 0.0)
+        milk = solid * colour.encoded(self._light(amounts, 1.0))
+        rgb = (1.0 - cloud) * _CLEAR[:3] * colour.encoded(through) + cloud * milk
+        opacity = _CLEAR[3] + (_DEEPEST - _CLEAR[3]) * (1.0 - through.min(axis=1, keepdims=True))
+        return np.hstack([rgb, opacity + (_MILKY - opacity) * cloud])
+
+    def _light(self, amounts: NDArray[np.float64], centimetres: float) -> Floats:
+        """Return the linear sRGB that comes through, shape (n, 3)."""
+        molar = 1e-3 * centimetres * np.maximum(amounts, 0.0)
+        bands = 10.0 ** -(molar @ self._spectra) @ colour.to_linear_srgb().T
+        return np.asarray(np.clip(bands * 10.0 ** -(molar @ self._tints), 0.0, 1.0))

@@ -1,0 +1,65 @@
+"""What particles are when they are filled in: of which substance, holding what, how warm."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.liquids.portion import Portion
+from labutopia_lerobot.liquids.solutions import Solutions
+from labutopia_lerobot.processes import AMBIENT
+from labutopia_lerobot.substances.filling import Filling
+from labutopia_lerobot.substances.substance import ZERO_C
+from labutopia_lerobot.world import FloatArray
+
+
+class Beginning:
+    """What the liquids of a scene are at the start.
+
+    Args:
+        fillings: Everything that is to be filled in.
+        names: Of all vessels, bottles and pipettes.
+        particle: Volume of a particle [m^3].
+
+    Attributes:
+        fillings: All of them.
+        substances: All that there are, each once.
+        solutions: All that is dissolved in them; None where nothing is.
+        room: How warm the room is [K].
+    """
+
+    def __init__(self, fillings: Sequence[Filling], names: Sequence[str], particle: float) -> None:
+        self.fillings = tuple(fillings)
+        self.substances = tuple(dict.fromkeys(filling.substance for filling in fillings))
+        chemical = any(filling.dissolved for filling in fillings)
+        self.solutions = Solutions(fillings, names, particle) if chemical else None
+        self.room = AMBIENT
+        self._own = np.full(len(names), np.nan)
+
+    @property
+    def nothing(self) -> Portion:
+        """No particles."""
+        return self.fresh([])
+
+    def warm(self, origin: int, celsius: float) -> None:
+        """Let what comes from somewhere begin at a temperature [degrees C]."""
+        self._own[origin] = celsius + ZERO_C
+
+    def fresh(self, held: Sequence[tuple[int, Filling]]) -> Portion:
+        """Return what particles are that come from where they are, as they begin.
+
+        Args:
+            held: Which of the names each comes from, -1 none, and of which filling it is.
+        """
+        origins = np.array([origin for origin, _ in held], dtype=int)
+        kinds = [self.substances.index(filling.substance) for _, filling in held]
+        amounts = np.eye(len(self.substances))[np.array(kinds, dtype=int)]
+        contents: FloatArray = np.empty((len(held), 0))
+        if self.solutions is not None:
+            contents = self.solutions.contents([filling for _, filling in held])
+        return Portion(origins, origins.copy(), self.temperatures(origins), amounts, contents)
+
+    def temperatures(self, origins: NDArray[np.int64]) -> FloatArray:
+        """Return how warm particles begin: as their filling says, or else as the room [K]."""
+        own = np.append(self._own, np.nan)[origins]  # the last is that of no origin, -1
+        return np.where(np.isnan(own), self.room, own)

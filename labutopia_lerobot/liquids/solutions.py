@@ -1,0 +1,147 @@
+"""Solutes in a liquid: they mix with those in the same vessel, and react.
+
+In a period a share of what every particle in a vessel has goes into common; what is in common comes
+to equilibrium, and everybody gets back as much as he gave. So nothing reacts faster than it mixes,
+and what has been poured in is seen as it was until it has mixed.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.chemistry.inventory import Inventory
+from labutopia_lerobot.chemistry.network import PROTON
+from labutopia_lerobot.chemistry.palette import Palette
+from labutopia_lerobot.chemistry.speciation import ph_of
+from labutopia_lerobot.liquids.mixing import mixed_share
+from labutopia_lerobot.liquids.portion import Portion
+from labutopia_lerobot.substances.filling import Filling
+from labutopia_lerobot.world import FloatArray, Solution
+
+_MIXED = 1e-6
+"""Difference to the mean, in parts of what is dissolved, up to which a vessel is mixed; ours."""
+
+
+class Solutions:
+    """All that is dissolved in the liquid of a scene.
+
+    Args:
+        fillings: Everything that is filled in.
+        names: Of all vessels, bottles and pipettes.
+        particle: Volume of a particle [m^3].
+
+    Attributes:
+        inventory: The species, in the order of `Portion.contents`.
+        given_off: Gas that has left, by what it left, shape (names, species) [mol].
+        unreacted: Why something was left as it is, in words, each reason once.
+    """
+
+    def __init__(self, fillings: Sequence[Filling], names: Sequence[str], particle: float) -> None:
+        self.inventory = Inventory.of([filling.dissolved for filling in fillings])
+        self._particle = particle
+        self._palette = Palette(self.inventory.species)
+        self._filled = {
+            filling.dissolved: self.inventory.filled(filling.dissolved, particle)
+            for filling in fillings
+        }
+        self._shape = len(names), len(self.inventory.species)
+        self.empty()
+
+    def empty(self) -> None:
+        """Begin anew: no gas has left."""
+        self.given_off: FloatArray = np.zeros(self._shape)
+        self.unreacted: tuple[str, ...] = ()
+
+    def contents(self, fillings: Sequence[Filling]) -> FloatArray:
+        """Return what particles hold that come from fillings, shape (m, species) [mol]."""
+        rows = [self._filled[filling.dissolved] for filling in fillings]
+        return np.array(rows).reshape(-1, self._shape[1])
+
+    def restore(self, state: FloatArray) -> FloatArray:
+        """Go back to what had left as gas, as `Liquid.state` begins; return what follows it."""
+        gas, rest = np.split(state, [self.given_off.size])
+        self.given_off = gas.reshape(self._shape).copy()
+        return rest
+
+    def react(
+        self,
+        what: Portion,
+        capacities: FloatArray,
+        inside: NDArray[np.int64],
+        speeds: FloatArray,
+        period: float,
+    ) -> None:
+        """Let what is in each vessel mix and react, in place.
+
+        Atoms, charge and energy are neither lost nor made: heat of reaction warms the vessel's
+        liquid, gas that leaves is counted in `given_off`.
+
+        Args:
+            what: The particles.
+            capacities: What warms each by 1 K, shape (n,) [J/K].
+            inside: Which vessel each is in, shape (n,); -1 none.
+            speeds: Mean speed in each vessel [m/s].
+            period: Time [s].
+        """
+        contents, inventory = what.contents, self.inventory
+        for vessel in np.unique(inside[inside >= 0]).tolist():
+            held = np.flatnonzero(inside == vessel)
+            own = contents[held]
+            weights = capacities[held]
+            warm = float(weights @ what.temperatures[held] / weights.sum())
+            mean = _mean(own)
+            goal, why = inventory.settled(mean, self._particle, warm)
+            self.unreacted = tuple(dict.fromkeys([*self.unreacted, *([why] if why else [])]))
+            apart = np.abs(own - goal).max()
+            if apart == 0.0:
+                continue
+            share = mixed_share(float(speeds[vessel]), period)
+            if apart <= _MIXED * goal[inventory.dissolved].sum():
+                share = 1.0
+            new = own + share * (goal - own)
+            heat = float((own - new).sum(axis=0) @ inventory.enthalpies)
+            self.given_off[vessel] += np.where(inventory.gaseous, new.sum(axis=0), 0.0)
+            contents[held] = np.where(inventory.gaseous, 0.0, new)
+            what.temperatures[held] += heat / weights.sum()
+
+    def solution(self, vessel: int, what: Portion, capacities: FloatArray) -> Solution:
+        """Return what is in a vessel.
+
+        Args:
+            vessel: Which of the names.
+            what: The particles in it.
+            capacities: What warms each by 1 K, shape (m,) [J/K].
+        """
+        inventory, contents = self.inventory, what.contents
+        gas = inventory.amounts(self.given_off[vessel])
+        if not len(contents):
+            return Solution.nothing(gas)
+        warm = float(capacities @ what.temperatures / capacities.sum())
+        goal, _ = inventory.settled(_mean(contents), self._particle, warm)
+        everything = ~inventory.watery
+        apart = np.abs(contents - goal)[:, everything].sum()
+        total = (contents + goal)[:, everything].sum()
+        settled = inventory.amounts(len(contents) * goal)
+        volume = len(contents) * self._particle
+        return Solution(
+            volume=volume,
+            temperature=warm,
+            ph=ph_of(settled, volume) if PROTON in settled else np.nan,
+            concentrations={key: mol / volume for key, mol in settled.items() if "(aq)" in key},
+            solids={key: mol for key, mol in settled.items() if key.endswith("(s)")},
+            gas=gas,
+            mixed=1.0 - float(apart / total) if total else 1.0,
+            colour=self._palette.colour(_mean(contents) / self._particle),
+        )
+
+    def looks(self, contents: FloatArray) -> FloatArray:
+        """Return colour and opacity of particles, shape (n, 4), each in [0, 1]."""
+        return self._palette.seen(contents / self._particle)
+
+
+def _mean(contents: FloatArray) -> FloatArray:
+    """Return the mean of rows; of equal ones exactly the row."""
+    uniform = (contents == contents[0]).all()
+    mean: FloatArray = contents[0].copy() if uniform else contents.mean(axis=0)
+    return mean

@@ -1,0 +1,60 @@
+"""What an expert pours by: the amount that has arrived, and whether it stays."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from labutopia_lerobot.predicates.readings import Readable
+from labutopia_lerobot.world import Thing, World
+
+
+class Gauge(Protocol):
+    """Something that shows how much has been poured."""
+
+    def shown(self, world: World) -> float:
+        """Return how much has arrived, in the gauge's unit."""
+        ...
+
+    def settled(self, world: World) -> bool:
+        """Return whether that stays, if nothing more is poured."""
+        ...
+
+
+@dataclass(frozen=True)
+class Weighed:
+    """A balance below what is poured into.
+
+    Attributes:
+        reading: What it reads [g].
+    """
+
+    reading: Readable
+
+    def shown(self, world: World) -> float:
+        """Return what the balance reads [g]."""
+        return world.reading(self.reading.name).value
+
+    def settled(self, world: World) -> bool:
+        """Return whether the balance says that its reading stays."""
+        return world.reading(self.reading.name).settled
+
+
+@dataclass(frozen=True)
+class Received:
+    """Lines on the glass: how much of one vessel's filling is in another.
+
+    Attributes:
+        origin: What it was filled into.
+        into: What it is poured into.
+    """
+
+    origin: Thing
+    into: Thing
+
+    def shown(self, world: World) -> float:
+        """Return what has arrived [ml]."""
+        liquid = world.liquid
+        return 0.0 if liquid is None else 1e6 * liquid.from_in(self.origin.name, self.into.name)
+
+    def settled(self, world: World) -> bool:
+        """Return whether nothing is on its way."""
+        return world.liquid is None or world.liquid.in_flight == 0.0

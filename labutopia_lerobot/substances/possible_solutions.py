@@ -1,0 +1,78 @@
+"""Whether the solutions of a task can be, alone and poured together."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import combinations
+
+from labutopia_lerobot.chemistry.course import ReactionVessel, charge_of
+from labutopia_lerobot.chemistry.hazards import refuse
+from labutopia_lerobot.chemistry.inventory import Inventory, Solute, made_up
+from labutopia_lerobot.chemistry.refusals import ChemistryError
+from labutopia_lerobot.substances.filling import Filling, ImpossibleFillingError
+from labutopia_lerobot.substances.substance import WATER, ZERO_C
+from labutopia_lerobot.world import Thing
+
+_ROOM = 293.15
+"""As warm as solutions are when they meet, if they are no warmer [K]."""
+
+
+def require_possible_solutions[Present: Thing](
+    task: str, contents: Mapping[Present, Filling]
+) -> None:
+    """Make sure, before anything is compiled, that solutions can be made up and poured together.
+
+    Args:
+        task: What the task is called.
+        contents: What each vessel holds.
+
+    Raises:
+        ImpossibleFillingError: Something does not dissolve, or not as much of it; another solvent
+            than water is in the scene; solutions of two vessels are dangerous together or boil.
+    """
+    if not any(filling.dissolved for filling in contents.values()):
+        return
+    for vessel, filling in contents.items():
+        if filling.substance != WATER:
+            raise ImpossibleFillingError(
+                f"{task}: {vessel.name} cannot hold {filling.of}: something is dissolved in a "
+                "vessel of this task, and water is the only solvent that the chemistry knows. Fill "
+                "it with water, or dissolve nothing"
+            )
+        _require(task, [vessel], {filling: filling.volume}, "Dissolve less of it, or another")
+    for both in combinations(contents, 2):
+        volumes: dict[Filling, float] = {}
+        for vessel in both:
+            volumes[contents[vessel]] = volumes.get(contents[vessel], 0.0) + contents[vessel].volume
+        _require(task, both, volumes, "Take one of them out of the task, or dilute both")
+
+
+def _require(
+    task: str, vessels: Iterable[Thing], volumes: Mapping[Filling, float], cure: str
+) -> None:
+    names = " and ".join(vessel.name for vessel in vessels)
+    try:
+        for fault in _faults(volumes):
+            raise ImpossibleFillingError(f"{task}: what is in {names} {fault}. {cure}")
+    except ChemistryError as error:
+        raise ImpossibleFillingError(f"{task}, {names}: {error}. {cure}") from error
+
+
+def _faults(volumes: Mapping[Filling, float]) -> Iterator[str]:
+    """Yield what is wrong with solutions that are poured together, by their volumes [m^3]."""
+    solutes: dict[Solute, None] = {s: None for filling in volumes for s in filling.dissolved}
+    total = sum(volumes.values())
+    amounts: dict[str, float] = {}
+    for filling, volume in volumes.items():
+        for key, mol in made_up(filling.dissolved).items():
+            amounts[key] = amounts.get(key, 0.0) + mol * volume
+    vessel = ReactionVessel(total, _ROOM, slow=False)
+    refuse(charge_of([solute.compound for solute in solutes], amounts, vessel))
+    inventory = Inventory.of([filling.dissolved for filling in volumes])
+    before = inventory.row(amounts)
+    after, why = inventory.settled(before, total, _ROOM)
+    if why:
+        yield f"cannot be worked out: {why}"
+    warmest = max([_ROOM, *(f.celsius + ZERO_C for f in volumes if f.celsius is not None)])
+    heat = float((before - after) @ inventory.enthalpies)
+    capacity = total * WATER.density * WATER.specific_heat
+    if warmest + heat / capacity > WATER.boiling_point:
+        yield f"would boil over: it warms by {heat / capacity:.0f} K"

@@ -1,0 +1,49 @@
+"""The solution in a vessel, as chemistry has it."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Solution:
+    """The contents of a vessel, as they are once they have mixed.
+
+    A species is called by formula and phase, such as `Cu^2+(aq)`.
+
+    Attributes:
+        volume: m^3.
+        temperature: Mean, by heat [K]; not a number where there is nothing.
+        ph: What a pH meter reads in it, stirred; not a number where there is nothing.
+        concentrations: Of every dissolved species [mol/m^3].
+        solids: Amounts of what has precipitated [mol].
+        gas: Amounts of what has left it as gas since the start [mol].
+        mixed: Part of what is not water that is where, and as, it is in the end.
+        colour: sRGB of 1 cm of it as it is now, each channel in [0, 1].
+    """
+
+    volume: float
+    temperature: float
+    ph: float
+    concentrations: Mapping[str, float]
+    solids: Mapping[str, float]
+    gas: Mapping[str, float]
+    mixed: float
+    colour: tuple[float, float, float]
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """What `info` has of it: ml, pH, degrees C, solids and gas [mol], how mixed it is."""
+        return {
+            "ml": round(1e6 * self.volume, 6),
+            "ph": self.ph,
+            "celsius": self.temperature - 273.15,
+            "mol_solid": sum(self.solids.values()),
+            "mol_gas": sum(self.gas.values()),
+            "mixed": self.mixed,
+        }
+
+    @classmethod
+    def nothing(cls, gas: Mapping[str, float]) -> "Solution":
+        """Return what is in an empty vessel, which gas may have left before."""
+        return cls(0.0, math.nan, math.nan, {}, {}, gas, 1.0, (1.0, 1.0, 1.0))

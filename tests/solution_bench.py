@@ -1,0 +1,84 @@
+"""Two beakers of solutions, and pouring without a robot: what the tests of solutions share."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from labutopia_lerobot.chemistry.inventory import Solute
+from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.layout import Placement
+from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.temperature import capacities
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
+from labutopia_lerobot.sim.scene import compile_scene
+from labutopia_lerobot.sim.simulation import Simulation
+from labutopia_lerobot.sim.view import SimulatedWorld
+from labutopia_lerobot.substances.filling import Filling
+
+GIVER, TAKER = glassware("beaker", "250 ml", "giver"), glassware("beaker", "250 ml", "taker")
+
+ACID = Filling(50.0, dissolved=(Solute("hydrochloric acid", 0.1),))
+BASE = Filling(50.0, dissolved=(Solute("sodium hydroxide", 0.1),))
+COPPER = Filling(60.0, dissolved=(Solute("copper(II) sulfate", 0.1),))
+BARIUM = Filling(40.0, dissolved=(Solute("barium chloride", 0.1),))
+SODA = Filling(50.0, dissolved=(Solute("sodium carbonate", 0.1),))
+
+
+def bench(giver: Filling, taker: Filling, particles: int = 200) -> Simulation:
+    """Return two filled beakers, side by side."""
+    held = {GIVER: giver, TAKER: taker}
+    scene = compile_scene([GIVER, TAKER], PANDA, LABORATORY, WIDE_VESSEL_VIEW, held, particles)
+    simulation = Simulation(scene)
+    simulation.reset({GIVER: Placement(0.3, 0.12, 0.0), TAKER: Placement(0.3, -0.1, 0.0)})
+    simulation.fill(np.random.default_rng(0))
+    return simulation
+
+
+def liquid_of(simulation: Simulation) -> Liquid:
+    """Return the liquid of a bench."""
+    assert simulation.liquid is not None
+    return simulation.liquid
+
+
+def pour(
+    simulation: Simulation,
+    share: float,
+    steps: int,
+    each: Callable[[], None] = lambda: None,
+) -> None:
+    """Let a share of what the giver holds fall into the taker, some at each step, and wait."""
+    liquid, rng = liquid_of(simulation), np.random.default_rng(1)
+    flowing = np.flatnonzero(liquid.origins == 0)
+    flowing = flowing[: round(share * len(flowing))]
+    for step in range(steps):
+        now = flowing[4 * step : 4 * step + 4]
+        above = simulation.data.body(TAKER.name).xpos + np.array([0.0, 0.0, 0.12])
+        liquid.positions[now] = above + rng.uniform(-0.008, 0.008, (len(now), 3))
+        liquid.velocities[now] = (0.0, 0.0, -0.5)
+        simulation.step(simulation.command)
+        each()
+
+
+def mix(simulation: Simulation, seconds: float) -> None:
+    """Let what the vessels hold mix and react for a time, without stepping anything else."""
+    handling = simulation.apparatus.liquid
+    assert handling is not None
+    for _ in range(round(seconds)):
+        handling.react(1.0)
+
+
+def world(simulation: Simulation) -> SimulatedWorld:
+    """Return the view of a bench."""
+    return SimulatedWorld(simulation)
+
+
+def energy(simulation: Simulation) -> float:
+    """Return the heat in the liquid and the enthalpy of all species, gas that left with it [J]."""
+    liquid = liquid_of(simulation)
+    assert liquid.solutions is not None
+    what, enthalpies = liquid.what, liquid.solutions.inventory.enthalpies
+    heat = capacities(what.amounts, liquid.substances, liquid.volume) @ what.temperatures
+    formed = (what.contents.sum(axis=0) + liquid.solutions.given_off.sum(axis=0)) @ enthalpies
+    return float(heat + formed)

@@ -1,0 +1,45 @@
+"""Solutions that cannot be are refused before anything is compiled, with a cure."""
+
+import pytest
+
+from labutopia_lerobot.chemistry.inventory import Solute
+from labutopia_lerobot.substances.filling import Filling, ImpossibleFillingError
+from labutopia_lerobot.substances.possible_solutions import require_possible_solutions
+from solution_bench import ACID, BASE, GIVER, SODA, TAKER
+
+
+def solution(compound: str, molar: float) -> Filling:
+    return Filling(50.0, dissolved=(Solute(compound, molar),))
+
+
+@pytest.mark.parametrize(
+    ("giver", "taker", "said"),
+    [
+        (solution("barium hydroxide", 3.0), BASE, "giver: 3 mol/l of barium hydroxide do not diss"),
+        (solution("silver chloride", 0.1), BASE, "giver: 0.1 mol/l of silver chloride do not"),
+        (solution("copper", 0.1), BASE, "giver: .* no solution"),
+        (solution("unobtainium", 0.1), BASE, "giver: .*unobtainium"),
+        (solution("sodium chloride", 0.0), BASE, "giver: 0 mol/l .* choose more than 0"),
+        (Filling(50.0, of="ethanol"), BASE, "giver cannot hold ethanol: .*only solvent"),
+        (ACID, solution("sodium hypochlorite", 0.1), "giver and taker: .*chlorine"),
+        (solution("sodium cyanide", 0.1), ACID, "giver and taker: .*hydrogen cyanide"),
+        (
+            solution("sodium hydroxide", 15.0),
+            solution("sulfuric acid", 15.0),
+            "giver and taker would boil over",
+        ),
+    ],
+)
+def test_the_error_names_task_vessel_and_cure(giver: Filling, taker: Filling, said: str) -> None:
+    with pytest.raises(ImpossibleFillingError, match=said) as raised:
+        require_possible_solutions("level2/mine", {GIVER: giver, TAKER: taker})
+    message = str(raised.value)
+    assert message.startswith("level2/mine")
+    assert any(cure in message for cure in ("Dissolve less", "Take one of them", "Fill it with"))
+
+
+def test_what_can_be_is_let_through() -> None:
+    require_possible_solutions("level2/mine", {GIVER: ACID, TAKER: BASE})
+    require_possible_solutions("level2/mine", {GIVER: ACID, TAKER: SODA})
+    require_possible_solutions("level2/mine", {GIVER: Filling(50.0), TAKER: BASE})
+    require_possible_solutions("level2/mine", {GIVER: Filling(50.0, of="ethanol")})
