@@ -89,6 +89,7 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
             "film",
             ["task", "--out", "--seed", "--camera", "--exposures", "--fps", "--speed", "--room"],
         ),
+        ("doctor", ["--json"]),
         ("recipe", ["policy", "DATASET", "--epochs", "--batch-size", "--out"]),
         ("report", ["DIR", "--tables", "--out"]),
         ("scene", ["  list", "  generate", "  check", "  export"]),
