@@ -20,7 +20,8 @@ from labutopia_lerobot.features import (
 )
 from labutopia_lerobot.pictures import picture_names
 from labutopia_lerobot.scenario import Scenario
-from labutopia_lerobot.setting import FORCES, READINGS, Setting, require_choices
+from labutopia_lerobot.setting import DENSE, FORCES, READINGS, Setting, require_choices
+from labutopia_lerobot.sim.dense_reward import advance
 from labutopia_lerobot.sim.workcell import Workcell
 from labutopia_lerobot.sim.workcells import Workcells
 from labutopia_lerobot.skills.expert import Expert
@@ -67,6 +68,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self._workcells = Workcells(setting)
         self._playing: tuple[Workcell, Scenario, int] | None = None
         self._frame: NDArray[np.uint8] | None = None
+        self._advance = 0.0
         self._max_episode_steps = self._workcells.task.max_steps
         self.observation_space = observation_space(
             observation_features(setting, lambda: self._workcells.task)
@@ -119,10 +121,14 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         super().reset(seed=seed)
         self.seed = int(self.np_random.integers(2**31)) if seed is None else seed
         self._playing = self._workcells.begin(self.seed, (options or {}).get("after"))
+        if self.setting.reward == DENSE:
+            self._advance = advance(self.workcell.progress, self.workcell.world)
         return self._observe(), self._info()
 
     def step(self, action: NDArray[np.float32]) -> tuple[Observation, float, bool, bool, Info]:
         """Command the robot for one control period; the reward is 1 on success, else 0.
+
+        With `reward=dense` it is by how much the episode came further (see `sim.dense_reward`).
 
         Raises:
             ResetNeeded: If there is no episode yet.
@@ -132,7 +138,11 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         was_over = progress.over
         self.workcell.step(action)
         outcome, info = progress.outcome, self._info()
-        reward = float(outcome == SUCCESS and not was_over)
+        if self.setting.reward == DENSE:
+            before, self._advance = self._advance, advance(progress, self.workcell.world)
+            reward = self._advance - before
+        else:
+            reward = float(outcome == SUCCESS and not was_over)
         terminated = progress.over and outcome != TIMEOUT
         return self._observe(), reward, terminated, outcome == TIMEOUT, info
 

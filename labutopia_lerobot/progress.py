@@ -126,6 +126,11 @@ class Progress:
             return None
         return self._course[self._latched][1].count
 
+    @property
+    def done_part(self) -> tuple[int, int]:
+        """How many of the substeps that are played have latched, and how many these are."""
+        return self._latched, len(self._course)
+
     def end(self, outcome: str) -> None:
         """End the episode for a reason that no predicate sees."""
         self.outcome = outcome

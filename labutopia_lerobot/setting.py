@@ -35,6 +35,10 @@ CLASSIC, FILAMENT = "classic", "filament"
 RENDERERS = (CLASSIC, FILAMENT)
 """What draws: MuJoCo's OpenGL renderer, or its physically based one, which needs Vulkan."""
 
+SPARSE, DENSE = "sparse", "dense"
+REWARDS = (SPARSE, DENSE)
+"""The benchmark's reward, and one to learn from by trying (`sim.dense_reward`)."""
+
 CAMERAS = ("front", "top", "wrist")
 """Every camera of a scene: facing the robot, overhead, on the hand."""
 
@@ -138,6 +142,11 @@ class SettingOptions:
         CLASSIC,
         "`classic` (OpenGL) or `filament` (physically based, needs Vulkan; colours only).",
     )
+    reward: str = option(
+        SPARSE,
+        "`sparse`: 1 on success; `dense`: how much further the episode has come, for reinforcement "
+        "learning; success is the same, and no result counts rewards.",
+    )
     step: str | None = option(
         None,
         "A step of the task, such as 3_place, to be played alone: the expert plays those before "
@@ -178,6 +187,7 @@ class Setting(SettingOptions):
         require_choices("liquid", [self.liquid], LIQUID)
         require_choices("robot", [self.robot], ROBOT_NAMES)
         require_choices("renderer", [self.renderer], RENDERERS)
+        require_choices("reward", [self.reward], REWARDS)
         require_choices("cameras", self.cameras, CAMERAS)
         if not self.cameras or len(set(self.cameras)) < len(self.cameras):
             raise UnknownOptionError(

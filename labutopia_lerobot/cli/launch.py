@@ -18,6 +18,7 @@ PROGRAMS = (
     "chem",
     "compare",
     "convert",
+    "doctor",
     "evaluate",
     "film",
     "publish",

@@ -1,5 +1,6 @@
-"""`labutopia-view TASK`: look at the expert doing a task, in MuJoCo's viewer or as files."""
+"""`labutopia-view TASK`: look at the expert doing a task: a window, a browser (`--web`), files."""
 
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -15,11 +16,18 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.video import require_filmable, write_video
 from labutopia_lerobot.scenario.task_function import located_in_play
+from labutopia_lerobot.setting import require_between
+from labutopia_lerobot.sim.renderers import require_renderer
 from labutopia_lerobot.sim.viewer import Viewer, has_display
 from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.web.server import served
+from labutopia_lerobot.web.showing import Showing, Stage
 
-_SIZE = 512
+_SIZE = 512, 512
 """Width and height of a picture by default [pixels]: more than policies see."""
+_WEB_SIZE = 960, 540
+"""Those of the picture in a browser."""
+_PORT = 8080
 
 
 class ViewOptionError(UserError):
@@ -28,7 +36,7 @@ class ViewOptionError(UserError):
 
 @clear_errors
 def main() -> None:
-    """Open the viewer where there is a display, else write `TASK.png` and `TASK.mp4`."""
+    """Open the viewer where there is a display, else write `TASK.png` and `TASK.mp4`; or serve."""
     parser = OptionParser(prog="labutopia-view", description=__doc__)
     parser.add_argument("task", help="task id, such as level1/pick")
     parser.add_argument("--seed", type=int, default=0, help="of the first episode (default: 0)")
@@ -36,20 +44,53 @@ def main() -> None:
         "--out", type=Path, default=Path(), help="folder for the files (default: this one)"
     )
     parser.add_argument("--headless", action="store_true", help="write files even with a display")
-    add_setting_flags(parser, width=_SIZE, height=_SIZE)
+    parser.add_argument(
+        "--web", action="store_true", help="show it in a browser, on this machine only"
+    )
+    parser.add_argument(
+        "--port", type=int, default=_PORT, help=f"of --web; 0 for any free (default: {_PORT})"
+    )
+    shown = f"(default: {_SIZE[0]}; with --web {' x '.join(map(str, _WEB_SIZE))})"
+    parser.add_argument("--width", type=int, help=f"of the pictures [pixels] {shown}")
+    parser.add_argument("--height", type=int, help="likewise")
+    add_setting_flags(parser, but=("width", "height"))
     arguments = parser.parse_args()
+    width, height = _WEB_SIZE if arguments.web else _SIZE
+    arguments.width = width if arguments.width is None else arguments.width
+    arguments.height = height if arguments.height is None else arguments.height
     headless = arguments.headless or not has_display()
-    obs = "pixels" if headless else "state"
+    obs = "pixels" if headless and not arguments.web else "state"
     setting = setting_of_flags(arguments, arguments.task, obs=obs)
     require_filmable(setting.width, setting.height)
     if arguments.seed < 0:
         raise ViewOptionError(f"--seed {arguments.seed} is too small: seeds begin at 0")
+    require_between("port", arguments.port, 0, 65535)
     env = LabEnv(setting)
     with located_in_play(setting.task, setting.tasks_dir):
-        if headless:
+        if arguments.web:
+            _serve(env, arguments.seed, arguments.port)
+        elif headless:
             _write_files(env, arguments.seed, arguments.out)
         else:
             _open_viewer(env, arguments.seed)
+
+
+def _serve(env: LabEnv, seed: int, port: int) -> None:
+    """Show episodes in browsers until somebody presses Ctrl-C."""
+    require_renderer(env.setting.renderer)
+    console, stage = Console(soft_wrap=True, highlight=False), Stage()
+    with served(port, stage) as address:
+        with doing(Console(stderr=True), f"Setting up {env.setting.task}"):
+            showing = Showing(env, seed, stage)
+        here = address.removeprefix("http://")
+        console.print(f"Open {address} in a browser on this machine. Ctrl-C ends it.", markup=False)
+        console.print(
+            f"From another machine: ssh -L {here.rpartition(':')[2]}:{here} THIS_MACHINE, then "
+            "the same address there.",
+            markup=False,
+        )
+        with suppress(KeyboardInterrupt):
+            showing.run()
 
 
 def _write_files(env: LabEnv, seed: int, folder: Path) -> None:

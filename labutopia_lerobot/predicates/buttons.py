@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from labutopia_lerobot.predicates.predicate import predicate
+from labutopia_lerobot.predicates.vessels import REACH
 from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Button, Thing, World
 
 
@@ -23,6 +24,11 @@ class Switchable(Protocol):
 def pressed(world: World, button: Button) -> bool:
     """Button has clicked in, and not out again."""
     return world.reading(button.name).value > 0.0
+
+
+@pressed.approach
+def _near_button(world: World, button: Button) -> float:
+    return math.exp(-world.gripper.distance_to(world.frame(button.name)) / REACH)
 
 
 @predicate("{button} pushed with {with_force:g} N")

@@ -1,12 +1,16 @@
 """Facts about doors and drawers, and about the hand that moves them."""
 
+import math
 from typing import Protocol
 
 import numpy as np
 
 from labutopia_lerobot.predicates.predicate import Predicate, predicate
-from labutopia_lerobot.predicates.vessels import gripped
+from labutopia_lerobot.predicates.vessels import REACH, gripped
 from labutopia_lerobot.world import Thing, World
+
+_AJAR = 0.3
+"""Position at which a door or drawer counts as shut by 1/e [rad or m] (ours; `reward=dense`)."""
 
 
 class Bar(Thing, Protocol):
@@ -70,6 +74,11 @@ def opened(world: World, part: Openable, *, to: float) -> bool:
     return world.joint(part.joint) >= to
 
 
+@opened.approach
+def _gap(world: World, part: Openable, *, to: float) -> float:
+    return min(max(world.joint(part.joint) / to, 0.0), 1.0)
+
+
 @predicate("{part} less open than {than:of part}")
 def less_open(world: World, part: Openable, *, than: float) -> bool:
     """Door or drawer is not open as far as a position of its joint [rad or m]."""
@@ -80,6 +89,11 @@ def less_open(world: World, part: Openable, *, than: float) -> bool:
 def closed(world: World, part: Openable) -> bool:
     """Door or drawer is closed without a gap."""
     return world.joint(part.joint) < part.closed_within
+
+
+@closed.approach
+def _shut(world: World, part: Openable) -> float:
+    return math.exp(-max(world.joint(part.joint), 0.0) / _AJAR)
 
 
 def latched(part: Latching) -> Predicate:
@@ -119,6 +133,11 @@ def grasped(world: World, bar: Bar) -> bool:
         and world.gripper_opening > bar.diameter / 2
         and _distance(world, bar) < bar.diameter / 2
     )
+
+
+@grasped.approach
+def _near_bar(world: World, bar: Bar) -> float:
+    return math.exp(-max(_distance(world, bar), 0.0) / REACH)
 
 
 @predicate("hand {by:g} m clear of {bar}")

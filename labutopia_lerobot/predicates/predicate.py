@@ -42,6 +42,7 @@ class Predicate:
             `deg`, `ml`), whether the fact holds or not; None where nothing is measured. It decides
             nothing: `labutopia-view` shows it of what did not hold, result rows have it.
         explain: What makes it hold just now, in words, for a person who looks at a failure.
+        approach: How near the world has come to it, from 0 to 1; only `reward=dense` asks.
     """
 
     name: str
@@ -49,6 +50,7 @@ class Predicate:
     arguments: Arguments = _NO_ARGUMENTS
     measure: Callable[..., Mapping[str, float]] | None = field(default=None, compare=False)
     explain: Callable[..., str] | None = field(default=None, compare=False)
+    approach: Callable[..., float] | None = field(default=None, compare=False)
 
     def holds(self, world: World) -> bool:
         """Return the answer for a world."""
@@ -64,6 +66,11 @@ class Predicate:
         """Return what makes it hold just now, in words; empty if there is nothing to say."""
         positional, named = self.arguments
         return "" if self.explain is None else self.explain(world, *positional, **named)
+
+    def nearness(self, world: World) -> float | None:
+        """Return how near a world has come to it, from 0 to 1; None where nobody knows."""
+        positional, named = self.arguments
+        return None if self.approach is None else self.approach(world, *positional, **named)
 
     def __invert__(self) -> "Predicate":
         """Return the fact that this one does not hold: `~gripped(flask)`."""
@@ -98,6 +105,7 @@ class PredicateFunction[**P]:
         self._template, self._question = template, question
         self._measure: Callable[Concatenate[World, P], Mapping[str, float]] | None = None
         self._explain: Callable[Concatenate[World, P], str] | None = None
+        self._approach: Callable[Concatenate[World, P], float] | None = None
         _, *parameters = inspect.signature(question).parameters.values()
         self.__signature__ = inspect.Signature(parameters, return_annotation=Predicate)
         shown = {name for _, name, _, _ in Formatter().parse(template) if name is not None}
@@ -115,7 +123,8 @@ class PredicateFunction[**P]:
         bound.apply_defaults()
         arguments = bound.args, bound.kwargs
         name = _filled_in(self._template, bound.arguments)
-        return Predicate(name, self._question, arguments, self._measure, self._explain)
+        hooks = self._measure, self._explain, self._approach
+        return Predicate(name, self._question, arguments, *hooks)
 
     def measure(
         self, function: Callable[Concatenate[World, P], Mapping[str, float]]
@@ -129,6 +138,13 @@ class PredicateFunction[**P]:
     ) -> Callable[Concatenate[World, P], str]:
         """Let a function of the same arguments be `Predicate.explain`; decorates it."""
         self._explain = function
+        return function
+
+    def approach(
+        self, function: Callable[Concatenate[World, P], float]
+    ) -> Callable[Concatenate[World, P], float]:
+        """Let a function of the same arguments be `Predicate.approach`; decorates it."""
+        self._approach = function
         return function
 
 

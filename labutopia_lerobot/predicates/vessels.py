@@ -13,6 +13,9 @@ _MARGIN = 0.001
 of the default robot's hand then closes with 3.5 N a finger, which by friction hold 0.7
 kg; measured, experts hold rods with 1.7 mm and vessels with 12."""
 
+REACH = 0.15
+"""Distance of the hand at which it counts as near by 1/e [m] (ours; for `reward=dense` alone)."""
+
 _LEVER = 0.1
 """Distance from the axis [m] at which a steady thing moves no faster by its turning either: about
 the size of glassware."""
@@ -22,6 +25,12 @@ the size of glassware."""
 def lifted(world: World, thing: Thing, *, by: float) -> bool:
     """Base of the thing is more than `by` metres above the bench top."""
     return bool(world.pose(thing).position_w[2] - world.bench_height > by)
+
+
+@lifted.approach
+def _height(world: World, thing: Thing, *, by: float) -> float:
+    height = float(world.pose(thing).position_w[2]) - world.bench_height
+    return min(max(height / by, 0.0), 1.0) if by > 0.0 else 1.0
 
 
 @predicate("{thing} upright within {within_deg:g} deg")
@@ -41,6 +50,11 @@ def tilted(world: World, thing: Thing, *, beyond_deg: float) -> bool:
     return world.pose(thing).tilt > math.radians(beyond_deg)
 
 
+@tilted.approach
+def _tilt(world: World, thing: Thing, *, beyond_deg: float) -> float:
+    return min(math.degrees(world.pose(thing).tilt) / beyond_deg, 1.0)
+
+
 @predicate("{thing} gripped")
 def gripped(world: World, thing: Thing) -> bool:
     """Gripper is closed on the thing: both pads touch it, and it keeps them from going further.
@@ -49,6 +63,14 @@ def gripped(world: World, thing: Thing) -> bool:
     """
     touched = world.touching(LEFT_PAD, thing.name) and world.touching(RIGHT_PAD, thing.name)
     return touched and world.commanded_opening < world.gripper_opening - _MARGIN
+
+
+@gripped.approach
+def _within_reach(world: World, thing: Thing) -> float:
+    if thing.name not in {each.name for each in world.movable}:
+        return 0.0
+    grip = world.pose(thing).moved(z=getattr(thing, "grip_height", 0.0))
+    return math.exp(-world.gripper.distance_to(grip) / REACH)
 
 
 @predicate("{thing} steady below {below:g} m/s")

@@ -81,8 +81,8 @@ class ClassicRenderer:
         self._apparatus = apparatus
         self._uploaded: dict[int, int] = {}  # texture -> how often it had been painted
 
-    def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
-        """Return what the camera sees, shape (height, width, 3)."""
+    def color(self, data: mujoco.MjData, camera: str | mujoco.MjvGLCamera) -> NDArray[np.uint8]:
+        """Return what a camera, or an eye anywhere, sees, shape (height, width, 3)."""
         self._update(data, camera)
         if self._shadows is not None:
             self._shadows.draw(self._renderer.scene, data)

@@ -83,10 +83,11 @@ class FilamentRenderer:
         self._apparatus = apparatus
         self._painted = FilamentPaintings(context, model)
 
-    def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
-        """Return what the camera sees, shape (height, width, 3)."""
+    def color(self, data: mujoco.MjData, camera: str | mujoco.MjvGLCamera) -> NDArray[np.uint8]:
+        """Return what a camera, or an eye anywhere, sees, shape (height, width, 3)."""
         self._update(data, self._wide or camera not in FIXED_CAMERAS)
-        self._expose(eye_of_camera(self._model, data, camera))
+        named = isinstance(camera, str)
+        self._expose(eye_of_camera(self._model, data, camera) if named else camera)
         return developed(self._film)
 
     def exposure(

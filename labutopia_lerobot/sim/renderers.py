@@ -18,8 +18,8 @@ from labutopia_lerobot.sim.supersampling import Sample
 class Renderer(Protocol):
     """Draws a model through its named cameras."""
 
-    def color(self, data: mujoco.MjData, camera: str) -> NDArray[np.uint8]:
-        """Return what the camera sees, shape (height, width, 3)."""
+    def color(self, data: mujoco.MjData, camera: str | mujoco.MjvGLCamera) -> NDArray[np.uint8]:
+        """Return what a camera, or an eye anywhere, sees, shape (height, width, 3)."""
         ...
 
     def exposure(

@@ -89,10 +89,14 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
             "film",
             ["task", "--out", "--seed", "--camera", "--exposures", "--fps", "--speed", "--room"],
         ),
+        ("doctor", ["--json"]),
         ("recipe", ["policy", "DATASET", "--epochs", "--batch-size", "--out"]),
         ("report", ["DIR", "--tables", "--out"]),
         ("scene", ["  list", "  generate", "  check", "  export"]),
-        ("view", ["task", "--seed", "--out", "--headless", "--split", "--robot", "--tasks-dir"]),
+        (
+            "view",
+            ["task", "--seed", "--out", "--headless", "--web", "--port", "--width", "--robot"],
+        ),
     ],
 )
 def test_help_of_the_other_programs_explains_every_option(monkeypatch, capsys, program, options):

@@ -129,7 +129,7 @@ def test_a_program_lists_its_own_options_first():
 
     config = RecordingConfig(task=PICK)
     assert list(config.chosen)[:5] == ["task", "level", "together", "split", "episodes"]
-    assert list(config.chosen)[-2:] == ["renderer", "step"]
+    assert list(config.chosen)[-3:] == ["renderer", "reward", "step"]
     assert config.chosen == dataclasses.asdict(config)
 
 

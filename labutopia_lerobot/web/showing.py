@@ -1,0 +1,237 @@
+"""Plays episodes of the expert, one moment after the other, for all who look."""
+
+import base64
+import io
+import json
+import math
+import queue
+import threading
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from labutopia_lerobot.checks.why import why_failed
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import CAMERAS
+from labutopia_lerobot.sim.beauty_camera import beauty_camera
+from labutopia_lerobot.sim.eye import eye_at
+from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.web.orbit import Orbit
+from labutopia_lerobot.world import CONTROL_HZ
+
+_QUALITY = 85
+"""Of JPEG: edges of thin glass stay clean."""
+_INSET = (240, 180)
+"""Largest width and height of a camera's inset [pixels]."""
+_ABSENT_S = 5.0
+"""Time after which nobody looks any more, if nobody asks for a moment [s]."""
+_LARGEST_SEED = 2**31 - 1
+_FARTHEST_DRAG = 10.0
+"""Heights of the picture that a command drags at most: no hand goes so far in 30 ms."""
+
+
+@dataclass
+class Stage:
+    """Where moments are published and commands are left: shared by the server's threads."""
+
+    commands: "queue.SimpleQueue[Mapping[str, Any]]" = field(default_factory=queue.SimpleQueue)
+    changed: threading.Condition = field(default_factory=threading.Condition)
+    number: int = 0
+    moment: bytes = b""
+    looked_at: float = 0.0
+
+    def publish(self, moment: Mapping[str, Any]) -> None:
+        """Let everybody who waits have a new moment."""
+        with self.changed:
+            self.number += 1
+            self.moment = json.dumps({"number": self.number, **moment}).encode()
+            self.changed.notify_all()
+
+    def after(self, number: int, within_s: float) -> bytes | None:
+        """Return the newest moment as JSON, once it is another than one; None if none comes."""
+        with self.changed:
+            self.looked_at = time.monotonic()
+            if self.changed.wait_for(lambda: bool(self.moment) and self.number != number, within_s):
+                return self.moment
+            return None
+
+    @property
+    def is_watched(self) -> bool:
+        """Whether somebody has asked for a moment of late."""
+        return time.monotonic() - self.looked_at < _ABSENT_S
+
+
+class Showing:
+    """One environment, its expert, and a camera that those who look move.
+
+    All is done in the thread that made it: OpenGL wants that.
+
+    Args:
+        env: The environment; its pictures are as large as its setting says.
+        seed: Of the first episode.
+        stage: Where moments go to and commands come from.
+    """
+
+    def __init__(self, env: LabEnv, seed: int, stage: Stage) -> None:
+        self._env, self._stage = env, stage
+        self._insets: dict[str, str] = {}
+        self._wants_insets = True
+        self._playing = False
+        self._drawn = 0
+        self._expert: Expert
+        self._orbit: Orbit
+        self._home: Orbit
+        self._begin(seed)
+        self._draw()
+
+    def run(self) -> None:
+        """Play at real time what is asked for; only an exception ends it."""
+        due = time.monotonic()
+        while True:
+            acted = self._obey()
+            steps = self._playing and not self._over and self._stage.is_watched
+            if steps:
+                self._step()
+            if steps or acted:
+                self._draw()
+            due = max(due + 1.0 / CONTROL_HZ, time.monotonic() - 1.0 / CONTROL_HZ)
+            time.sleep(max(0.0, due - time.monotonic()))
+
+    @property
+    def _over(self) -> bool:
+        return self._env.workcell.progress.over
+
+    def _obey(self) -> bool:
+        """Do what has been asked for since; return whether there was anything."""
+        asked = False
+        while True:
+            try:
+                command = self._stage.commands.get_nowait()
+            except queue.Empty:
+                return asked
+            asked = True
+            self._do(command)
+
+    def _do(self, command: Mapping[str, Any]) -> None:
+        """Do one thing; what nobody knows is left out: the page that asks may be an old one."""
+        right, up, by = (
+            _number(command.get(name), _FARTHEST_DRAG) for name in ("right", "up", "by")
+        )
+        match command.get("do"):
+            case "play":
+                if self._over:
+                    self._begin(self._env.seed)
+                self._playing = True
+            case "pause":
+                self._playing = False
+            case "step":
+                self._playing = False
+                self._step()
+            case "seed":
+                self._begin(max(0, int(_number(command.get("seed"), _LARGEST_SEED))))
+            case "turn":
+                self._orbit = self._orbit.turned(right, up)
+            case "move":
+                self._orbit = self._orbit.moved(right, up)
+            case "nearer":
+                self._orbit = self._orbit.nearer(by)
+            case "home":
+                self._orbit = self._home
+            case "insets":
+                self._wants_insets, self._insets = bool(command.get("on")), {}
+
+    def _begin(self, seed: int) -> None:
+        env = self._env
+        env.reset(seed=seed)
+        self._expert = env.expert()
+        self._expert.start()
+        cell, setting = env.workcell, env.setting
+        scene, data = cell.simulation.scene, cell.simulation.data
+        pose = beauty_camera(scene, data, cell.task.view.front, setting.width / setting.height)
+        places = [cell.world.pose(piece).position_w for piece in cell.task.start]
+        home = Orbit.about(np.mean(places, axis=0), pose)
+        if not hasattr(self, "_home") or self._orbit == self._home:
+            self._orbit = home
+        self._home, self._insets = home, {}
+
+    def _step(self) -> None:
+        if not self._over:
+            self._env.step(self._expert.act())
+
+    def _draw(self) -> None:
+        """Publish what there is to see and to know now."""
+        cell = self._env.workcell
+        simulation = cell.simulation
+        simulation.draw_liquid()
+        eye = eye_at(simulation.scene.model, self._orbit.pose)
+        picture = cell.renderer.color(simulation.data, eye)
+        if self._wants_insets:  # one after the other: each costs as much as the picture
+            missing = [camera for camera in CAMERAS if camera not in self._insets]
+            for camera in missing or [CAMERAS[self._drawn % len(CAMERAS)]]:
+                self._insets[camera] = _jpeg(cell.color(camera), _INSET)
+        self._drawn += 1
+        self._stage.publish(
+            {"picture": _jpeg(picture), "insets": self._insets, "playing": self._playing}
+            | self._facts()
+        )
+
+    def _facts(self) -> dict[str, Any]:
+        """Return what is known of the episode now, fit for JSON."""
+        cell, env = self._env.workcell, self._env
+        progress, world = cell.progress, cell.world
+        liquid = world.liquid
+        present = progress.step
+        return {
+            "task": env.setting.task,
+            "room": env.setting.room,
+            "instruction": env.task,
+            "seed": env.seed,
+            "time": world.time,
+            "outcome": progress.outcome,
+            "steps": [
+                {
+                    "name": step.name,
+                    "present": present is not None and step.name == present.name,
+                    "substeps": [
+                        {"name": s.name, "time": progress.substeps[s.name]} for s in step.substeps
+                    ],
+                }
+                for step in cell.task.steps
+            ],
+            "goal": [fact.name for fact in cell.task.goal],
+            "facts": progress.facts,
+            "readings": {name: f"{r.shown:g} {r.unit}" for name, r in world.displayed.items()},
+            "liquid": {} if liquid is None else liquid.millilitres,
+            "why": self._why(),
+        }
+
+    def _why(self) -> list[str]:
+        """Return why the episode failed, if it is over and did."""
+        cell = self._env.workcell
+        if not cell.progress.over:
+            return []
+        return why_failed(cell.task, cell.progress, self._expert, cell.world)
+
+
+def _number(value: Any, most: float) -> float:
+    """Return what a page sent as a number, no farther from 0 than `most`; 0 for what is none."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError, OverflowError):
+        return 0.0
+    return 0.0 if math.isnan(number) else min(max(number, -most), most)
+
+
+def _jpeg(picture: NDArray[np.uint8], within: tuple[int, int] | None = None) -> str:
+    """Return a picture as JPEG in base 64, no larger than a size [pixels]."""
+    image = Image.fromarray(picture)
+    if within is not None:
+        image.thumbnail(within, Image.Resampling.BOX)
+    out = io.BytesIO()
+    image.save(out, "JPEG", quality=_QUALITY)
+    return base64.b64encode(out.getvalue()).decode()
