@@ -6,7 +6,7 @@ import pytest
 
 from adversary import begun, play
 from labutopia_lerobot.scenario import Draw
-from labutopia_lerobot.skills import PourToMass
+from labutopia_lerobot.skills import PourMeasured
 from labutopia_lerobot.tasks.level3.beyond.weigh_out import GRAMS, GRAMS_FOR_TESTS, weigh_out
 
 
@@ -44,10 +44,10 @@ def test_no_vessel_and_no_mass_of_the_tests_is_trained_on():
 def test_the_mass_of_another_episode_is_refused():
     env = begun("level3/weigh_out", split="ood")
     tare, pick, pour, place = env.workcell.task.skills
-    assert isinstance(pour, PourToMass)
-    info = play(env, tare, pick, replace(pour, mass=pour.mass - 5.0), place, seed=0)
+    assert isinstance(pour, PourMeasured)
+    info = play(env, tare, pick, replace(pour, amount=pour.amount - 5.0), place, seed=0)
     assert info["outcome"] != "success"
-    info = play(env, tare, pick, replace(pour, mass=pour.mass + 5.0), place, seed=0)
+    info = play(env, tare, pick, replace(pour, amount=pour.amount + 5.0), place, seed=0)
     assert info["outcome"] == "overshot"
 
 
@@ -55,6 +55,6 @@ def test_the_mass_of_another_episode_is_refused():
 def test_weighing_out_in_two_goes_is_as_good():
     env = begun("level3/weigh_out", split="train")
     tare, pick, pour, place = env.workcell.task.skills
-    assert isinstance(pour, PourToMass)
-    info = play(env, tare, pick, replace(pour, mass=pour.mass / 2), pour, place, seed=0)
+    assert isinstance(pour, PourMeasured)
+    info = play(env, tare, pick, replace(pour, amount=pour.amount / 2), pour, place, seed=0)
     assert info["outcome"] == "success"
