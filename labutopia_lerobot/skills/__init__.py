@@ -19,7 +19,7 @@ from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 from labutopia_lerobot.skills.take_pipette import TakePipette
 from labutopia_lerobot.skills.turn_knob import TurnKnob
-from labutopia_lerobot.skills.wait import WaitUntilDue, WaitUntilReads
+from labutopia_lerobot.skills.wait import WaitUntil, WaitUntilDue, WaitUntilReads
 
 __all__ = [
     "Aspirate",
@@ -41,6 +41,7 @@ __all__ = [
     "Stir",
     "TakePipette",
     "TurnKnob",
+    "WaitUntil",
     "WaitUntilDue",
     "WaitUntilReads",
 ]

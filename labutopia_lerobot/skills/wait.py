@@ -1,11 +1,39 @@
-"""Wait for an instrument, the hand staying where it is."""
+"""Wait for an instrument or for something to come true, the hand staying where it is."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.predicates.readings import Readable
 from labutopia_lerobot.skills.skill import Phase, waited
-from labutopia_lerobot.world import CONTROL_HZ, Pose, World
+from labutopia_lerobot.world import CONTROL_HZ, Pose, Thing, World
+
+
+@dataclass(frozen=True)
+class WaitUntil:
+    """Stand still until something is so.
+
+    Attributes:
+        fact: What is waited for.
+        holding: What is in the gripper meanwhile, if anything.
+        at_most_s: How long it may take [s].
+    """
+
+    fact: Predicate
+    holding: Thing | None = None
+    at_most_s: float = 30.0
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        """Yield wait."""
+        here, opening = world.gripper, world.commanded_opening
+        own = frozenset() if self.holding is None else frozenset({self.holding.name})
+
+        def so(world: World, target: Pose, elapsed: float) -> bool:
+            return self.fact.holds(world)
+
+        yield Phase(
+            "wait", lambda w: here, opening, so, own, self.holding, timeout_s=self.at_most_s
+        )
 
 
 @dataclass(frozen=True)

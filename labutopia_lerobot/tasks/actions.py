@@ -50,6 +50,7 @@ from labutopia_lerobot.skills import (
     Press,
     Shake,
     Stir,
+    WaitUntil,
 )
 from labutopia_lerobot.skills.gauge import Received, Weighed
 from labutopia_lerobot.skills.handle import Operable
@@ -164,7 +165,7 @@ def pour_until_it_turns(
     pour = PourMeasured(vessel, into, gauge, about_ml, within_ml, coarse=0.8, drop=0.10)
     return Step(
         "pour",
-        (pour,),
+        (pour, WaitUntil(turned, holding=vessel)),
         (
             Substep("turned", (turned,), (tilted(vessel, beyond_deg=30),)),
             Substep("righted", (turned, gripped(vessel), upright(vessel, within_deg=10))),
