@@ -121,6 +121,7 @@ class Apparatus:
         self.paintings: dict[int, int] = {}
         self._painted: dict[str, Hashable] = {}
         self._memory: dict[str, FloatArray] = {}
+        self._joints: dict[str, int] = {}
         numbers = np.zeros(slots_of(order)) if numbers is None else numbers
         first = 0
         for process in order:
@@ -145,7 +146,10 @@ class Apparatus:
 
     def joint(self, name: str) -> float:
         """Return the position of a hinge [rad] or slide [m]."""
-        return float(self.data.qpos[self.model.jnt_qposadr[self.model.joint(name).id]])
+        address = self._joints.get(name)
+        if address is None:
+            address = self._joints[name] = int(self.model.joint(name).qposadr[0])
+        return float(self.data.qpos[address])
 
     def site(self, name: str) -> Pose:
         """Return the pose of a site, world frame."""

@@ -1,6 +1,6 @@
 """Compiling a task into one MuJoCo model: room, robot, labware."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass
 
 import mujoco
@@ -88,6 +88,7 @@ def compile_scene(
     if renderer == FILAMENT:
         light_for_filament(spec)
     model = spec.compile()
+    _let_sleep(model, {piece.name for piece in room.pieces})
     groups, group_of_geom = _contact_groups(model, robot)
     return Scene(
         model, robot, room, pieces, processes, groups, group_of_geom, contents, particles, liquid
@@ -110,6 +111,20 @@ def scene_spec(pieces: Iterable[Piece], robot: Robot, room: Room, view: View) ->
         # (MuJoCo documentation, "Integrators", "Deformables").
         spec.option.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
     return spec
+
+
+def _let_sleep(model: mujoco.MjModel, furnishings: Set[str]) -> None:
+    """Let what stands around in a furnished room cost nothing until something touches it.
+
+    What the task is about never sleeps, and the bare room has nothing that could (MuJoCo
+    documentation, "Sleeping islands").
+    """
+    if not furnishings:
+        return
+    model.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
+    for tree, body in enumerate(model.tree_bodyadr):
+        if model.body(int(model.body_rootid[body])).name not in furnishings:
+            model.tree_sleep_policy[tree] = mujoco.mjtSleepPolicy.mjSLEEP_NEVER
 
 
 def set_options(spec: mujoco.MjSpec) -> None:

@@ -7,8 +7,11 @@ import numpy as np
 import pytest
 
 from furnished_plans import BRIGHT
+from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.labware.glass.catalogue import catalogue
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.families import families, family
 from labutopia_lerobot.scenes.furnished_room import furnished_room
 from labutopia_lerobot.scenes.generation import generate
@@ -21,6 +24,7 @@ from labutopia_lerobot.scenes.scenery import scenery
 from labutopia_lerobot.scenes.still_ware import still_ware
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.scenes.within_reach import real_names, real_pieces
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.scene import compile_scene
 
 CLOSE = "physics_5"
@@ -125,6 +129,38 @@ def test_what_is_within_reach_can_be_opened_moved_and_read():
     mujoco.mj_step(model, data, 100)
     for name in names:
         np.testing.assert_allclose(data.body(name).xpos, before[name], atol=1e-3)
+
+
+def test_what_stands_around_sleeps_until_it_is_pushed_and_the_flask_of_the_task_never_does():
+    env = LabEnv(Setting("level1/pick", obs="state", room=CLOSE))
+    env.reset(seed=0)
+    simulation = env.workcell.simulation
+    model, data = simulation.scene.model, simulation.data
+    (bottle, *_) = [p.name for p in simulation.scene.room.pieces if isinstance(p, Vessel)]
+    own = int(model.dof_treeid[model.joint("flask_free").dofadr[0]])
+    theirs = int(model.dof_treeid[model.joint(f"{bottle}_free").dofadr[0]])
+    simulation.step(simulation.command)
+    assert data.tree_awake[own]
+    assert not data.tree_awake[theirs]
+    state, before = simulation.state(), data.body(bottle).xpos.copy()
+    data.body(bottle).xfrc_applied[0] = 20.0
+    for _ in range(6):
+        simulation.step(simulation.command)
+    assert data.tree_awake[theirs]
+    assert np.linalg.norm(data.body(bottle).xpos - before) > 0.01
+    data.body(bottle).xfrc_applied[:] = 0.0
+    ends = []
+    for _ in range(2):  # woken, and put back to where it slept
+        simulation.restore(state)
+        for _ in range(6):
+            simulation.step(simulation.command)
+        ends.append(simulation.state().tobytes())
+    assert ends[0] == ends[1]
+
+
+def test_the_bare_room_knows_no_sleep():
+    scene = compile_scene([], PANDA, LABORATORY, VESSEL_VIEW)
+    assert not scene.model.opt.enableflags & mujoco.mjtEnableBit.mjENBL_SLEEP
 
 
 def test_what_is_real_is_not_in_the_picture_of_the_rest():
