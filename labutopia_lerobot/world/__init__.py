@@ -7,6 +7,7 @@ from labutopia_lerobot.world.reading import ON, PRESSED, Reading
 from labutopia_lerobot.world.things import Button, Graspable, OpenVessel, Standing, Thing
 from labutopia_lerobot.world.world import (
     ARM,
+    BASE,
     BENCH,
     CONTROL_HZ,
     HAND,
@@ -18,6 +19,7 @@ from labutopia_lerobot.world.world import (
 
 __all__ = [
     "ARM",
+    "BASE",
     "BENCH",
     "CONTROL_HZ",
     "HAND",
