@@ -38,7 +38,9 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     Nothing is compiled and no OpenGL context is made before the first `reset`, so that an instance
     can be made in one process and played in another.
 
-    Observations: `agent_pos` float32, measured joint angles [rad] and gripper opening [m];
+    Observations: `agent_pos` float32, measured joint angles [rad] and gripper opening [m]; of a
+    mobile base also its velocities forward and to the left [m/s] and of turning [rad/s], and where
+    it is in the room, x, y [m] and heading [rad];
     with `obs="pixels"` also `pixels`, a dict of camera -> (height, width, 3) uint8; with
     `obs="state"` `environment_state`, privileged object poses (see
     `features.environment_state_names`). Of `extras`, `forces` float32, left and right pad [N];
@@ -46,7 +48,8 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
      `pixels["<camera>_segmentation"]` uint8, the number of what is seen in all three
     channels (see `sim.segments`), and `images.<camera>_depth` float32, (height, width, 1) [m].
 
-    Actions: float32, absolute targets of the same. What acted is `info["applied_action"]`.
+    Actions: float32, absolute targets of the same but where the base is. What acted is
+    `info["applied_action"]`.
 
     Args:
         setting: Task, robot, observation and the other options.
@@ -183,8 +186,8 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def _observe(self) -> Observation:
         self._frame = None
-        joints = self.workcell.simulation.measured.astype(np.float32)
-        observation: Observation = {"agent_pos": joints}
+        state = self.workcell.simulation.robot_state.astype(np.float32)
+        observation: Observation = {"agent_pos": state}
         if self.setting.obs == "state":
             observation["environment_state"] = self.environment_state()
         else:

@@ -14,7 +14,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind, picture_names
-from labutopia_lerobot.robots import load_robot
+from labutopia_lerobot.robots import Robot, load_robot
 from labutopia_lerobot.setting import DEPTH, FORCES, READINGS, Setting, UnknownOptionError
 from labutopia_lerobot.substances.filling import Fillable, with_mounted
 from labutopia_lerobot.task import Task
@@ -22,6 +22,9 @@ from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, FloatArray, Thing, Worl
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
+
+_LARGEST_ROOM = 50.0
+"""No room is longer, and nothing turns further [m and rad]."""
 
 _DEPTH_PATH = "images."
 """Prefix of depths in the environment's observation; the name of the picture follows."""
@@ -66,6 +69,13 @@ def _numbers(key: str, names: tuple[str, ...]) -> Feature:
     return Feature(key, "float32", (len(names),), names)
 
 
+def _robot_state(robot: Robot) -> Feature:
+    """Declare what is observed of a robot; where a base is in the room goes as far as rooms do."""
+    largest = _LARGEST if robot.base is None else _LARGEST_ROOM
+    names = robot.state_names
+    return Feature("observation.state", "float32", (len(names),), names, -largest, largest)
+
+
 ACTION = "action"
 """Key of what is commanded."""
 
@@ -87,7 +97,7 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
         The path in the environment's observation (`agent_pos`, `environment_state`, `forces`,
         `readings`, `pixels/<picture>`, `images.<depth>`) -> the feature.
     """
-    features = {"agent_pos": _numbers("observation.state", load_robot(setting.robot).names)}
+    features = {"agent_pos": _robot_state(load_robot(setting.robot))}
     if setting.obs == "state":
         names = environment_state_names(load_task())
         features["environment_state"] = _numbers("observation.environment_state", names)

@@ -61,9 +61,9 @@ class RerunRecording:
         for camera, picture in env.workcell.pictures(self._cameras).items():
             image = self._rerun.Image(picture).compress(jpeg_quality=_JPEG_QUALITY)
             self._stream.log(["camera", camera], image)
-        names = load_robot(env.setting.robot).names
-        for kind, values in self._recorded.items():
-            for name, value in zip(names, values[number], strict=True):
+        robot = load_robot(env.setting.robot)
+        for kind, names in (("state", robot.state_names), ("action", robot.names)):
+            for name, value in zip(names, self._recorded[kind][number], strict=True):
                 self._scalar(kind, name, value)
         progress, liquid = env.workcell.progress, env.workcell.world.liquid
         for name, holds in progress.facts.items():

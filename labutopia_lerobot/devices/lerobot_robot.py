@@ -40,7 +40,8 @@ class LabUtopiaRobot(Robot):
         super().__init__(config)
         self.config = config
         self._setting = config.setting
-        self._names = load_robot(self._setting.robot).names
+        robot = load_robot(self._setting.robot)
+        self._names, self._state_names = robot.names, robot.state_names
         self._env: LabEnv | None = None
         self._seed, self._over = config.seed, False
 
@@ -53,7 +54,8 @@ class LabUtopiaRobot(Robot):
     def observation_features(self) -> dict[str, type | tuple[int, ...]]:
         """Observed features: the elements of the robot, and pictures."""
         size = (self._setting.height, self._setting.width, 3)
-        return {**self.action_features, **dict.fromkeys(self._setting.cameras, size)}
+        pictures = dict.fromkeys(self._setting.cameras, size)
+        return {**dict.fromkeys(self._state_names, float), **pictures}
 
     @property
     def action_features(self) -> dict[str, type]:
@@ -83,7 +85,7 @@ class LabUtopiaRobot(Robot):
 
     def get_observation(self) -> dict[str, Any]:
         """Return the elements of the robot [rad or m], and the pictures, of now."""
-        state = zip(self._names, self._observation["agent_pos"].tolist(), strict=True)
+        state = zip(self._state_names, self._observation["agent_pos"].tolist(), strict=True)
         return {**dict(state), **self._observation["pixels"]}
 
     def send_action(self, action: dict[str, Any]) -> dict[str, Any]:

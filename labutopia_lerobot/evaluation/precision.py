@@ -10,10 +10,10 @@ import numpy as np
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.substances.filling import Dispenser
 from labutopia_lerobot.task import Step, Task
-from labutopia_lerobot.world import ARM, BENCH, HAND, LEFT_PAD, RIGHT_PAD, World
+from labutopia_lerobot.world import ARM, BASE, BENCH, HAND, LEFT_PAD, RIGHT_PAD, World
 
 _FINGERS = (HAND, LEFT_PAD, RIGHT_PAD)
-_ROBOT = frozenset({ARM, *_FINGERS})
+_ROBOT = frozenset({ARM, BASE, *_FINGERS})
 
 
 class Precision:
@@ -71,8 +71,9 @@ class Precision:
 
     def _unwanted(self) -> Iterator[tuple[str, str]]:
         """Yield what touches now though it should not, each pair once."""
-        for other in self._world.touched_by(ARM) - _ROBOT:
-            yield ARM, other
+        for part in (ARM, BASE):
+            for other in self._world.touched_by(part) - _ROBOT:
+                yield part, other
         fingers = frozenset(chain(*map(self._world.touched_by, _FINGERS)))
         for other in fingers - _ROBOT:
             if other in self._fixed or not self._belongs_to_the_task(other):

@@ -64,6 +64,16 @@ class Occupancy:
         """Return the same map, to be changed on its own."""
         return Occupancy(self.cells.copy(), self.origin, self.resolution)
 
+    def placed(self, quarters: int, corner: tuple[float, float]) -> "Occupancy":
+        """Return the map in a frame in which it is turned and moved.
+
+        Args:
+            quarters: Quarters of a turn to the left about its origin.
+            corner: Where its south-west corner is then: least x and y [m].
+        """
+        turned = np.rot90(self.cells, -quarters)  # rows go north, which NumPy calls down
+        return Occupancy(np.ascontiguousarray(turned), corner, self.resolution)
+
     def add(self, low: FloatArray, high: FloatArray) -> None:
         """Mark where solid boxes stand, as far as they are at a robot's height.
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.predicates.vessels import REACH
-from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD, Button, Thing, World
+from labutopia_lerobot.world import ARM, BASE, HAND, LEFT_PAD, RIGHT_PAD, Button, Thing, World
 
 
 class Switchable(Protocol):
@@ -78,8 +78,8 @@ def _misses(world: World, button: Button) -> tuple[float, float]:
 
 @predicate("robot touches {things}")
 def touched(world: World, *things: Thing) -> bool:
-    """Arm or hand touches any of the things."""
-    robot = {ARM, HAND, LEFT_PAD, RIGHT_PAD}
+    """Arm, hand or base touches any of the things."""
+    robot = {ARM, BASE, HAND, LEFT_PAD, RIGHT_PAD}
     return any(world.touched_by(thing.name) & robot for thing in things)
 
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 
 from labutopia_lerobot.predicates.predicate import predicate
-from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, PRESSED, RIGHT_PAD, Thing, World
+from labutopia_lerobot.world import ARM, BASE, HAND, LEFT_PAD, PRESSED, RIGHT_PAD, Thing, World
 
 _KNOCK = 0.25
 """Speed at which a thing may meet something hard [m/s]. The paper says "undamaged", "intact";
@@ -48,7 +48,7 @@ def _blows(world: World) -> Iterator[str]:
 
 @predicate(f"robot pushes itself or anything but {{spared}} with {_PUSH:g} N")
 def collided(world: World, *spared: Thing) -> bool:
-    """Arm, or hand, pushes against anything, another link included; the hand may some things."""
+    """Arm, base or hand pushes anything, another link included; the hand may push some things."""
     return any(_pushes(world, spared))
 
 
@@ -60,7 +60,8 @@ def _all_pushes(world: World, *spared: Thing) -> str:
 def _pushes(world: World, spared: tuple[Thing, ...]) -> Iterator[str]:
     hand = {HAND, LEFT_PAD, RIGHT_PAD}
     may_touch = hand | {thing.name for thing in spared}
-    allowed: dict[str, set[str]] = {ARM: set(), **dict.fromkeys(sorted(hand), may_touch)}
+    allowed: dict[str, set[str]] = {ARM: set(), BASE: set()}
+    allowed |= dict.fromkeys(sorted(hand), may_touch)
     for part, others in allowed.items():
         for other in sorted(world.touched_by(part) - others):
             force = world.contact_force(part, other)

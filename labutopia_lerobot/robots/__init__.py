@@ -1,10 +1,13 @@
 """Robots: names, limits and postures as data; kinematics and servos as MuJoCo specs, on demand."""
 
+from labutopia_lerobot.robots.element import Element
 from labutopia_lerobot.robots.iiwa import IIWA
+from labutopia_lerobot.robots.mobile_base import MobileBase
 from labutopia_lerobot.robots.panda import PANDA
-from labutopia_lerobot.robots.robot import Element, ParallelGripper, Robot, UnknownRobotError
+from labutopia_lerobot.robots.ridgeback_panda import RIDGEBACK_PANDA
+from labutopia_lerobot.robots.robot import ParallelGripper, Robot, UnknownRobotError
 
-ROBOTS = {robot.name: robot for robot in (PANDA, IIWA)}
+ROBOTS = {robot.name: robot for robot in (PANDA, IIWA, RIDGEBACK_PANDA)}
 """Every robot by its name."""
 
 
@@ -22,8 +25,10 @@ def load_robot(name: str) -> Robot:
 __all__ = [
     "IIWA",
     "PANDA",
+    "RIDGEBACK_PANDA",
     "ROBOTS",
     "Element",
+    "MobileBase",
     "ParallelGripper",
     "Robot",
     "UnknownRobotError",

@@ -36,7 +36,9 @@ class ActionFilter:
     def __init__(self, robot: Robot, hand: "HandKinematics") -> None:
         self._names = robot.names
         self._limits = CommandLimits(robot)
-        self._hand, self._joints = hand, robot.roles.joints
+        self._hand, self._joints, self._base = hand, robot.roles.joints, robot.roles.base
+        self._of_the_arm = np.ones(len(robot.elements), dtype=np.float32)
+        self._of_the_arm[self._base] = 0.0
         self._hand_step = _HAND_SHARE * robot.hand_speed / CONTROL_HZ
 
     def start(self, command: FloatArray) -> None:
@@ -63,7 +65,7 @@ class ActionFilter:
                 f"not {action.shape}"
             )
         finite = np.isfinite(action)
-        asked = np.where(finite, action, self._target)
+        asked = np.where(finite, action, self._target * self._of_the_arm)  # a base stops
         wanted = self._limits.within(asked).astype(np.float32)
         self.applied = applied = self._reachable(wanted, *commands[-2:])
         self._target = wanted
@@ -83,9 +85,11 @@ class ActionFilter:
         jacobian = self._hand.jacobian((last + now)[self._joints])
         hand = jacobian @ bounded[self._joints]
         if hand @ hand > (self._hand_step + _NEGLIGIBLE) ** 2:
-            braking = np.clip(limits.braking(now), least, greatest)
+            driving, drives = bounded[self._base], passes[self._base]
+            braking = np.clip(limits.braking(now * self._of_the_arm), least, greatest)
             bounded = braking + self._share(jacobian, braking, bounded) * (bounded - braking)
-            passes[:] = False
+            passes = np.zeros_like(passes)
+            bounded[self._base], passes[self._base] = driving, drives
         if passes.all():
             return wanted
         return np.where(passes, wanted, (last + bounded).astype(np.float32))

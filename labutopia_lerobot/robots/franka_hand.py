@@ -5,7 +5,8 @@ finger. It gives no acceleration: chosen are full speed after 0.1 s, and jerk ov
 of the Panda's joints.
 """
 
-from labutopia_lerobot.robots.robot import Element, ParallelGripper
+from labutopia_lerobot.robots.element import Element
+from labutopia_lerobot.robots.robot import ParallelGripper
 
 FRANKA_HAND = ParallelGripper(
     element=Element("gripper", lower=0.0, upper=0.08, speed=0.1, acceleration=1.0, jerk=500.0),

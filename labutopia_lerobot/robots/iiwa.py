@@ -6,8 +6,9 @@
 import math
 from typing import TYPE_CHECKING
 
+from labutopia_lerobot.robots.element import Element
 from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
-from labutopia_lerobot.robots.robot import Element, Robot
+from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.world import Approach
 
 if TYPE_CHECKING:

@@ -1,23 +1,43 @@
 """Visual meshes from `rtb-data`, thinned out for fast rendering and kept in the user's cache."""
 
+import hashlib
 import logging
 import os
 import tempfile
+from collections.abc import Callable, Iterator, Sequence
 from importlib.metadata import version
 from importlib.resources import as_file, files
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import trimesh
+from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.kernel import user_cache
 from labutopia_lerobot.robots.collada import read_collada
-from labutopia_lerobot.robots.thinning import Part, ThinMesh, thin_mesh
+from labutopia_lerobot.robots.thinning import Part, ThinMesh, shaded, thin_mesh
 
 logger = logging.getLogger(__name__)
 
 _MADE_BY = 2
 """Version of the way that meshes are made; what another has left in the cache is not taken."""
+
+
+class PlacedMesh(NamedTuple):
+    """A file of an assembly, and where it is in its frame.
+
+    Attributes:
+        name: Path in `rtbdata`.
+        pos: Of the file's origin [m].
+        rpy: Turns about the fixed axes x, y and z, one after the other [rad], as URDF has them.
+        tone: How bright it is drawn, 0 to 1.
+    """
+
+    name: str
+    pos: tuple[float, float, float]
+    rpy: tuple[float, float, float]
+    tone: float
 
 
 def load_mesh(name: str, triangles: int) -> ThinMesh:
@@ -37,11 +57,39 @@ def load_mesh(name: str, triangles: int) -> ThinMesh:
         FileNotFoundError: If `rtb-data` has no such mesh.
     """
     stem = name.replace("/", "-")
-    cached = user_cache() / f"{stem}-{version('rtb-data')}-{triangles}-{_MADE_BY}.npz"
+    made = f"{stem}-{version('rtb-data')}-{triangles}-{_MADE_BY}"
+    return _cached(made, lambda: thin_mesh(_read(name), triangles))
+
+
+def load_assembly(name: str, placed: Sequence[PlacedMesh]) -> ThinMesh:
+    """Load several meshes of `rtb-data` that have few triangles as one, cached likewise.
+
+    Args:
+        name: What it is called in the cache.
+        placed: The files, and where they are.
+
+    Raises:
+        FileNotFoundError: If `rtb-data` lacks one of them.
+    """
+    digest = hashlib.sha256(repr(placed).encode()).hexdigest()[:8]
+    made = f"{name}-{version('rtb-data')}-{digest}-{_MADE_BY}"
+    return _cached(made, lambda: shaded([*_assembled(placed)]))
+
+
+def _assembled(placed: Sequence[PlacedMesh]) -> Iterator[Part]:
+    for name, pos, rpy, tone in placed:
+        turn = Rotation.from_euler("xyz", rpy).as_matrix()
+        for part in _read(name):
+            yield Part(part.vertices @ turn.T + pos, part.faces, tone)
+
+
+def _cached(name: str, make: Callable[[], ThinMesh]) -> ThinMesh:
+    """Return a mesh from the cache, or make it."""
+    cached = user_cache() / f"{name}.npz"
     if cached.is_file():
         with np.load(cached) as arrays:
             return ThinMesh(**arrays)
-    mesh = thin_mesh(_read(name), triangles)
+    mesh = make()
     try:
         _write_atomically(cached, mesh)
     except OSError as error:

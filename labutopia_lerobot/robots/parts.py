@@ -1,12 +1,14 @@
 """Parts of a robot's links and drives: inertia, mesh, collision geometry, servo."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 
 import mujoco
 import numpy as np
 
-from labutopia_lerobot.robots.meshes import load_mesh
-from labutopia_lerobot.robots.robot import Element
+from labutopia_lerobot.robots.element import Element
+from labutopia_lerobot.robots.meshes import PlacedMesh, load_assembly, load_mesh
+from labutopia_lerobot.robots.thinning import ThinMesh
 from labutopia_lerobot.world.model import COLLISION_GROUP, VISUAL_GROUP
 
 type Vector = tuple[float, float, float]
@@ -46,8 +48,38 @@ def add_visual_mesh(
         material: Name of a material of the spec.
     """
     name = file.rpartition(".")[0].rpartition("/")[-1]
+    _add_mesh(spec, body, name, partial(load_mesh, file, triangles), material)
+
+
+def add_assembly(
+    spec: mujoco.MjSpec,
+    body: mujoco.MjsBody,
+    name: str,
+    placed: Sequence[PlacedMesh],
+    material: str,
+) -> None:
+    """Add several meshes of `rtb-data` as one, otherwise like `add_visual_mesh`.
+
+    Args:
+        spec: The spec of the body.
+        body: The body.
+        name: Of the mesh.
+        placed: The files, and where they are in the body's frame.
+        material: Name of a material of the spec.
+    """
+    _add_mesh(spec, body, name, partial(load_assembly, name, placed), material)
+
+
+def _add_mesh(
+    spec: mujoco.MjSpec,
+    body: mujoco.MjsBody,
+    name: str,
+    load: Callable[[], ThinMesh],
+    material: str,
+) -> None:
+    """Add a mesh to a body, and to the spec if it has none of this name."""
     if spec.mesh(name) is None:
-        mesh = load_mesh(file, triangles)
+        mesh = load()
         spec.add_mesh(
             name=name,
             uservert=mesh.vertices.ravel(),
@@ -177,3 +209,25 @@ def add_servo(
         forcelimited=True,
     )
     servo.set_to_position(kp=stiffness, kv=damping)
+
+
+def add_velocity_servo(
+    spec: mujoco.MjSpec, element: Element, joint: str, damping: float, force: float
+) -> None:
+    """Add the servo of a velocity, of an element's name, whose force saturates.
+
+    Args:
+        spec: The spec.
+        element: The velocity.
+        joint: Name of the joint that it drives.
+        damping: Force per error [N s/m or N m s/rad].
+        force: Largest force [N or N m].
+    """
+    servo = spec.add_actuator(
+        name=element.name,
+        target=joint,
+        trntype=mujoco.mjtTrn.mjTRN_JOINT,
+        forcerange=(-force, force),
+        forcelimited=True,
+    )
+    servo.set_to_velocity(kv=damping)

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.robots.element import Element
+from labutopia_lerobot.robots.mobile_base import MobileBase
 from labutopia_lerobot.world import Approach
 
 if TYPE_CHECKING:
@@ -15,37 +17,18 @@ class UnknownRobotError(UserError, ValueError):
     """A robot that does not exist; the message lists those that do."""
 
 
-@dataclass(frozen=True)
-class Element:
-    """One number of a robot's state and of its commands.
-
-    Attributes:
-        name: What it is called in features; also the servo that takes its target.
-        lower: Least position [rad or m].
-        upper: Greatest position [rad or m].
-        speed: Greatest speed [rad/s or m/s].
-        acceleration: Greatest acceleration [rad/s^2 or m/s^2].
-        jerk: Greatest jerk [rad/s^3 or m/s^3].
-    """
-
-    name: str
-    lower: float
-    upper: float
-    speed: float
-    acceleration: float
-    jerk: float
-
-
 class Roles(NamedTuple):
     """Where the elements of a robot are, by what they do, in whatever has its elements in order.
 
     Attributes:
         joints: Those of the arm, from base to hand.
         gripper: The distance between the pads.
+        base: Velocities of the base; of an arm on a stand empty.
     """
 
     joints: slice
     gripper: int
+    base: slice
 
 
 @dataclass(frozen=True)
@@ -81,8 +64,9 @@ class Robot:
     Attributes:
         name: Short name.
         add_to: Builds the robot into a spec (angles in radians) as a child of a body: base frame at
-            the parent's, z up, arm towards +x, no free joint. Every element has a position servo of
-            its name; the joints have the names of their elements.
+            the parent's, z up, arm towards +x, no free joint. Every element has a servo of its
+            name: of position; for a base of the velocity of its joints, which are in the room's
+            frame. The arm's joints have the names of their elements.
         joints: Joints of the arm from base to hand [rad].
         gripper: The hand.
         home: Joint angles at rest [rad].
@@ -92,6 +76,7 @@ class Robot:
         base_body: Root body.
         vessel_approach: How the hand comes to vessels, relative to the bearing from the base.
         handle_approach: How the hand comes to handles, relative to straight into the door.
+        base: What carries the arm over the floor; None if it is mounted on a stand.
     """
 
     name: str
@@ -105,22 +90,34 @@ class Robot:
     base_body: str
     vessel_approach: Approach
     handle_approach: Approach
+    base: MobileBase | None = None
 
     @property
     def elements(self) -> tuple[Element, ...]:
-        """Everything that is measured and commanded, in order: the joints, then the gripper."""
-        return (*self.joints, self.gripper.element)
+        """Everything that is measured and commanded, in order: joints, gripper, base."""
+        driving = () if self.base is None else self.base.elements
+        return (*self.joints, self.gripper.element, *driving)
 
     @property
     def roles(self) -> Roles:
         """Where in `elements` which of them are: nothing else may count on their order."""
         joints = len(self.joints)
-        return Roles(joints=slice(joints), gripper=joints)
+        return Roles(slice(joints), joints, slice(joints + 1, len(self.elements)))
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the elements."""
         return tuple(element.name for element in self.elements)
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        """Names of what is observed: the elements, then the pose of the base in the room."""
+        return self.names if self.base is None else (*self.names, *self.base.pose_names)
+
+    @property
+    def other_joints(self) -> tuple[str, ...]:
+        """Joints that are not the arm's: those of the fingers and of the base."""
+        return (*self.gripper.finger_joints, *(() if self.base is None else self.base.joints))
 
     @property
     def lower(self) -> tuple[float, ...]:
@@ -149,8 +146,8 @@ class Robot:
 
     @property
     def start(self) -> tuple[float, ...]:
-        """Positions of the elements when an episode begins [rad or m]: home, the gripper open."""
-        return (*self.home, self.max_opening)
+        """Elements when an episode begins [rad or m]: home, the gripper open, the base at rest."""
+        return (*self.home, self.max_opening, *(() if self.base is None else (0.0, 0.0, 0.0)))
 
     @property
     def max_opening(self) -> float:

@@ -109,6 +109,19 @@ def thin_mesh(parts: Sequence[Part], triangles: int) -> ThinMesh:
     )
 
 
+def shaded(parts: Sequence[Part]) -> ThinMesh:
+    """Return parts with all their triangles, which are few, shaded as those of `thin_mesh` are."""
+    made = [creased(*weld(part.vertices, part.faces)) for part in parts]
+    counts = [len(vertices) for vertices, _, _ in made]
+    starts = np.cumsum([0, *counts[:-1]])
+    return ThinMesh(
+        np.concatenate([vertices for vertices, _, _ in made]).astype(np.float32),
+        np.concatenate([normals for _, normals, _ in made]).astype(np.float32),
+        np.repeat([part.tone for part in parts], counts).astype(np.float32),
+        np.concatenate([faces + start for (*_, faces), start in zip(made, starts, strict=True)]),
+    )
+
+
 def weld(vertices: Vertices, faces: Faces) -> tuple[Vertices, Faces]:
     """Make one of vertices at the same place; drop triangles without area, and what is unused."""
     _, first, same = np.unique(

@@ -4,6 +4,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from labutopia_lerobot.labware.piece import Piece
+from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Plan
 from labutopia_lerobot.scenes.room import Room
@@ -26,6 +27,8 @@ def furnished_room(plan: Plan) -> Room:
         robot_stand=LABORATORY.robot_stand,
         decorator=partial(_decorate, plan),
         furniture=partial(_furniture, plan),
+        solidifier=partial(_make_solid, plan),
+        mapper=partial(_map, plan),
     )
 
 
@@ -39,6 +42,18 @@ def _decorate(plan: Plan, spec: "mujoco.MjSpec", view: View) -> None:
     from labutopia_lerobot.scenes.furnished_room_model import decorate  # here: mujoco
 
     decorate(plan, spec, view)
+
+
+def _make_solid(plan: Plan, spec: "mujoco.MjSpec") -> None:
+    from labutopia_lerobot.scenes.furnished_room_model import make_solid  # here: mujoco
+
+    make_solid(plan, spec)
+
+
+def _map(plan: Plan) -> Occupancy:
+    from labutopia_lerobot.scenes.room_map import map_around  # here: mujoco
+
+    return map_around(plan, plan.work_places[0])
 
 
 def _furniture(plan: Plan) -> tuple[Piece, ...]:

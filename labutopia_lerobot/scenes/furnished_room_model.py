@@ -21,12 +21,14 @@ from labutopia_lerobot.scenes.plan import Plan, WorkPlace
 from labutopia_lerobot.scenes.plan_model import facing
 from labutopia_lerobot.scenes.room import Room
 from labutopia_lerobot.scenes.scenery import scenery
-from labutopia_lerobot.scenes.space.boxes import boxes
+from labutopia_lerobot.scenes.space.boxes import Boxes, boxes, joined
+from labutopia_lerobot.scenes.space.claims import claims_of_piece
+from labutopia_lerobot.scenes.space.ware_room import box_of
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.scenes.visible_triangles import visible_triangles
-from labutopia_lerobot.scenes.within_reach import RealPiece, near, real_pieces
+from labutopia_lerobot.scenes.within_reach import PREFIX, RealPiece, near, real_names, real_pieces
 from labutopia_lerobot.world import ROOM, FloatArray
-from labutopia_lerobot.world.model import BEYOND_GROUP, VISUAL_GROUP
+from labutopia_lerobot.world.model import BEYOND_GROUP, COLLISION_GROUP, VISUAL_GROUP
 
 _PALETTE = 16
 """Colours along a side of the palette."""
@@ -61,6 +63,40 @@ def decorate(plan: Plan, spec: mujoco.MjSpec, view: View) -> None:
             if chosen.any():
                 name, part = f"scenery_{surface.look}{suffix}", (vertices, normals, faces[chosen])
                 _add_mesh(spec, body, name, f"scenery_{surface.look}", part, colors[chosen], group)
+
+
+def make_solid(plan: Plan, spec: mujoco.MjSpec) -> None:
+    """Add boxes for what is a picture otherwise: a robot that drives gets everywhere.
+
+    They are those of the map (`scenes.room_map`): bodies called `room_` and the piece's name, for
+    furniture and instruments with their ware, and `world.ROOM` for walls.
+    """
+    body, place = spec.body(ROOM), plan.work_places[0]
+    stand = np.array([place.x, place.y, LABORATORY.robot_stand[2]])
+    walls = (box for wall in masonry(plan) for box in wall.boxes())
+    far = [box for box in walls if not near(stand, boxes(box))]
+    add_wall_solids(body, far, "far_wall")
+    pictured = [
+        piece
+        for piece in plan.pieces
+        if piece.name not in real_names(plan) and piece.name != place.bench
+    ]
+    standing: dict[str, list[Boxes]] = {
+        piece.name: [next(claims_of_piece(piece)).room] for piece in pictured
+    }
+    for ware in plan.ware:
+        if ware.on in standing and ware.name not in real_names(plan):
+            standing[ware.on].append(box_of(ware))
+    for name, parts in standing.items():
+        owner = body.add_body(name=f"{PREFIX}{name}")
+        for low, high in zip(*joined(*parts), strict=True):
+            if (high > low).all():
+                owner.add_geom(
+                    type=mujoco.mjtGeom.mjGEOM_BOX,
+                    pos=(low + high) / 2,
+                    size=(high - low) / 2,
+                    group=COLLISION_GROUP,
+                )
 
 
 def _surround(plan: Plan, view: View, spec: mujoco.MjSpec) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.scenes.building.surfaces_model import add_floor_material
-from labutopia_lerobot.scenes.room import Room
+from labutopia_lerobot.scenes.room import PEDESTAL, Room
 from labutopia_lerobot.scenes.textures import PATTERNS, SIZE, texture
 from labutopia_lerobot.scenes.views import CameraPose, View
 from labutopia_lerobot.world import BENCH, ROOM
@@ -131,7 +131,7 @@ def _bench(spec: mujoco.MjSpec, room: Room) -> None:
         material="cabinet",
     )
     x, y, z = room.robot_stand
-    spec.worldbody.add_body(name="pedestal", pos=[x, y, 0.0]).add_geom(
+    spec.worldbody.add_body(name=PEDESTAL, pos=[x, y, 0.0]).add_geom(
         name="pedestal",
         type=_BOX,
         pos=[-0.03, 0.0, z / 2],

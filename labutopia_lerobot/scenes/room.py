@@ -11,6 +11,11 @@ if TYPE_CHECKING:
     import mujoco
 
     from labutopia_lerobot.labware.piece import Piece
+    from labutopia_lerobot.navigation.occupancy import Occupancy
+
+
+PEDESTAL = "pedestal"
+"""Body that carries an arm on a stand."""
 
 
 class UnknownRoomError(UserError, ValueError):
@@ -45,6 +50,8 @@ class Room:
         robot_stand: Where the base of a robot is mounted, facing +x [m], world frame.
         decorator: Adds to such a spec what is seen and never touched, or None.
         furniture: Returns the pieces that it builds, or None.
+        solidifier: Adds to such a spec what only a robot that drives can touch, or None.
+        mapper: Returns the map for such a robot, world frame.
     """
 
     name: str
@@ -53,6 +60,8 @@ class Room:
     robot_stand: Vector
     decorator: "Callable[[mujoco.MjSpec, View], None] | None" = None
     furniture: "Callable[[], tuple[Piece, ...]] | None" = None
+    solidifier: "Callable[[mujoco.MjSpec], None] | None" = None
+    mapper: "Callable[[], Occupancy] | None" = None
 
     @property
     def pieces(self) -> "tuple[Piece, ...]":
@@ -65,6 +74,21 @@ class Room:
         The bench is the body `world.BENCH`; floor and walls are the body `world.ROOM`.
         """
         return self.builder(self, view)
+
+    def make_solid(self, spec: "mujoco.MjSpec") -> None:
+        """Add to the spec that was built what only a robot that drives can touch."""
+        if self.solidifier is not None:
+            self.solidifier(spec)
+
+    def map(self) -> "Occupancy":
+        """Return where a robot can drive, world frame.
+
+        Raises:
+            UnknownRoomError: If there is no map of the room.
+        """
+        if self.mapper is None:
+            raise UnknownRoomError(f"There is no map of the room {self.name!r}. Choose another")
+        return self.mapper()
 
     def decorate(self, spec: "mujoco.MjSpec", view: View) -> None:
         """Add to the spec that was built what is seen around the bench and never touched."""

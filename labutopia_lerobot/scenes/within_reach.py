@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 _REACH = 1.25
 """Distance from the robot's base up to which things are real [m]: the longest arm's 0.90, its hand
 and what that holds."""
-_PREFIX = "room_"
+PREFIX = "room_"
 """Beginning of their names, so that they are none of a task's."""
 
 
@@ -79,7 +79,7 @@ def near(point: FloatArray, room: Boxes) -> bool:
 def _real_instruments(plan: Plan) -> Iterator[RealPiece]:
     for placed in plan.pieces:
         if placed.name in real_names(plan):
-            piece = instrument(placed.kind, f"{_PREFIX}{placed.name}")
+            piece = instrument(placed.kind, f"{PREFIX}{placed.name}")
             room = joined(*(claim.room for claim in claims_of_piece(placed)))
             at = placed.x, placed.y, placed.height
             yield RealPiece(piece, at, placed.heading, room)
@@ -89,7 +89,7 @@ def _real_ware(plan: Plan) -> Iterator[RealPiece]:
     carriers = {piece.name: piece for piece in plan.pieces}
     for ware in plan.ware:
         if ware.name in real_names(plan):
-            name, heading = f"{_PREFIX}{ware.name}", carriers[ware.on].heading
+            name, heading = f"{PREFIX}{ware.name}", carriers[ware.on].heading
             piece = made(ware.kind, ware.size, name)
             yield RealPiece(piece, (ware.x, ware.y, ware.height), heading, box_of(ware))
             if ware.closed:

@@ -38,8 +38,8 @@ class HandControl:
         self._track = mink.FrameTask(
             robot.gripper.site, "site", position_cost=1.0, orientation_cost=0.3
         )
-        fingers = dict.fromkeys(robot.gripper.finger_joints, 0.0)
-        self._limits = [mink.ConfigurationLimit(model), mink.VelocityLimit(model, fingers)]
+        still = dict.fromkeys(robot.other_joints, 0.0)
+        self._limits = [mink.ConfigurationLimit(model), mink.VelocityLimit(model, still)]
         self._command_limits = CommandLimits(robot, _SHARE)
         self.begin()
 

@@ -81,7 +81,7 @@ class ReactiveMotion:
         self._posture.set_target(home)
         self._limits = [
             self._box,
-            mink.VelocityLimit(self._model, dict.fromkeys(scene.robot.gripper.finger_joints, 0.0)),
+            mink.VelocityLimit(self._model, dict.fromkeys(scene.robot.other_joints, 0.0)),
         ]
         self._clearances = _clearances(self._model, scene.robot, scene.pieces)
         hulls = [body for piece in scene.pieces for body in _hulls_by_body(scene, piece)]
@@ -104,7 +104,7 @@ class ReactiveMotion:
         folded = min(1.0, abs(self._simulation.command[self._elbow]) / _STRETCHED)
         self._posture.set_cost(_POSTURE * (1.0 + _FOLDING * (1.0 - folded) ** 2))
         avoid = [self._clearances[pair] for pair in self._kept_apart(touches, holds)]
-        limits, joints, gripper = self._command_limits, *self._roles
+        limits, joints, gripper = self._command_limits, self._roles.joints, self._roles.gripper
         before, last = self._simulation.commands[-2:]
         least, greatest = limits.changes(before, last)
         self._box.least, self._box.greatest = least[joints], greatest[joints]
@@ -181,6 +181,7 @@ class ReactiveMotion:
         positions[self._roles.gripper] = np.clip(self._world.gripper_opening, 1e-4, widest - 1e-4)
         qpos = self._model.qpos0.copy()
         self._drives.place(qpos, positions)
+        self._drives.stand(qpos, self._simulation.base_pose)
         self._configuration.update(qpos)
 
 

@@ -12,14 +12,14 @@ from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.processes import Process, slots_of
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.robots.set_points import SPAN
-from labutopia_lerobot.scenes.room import Room
+from labutopia_lerobot.scenes.room import PEDESTAL, Room
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
 from labutopia_lerobot.sim import contact_shadows
 from labutopia_lerobot.sim.filament_light import light_for_filament
 from labutopia_lerobot.sim.warm_processes import warm_processes
 from labutopia_lerobot.substances.filling import Filling
-from labutopia_lerobot.world import ARM, HAND, LEFT_PAD, RIGHT_PAD
+from labutopia_lerobot.world import ARM, BASE, HAND, LEFT_PAD, RIGHT_PAD, FloatArray
 from labutopia_lerobot.world.model import PHYSICS_HZ
 
 ROBOT_MOUNT = "robot_mount"
@@ -148,8 +148,25 @@ def set_options(spec: mujoco.MjSpec) -> None:
 
 
 def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
-    """Mount the robot on its stand."""
-    robot.add_to(spec, spec.worldbody.add_body(name=ROBOT_MOUNT, pos=room.robot_stand))
+    """Mount the robot on its stand; one that drives needs none, and starts at the origin."""
+    stand = room.robot_stand
+    if robot.base is not None:
+        stand = (0.0, 0.0, 0.0)
+        if (pedestal := spec.body(PEDESTAL)) is not None:
+            spec.delete(pedestal)
+        room.make_solid(spec)
+    robot.add_to(spec, spec.worldbody.add_body(name=ROBOT_MOUNT, pos=stand))
+
+
+def at_stand(robot: Robot, room: Room) -> FloatArray:
+    """Return where a base is whose arm is where the stand of a room would carry it.
+
+    That is x, y [m] and heading [rad]; empty for an arm on a stand.
+    """
+    if robot.base is None:
+        return np.empty(0)
+    (x, y, _), (ahead, left, _) = room.robot_stand, robot.base.arm
+    return np.array([x - ahead, y - left, 0.0])
 
 
 def _drawing(
@@ -169,7 +186,8 @@ def _contact_groups(
 ) -> tuple[tuple[str, ...], NDArray[np.intp]]:
     """Name each geom after its body or its part of the robot, each flex after its root body."""
     hand = model.body(robot.gripper.body).id
-    base = model.body(robot.base_body).id
+    arm = model.body(robot.base_body).id
+    base = -1 if robot.base is None else model.body(robot.base.body).id
     names = []
     for geom in range(model.ngeom):
         body = model.geom_bodyid[geom]
@@ -180,13 +198,15 @@ def _contact_groups(
             names.append(RIGHT_PAD)
         elif hand in line:
             names.append(HAND)
-        elif base in line:
+        elif arm in line:
             names.append(ARM)
+        elif base in line:
+            names.append(BASE)
         else:
             names.append(model.body(body).name)
     for first in model.flex_vertadr:
         names.append(model.body(model.body_rootid[model.flex_vertbodyid[first]]).name)
-    groups = tuple(dict.fromkeys([LEFT_PAD, RIGHT_PAD, HAND, ARM, *names]))
+    groups = tuple(dict.fromkeys([LEFT_PAD, RIGHT_PAD, HAND, ARM, BASE, *names]))
     return groups, np.array([groups.index(name) for name in names], dtype=np.intp)
 
 

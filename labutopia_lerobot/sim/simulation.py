@@ -16,7 +16,7 @@ from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.set_points import PHYSICS_STEPS, SPAN, set_points
 from labutopia_lerobot.sim.contact_record import ContactRecord
-from labutopia_lerobot.sim.scene import ROBOT_MOUNT, Scene
+from labutopia_lerobot.sim.scene import ROBOT_MOUNT, Scene, at_stand
 from labutopia_lerobot.substances.filling import (
     Dispenser,
     Fillable,
@@ -60,6 +60,7 @@ class Simulation:
         self.contacts = ContactRecord(scene, self.data)
         self._drives = Drives(scene.model, scene.robot)
         self._start = np.array(scene.robot.start)
+        self._base_start = at_stand(scene.robot, scene.room)
         self.liquid = _liquid(scene, self.data) if scene.contents else None
         self.account = None if self.liquid is None else self.liquid.take_account()
         commands = SPAN * len(scene.robot.elements)
@@ -105,6 +106,7 @@ class Simulation:
         if displacement is not None:
             start[self.scene.robot.roles.joints] += displacement
         self._drives.place(data.qpos, start)
+        self._drives.stand(data.qpos, self._base_start)
         self._drives.command(data, start)
         self.commands[:] = start
         mujoco.mj_step1(model, data)
@@ -185,8 +187,18 @@ class Simulation:
 
     @property
     def measured(self) -> FloatArray:
-        """Joint angles [rad] and distance between the pads [m], shape (elements,)."""
+        """Joint angles [rad], distance between the pads [m] and velocities, shape (elements,)."""
         return self._drives.measured(self.data)
+
+    @property
+    def base_pose(self) -> FloatArray:
+        """Where the base is: x, y [m] and heading [rad]; empty for an arm on a stand."""
+        return self._drives.base_pose(self.data)
+
+    @property
+    def robot_state(self) -> FloatArray:
+        """State of the robot that is observed, in the order of `Robot.state_names`."""
+        return np.concatenate([self.measured, self.base_pose])
 
     def draw_liquid(self) -> None:
         """Find the surface of the liquid, once for all pictures of this moment."""

@@ -64,8 +64,17 @@ class SimulatedWorld:
 
     @property
     def robot_base(self) -> Pose:
-        """Base of the robot, x forward, z up."""
-        return Pose(np.array(self._simulation.scene.room.robot_stand), np.eye(3))
+        """Base of the arm, x forward, z up."""
+        scene = self._simulation.scene
+        if scene.robot.base is None:
+            return Pose(np.array(scene.room.robot_stand), np.eye(3))
+        return self._pose(self._model.body(scene.robot.base_body).id)
+
+    @property
+    def mobile_base(self) -> Pose | None:
+        """Middle of the mobile base on the floor, x forward, z up; None for an arm on a stand."""
+        base = self._simulation.scene.robot.base
+        return None if base is None else self._pose(self._model.body(base.body).id)
 
     @property
     def gripper(self) -> Pose:
@@ -89,8 +98,7 @@ class SimulatedWorld:
 
     def pose(self, thing: Thing) -> Pose:
         """Return the frame of a thing: origin at the centre of its base."""
-        body = self._body(thing)
-        return Pose(self._data.xpos[body].copy(), self._data.xmat[body].reshape(3, 3).copy())
+        return self._pose(self._body(thing))
 
     def stood(self, thing: Thing) -> Pose:
         """Return where a thing was when all had come to rest, before anything moved."""
@@ -199,6 +207,9 @@ class SimulatedWorld:
     def approach_speed(self, first: str, second: str) -> float:
         """Return the greatest speed at which the two met since the last control step [m/s]."""
         return float(self._simulation.contacts.approach[self._pair(first, second)])
+
+    def _pose(self, body: int) -> Pose:
+        return Pose(self._data.xpos[body].copy(), self._data.xmat[body].reshape(3, 3).copy())
 
     def _twist(self, thing: Thing) -> FloatArray:
         """Return angular and linear velocity of a thing's centre of mass, shape (6,)."""

@@ -164,10 +164,11 @@ class Workcell:
 
     @property
     def _here(self) -> NDArray[np.float32]:
-        """The action that leaves the arm where it is, and what is held in the hand."""
+        """The action that leaves arm and base where they are, and what is held in the hand."""
+        roles = self.simulation.scene.robot.roles
         action = self.simulation.measured.astype(np.float32)
-        gripper = self.simulation.scene.robot.roles.gripper
-        action[gripper] = self.simulation.command[gripper]
+        action[roles.gripper] = self.simulation.command[roles.gripper]
+        action[roles.base] = 0.0
         return action
 
     def color(self, camera: str) -> NDArray[np.uint8]:

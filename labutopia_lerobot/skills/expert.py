@@ -12,6 +12,7 @@ from labutopia_lerobot.robots.braking import longest_step
 from labutopia_lerobot.skills.skill import Phase, PhaseError, Skill
 from labutopia_lerobot.world import (
     ARM,
+    BASE,
     CONTROL_HZ,
     HAND,
     LEFT_PAD,
@@ -147,10 +148,11 @@ class Expert:
 
     def _count_unexpected_touches(self) -> None:
         """Count touches of the arm, the hand and its load with what the phase does not list."""
-        robot = {ARM, HAND, LEFT_PAD, RIGHT_PAD}
-        allowed = {ARM: robot, **dict.fromkeys(robot - {ARM}, robot | self._phase.touches)}
+        robot, body = {ARM, BASE, HAND, LEFT_PAD, RIGHT_PAD}, {ARM, BASE}
+        allowed = dict.fromkeys(body, robot)
+        allowed |= dict.fromkeys(robot - body, robot | self._phase.touches)
         if self._phase.holds is not None:
-            allowed[self._phase.holds.name] = (robot - {ARM}) | self._phase.touches
+            allowed[self._phase.holds.name] = (robot - body) | self._phase.touches
         for mover, others in allowed.items():
             for other in self._world.touched_by(mover) - others:
                 self.unexpected[mover, other] += 1

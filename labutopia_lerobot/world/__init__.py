@@ -8,6 +8,7 @@ from labutopia_lerobot.world.solution import Solution
 from labutopia_lerobot.world.things import Button, Graspable, OpenVessel, Standing, Thing
 from labutopia_lerobot.world.world import (
     ARM,
+    BASE,
     BENCH,
     CONTROL_HZ,
     HAND,
@@ -19,6 +20,7 @@ from labutopia_lerobot.world.world import (
 
 __all__ = [
     "ARM",
+    "BASE",
     "BENCH",
     "CONTROL_HZ",
     "HAND",

@@ -17,6 +17,7 @@ LEFT_PAD = "left_pad"
 RIGHT_PAD = "right_pad"
 HAND = "hand"
 ARM = "arm"
+BASE = "base"
 BENCH = "bench"
 ROOM = "room"
 
@@ -27,7 +28,8 @@ class World(Protocol):
     Everything handed out is a copy. Contacts, their forces and speeds, speeds of joints and falls
     are the extremes of all physics steps since the previous control step, so that a touch or a
     knock shorter than a control period is seen too. Contact names are the names of bodies (a
-    thing's own, or a moving part's), and `left_pad`, `right_pad`, `hand`, `arm`, `bench`, `room`.
+    thing's own, or a moving part's), and `left_pad`, `right_pad`, `hand`, `arm`, `base` (a mobile
+    one), `bench`, `room`.
     """
 
     @property
@@ -47,7 +49,12 @@ class World(Protocol):
 
     @property
     def robot_base(self) -> Pose:
-        """Base of the robot, x forward, z up."""
+        """Base of the arm, x forward, z up; on a mobile base it moves."""
+        ...
+
+    @property
+    def mobile_base(self) -> Pose | None:
+        """Middle of the mobile base on the floor, x forward, z up; None for an arm on a stand."""
         ...
 
     @property

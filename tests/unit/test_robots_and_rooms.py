@@ -123,7 +123,7 @@ class GripperFirst(Robot):
 
     @property
     def roles(self) -> Roles:
-        return Roles(joints=slice(1, 1 + len(self.joints)), gripper=0)
+        return Roles(slice(1, 1 + len(self.joints)), 0, slice(0))
 
     @property
     def start(self) -> tuple[float, ...]:

@@ -85,12 +85,12 @@ def add_surfaces(room: mujoco.MjsBody, plan: Plan) -> None:
     )
 
 
-def add_wall_solids(room: mujoco.MjsBody, boxes: Iterable[Box]) -> None:
-    """Add what is touched of walls."""
+def add_wall_solids(room: mujoco.MjsBody, boxes: Iterable[Box], name: str = "wall") -> None:
+    """Add what is touched of walls, geoms of a name with numbers."""
     for number, spans in enumerate(boxes):
         low, high = np.array(spans).T
         room.add_geom(
-            name=f"wall_{number}",
+            name=f"{name}_{number}",
             type=mujoco.mjtGeom.mjGEOM_BOX,
             pos=(low + high) / 2,
             size=(high - low) / 2,

@@ -1,0 +1,49 @@
+"""Interface of a base that drives for the rest of the package."""
+
+import math
+from dataclasses import dataclass
+
+from labutopia_lerobot.navigation.path import BaseLimits
+from labutopia_lerobot.robots.element import Element
+
+
+@dataclass(frozen=True)
+class MobileBase:
+    """A base that moves any way over the floor (paper: x and y velocity and rotation).
+
+    Its frame has x forward, y to the left, z up, and its origin in the middle of it on the floor.
+
+    Attributes:
+        elements: Velocities forward and to the left [m/s], and of turning to the left [rad/s],
+            in its own frame.
+        joints: Slides along x and y of the room, and the hinge about z that turns in them.
+        body: Root body.
+        size: Length and width of its footprint [m].
+        height: Up to its deck [m].
+        payload: Greatest mass on its deck [kg].
+        arm: Where the base of the arm is mounted [m], base frame, facing forward.
+    """
+
+    elements: tuple[Element, Element, Element]
+    joints: tuple[str, str, str]
+    body: str
+    size: tuple[float, float]
+    height: float
+    payload: float
+    arm: tuple[float, float, float]
+
+    @property
+    def radius(self) -> float:
+        """Radius of the circle around its footprint [m]."""
+        return 0.5 * math.hypot(*self.size)
+
+    @property
+    def limits(self) -> BaseLimits:
+        """Speed and acceleration, for planning."""
+        forward, _, turning = self.elements
+        return BaseLimits(forward.upper, forward.speed, turning.upper, turning.speed)
+
+    @property
+    def pose_names(self) -> tuple[str, str, str]:
+        """Names of x and y [m] and of the heading, to the left of x [rad], room frame."""
+        return self.joints
