@@ -19,6 +19,7 @@ PROGRAMS = (
     "compare",
     "convert",
     "evaluate",
+    "experiment",
     "publish",
     "recipe",
     "record",
