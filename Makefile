@@ -23,12 +23,19 @@ demo test test-slow: export OMP_WAIT_POLICY := PASSIVE
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test test-slow lint format clean
+.PHONY: help setup demo results-cpu results-gpu test test-slow lint format clean
 
 help:  ## List the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup: $(PACKAGES) $(LIBRARIES)  ## Create .venv with the pinned packages; OpenGL, FFmpeg
+
+# Hours to nights: what is there stands, and a killed one goes on. First it says what it costs.
+results-cpu: setup  ## Record, train and evaluate every row of docs/results.md that needs no GPU
+	$(BIN)/labutopia-experiment experiment=results_cpu
+
+results-gpu: setup  ## The same with pictures, as the paper has it; needs one GPU
+	$(BIN)/labutopia-experiment experiment=results_gpu
 
 # The main job in small, with the commands that a user types.
 demo: setup  ## Record, train and evaluate a small policy on a CPU, and print its table

@@ -20,6 +20,7 @@ PROGRAMS = (
     "convert",
     "doctor",
     "evaluate",
+    "experiment",
     "film",
     "publish",
     "recipe",

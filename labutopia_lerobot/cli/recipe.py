@@ -1,31 +1,20 @@
 """`labutopia-recipe act DATASET --epochs 200`: the training command, with steps computed."""
 
-import json
-import math
 import shlex
-from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
 
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
-from labutopia_lerobot.cli.dataset_folder import INFO, require_dataset
 from labutopia_lerobot.cli.grammar import OptionParser
-from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.foreign_files import read_json_object
-from labutopia_lerobot.runtime.shipped import shipped
-
-
-class RecipeError(UserError):
-    """No such recipe, or an impossible number; the message lists the recipes."""
+from labutopia_lerobot.experiments.recipe import trainable_policies, training_command
 
 
 @clear_errors
 def main() -> None:
     """Print the command."""
     parser = OptionParser(prog="labutopia-recipe", description=__doc__)
-    parser.add_argument("policy", help=f"what to train: {', '.join(_policies())}")
+    parser.add_argument("policy", help=f"what to train: {', '.join(trainable_policies())}")
     parser.add_argument("dataset", type=Path, metavar="DATASET", help="folder of a LeRobotDataset")
     parser.add_argument(
         "--epochs",
@@ -45,124 +34,6 @@ def main() -> None:
         arguments.policy, arguments.dataset, arguments.epochs, arguments.batch_size, arguments.out
     )
     Console(soft_wrap=True, highlight=False).print(shlex.join(command), markup=False)
-
-
-def training_command(
-    policy: str, dataset: Path, epochs: int | None, batch_size: int | None, out: Path | None
-) -> list[str]:
-    """Return the command that trains a policy on a dataset with the recipe that suits it.
-
-    Args:
-        policy: A folder of `policies/`.
-        dataset: Folder of the dataset; without pictures, the recipe for privileged state is taken.
-        epochs: How often every frame is seen, or None for the recipe's own number of steps.
-        batch_size: Frames per step, or None for the recipe's.
-        out: Where the training goes; None for where `policy=` looks for it.
-
-    Raises:
-        NoDatasetError: If there is no such dataset.
-        RecipeError: If there is no such recipe, or a number is impossible.
-    """
-    info = _info(dataset)
-    pictures = any(feature.get("dtype") == "video" for feature in info["features"].values())
-    file = _recipe(policy, "train.json" if pictures else "train_state.json")
-    recipe = read_json_object(file, RecipeError)
-    for name, value in {"epochs": epochs, "batch-size": batch_size}.items():
-        if value is not None and value < 1:
-            raise RecipeError(f"--{name} {value} is too small: at least 1")
-    command = [
-        "lerobot-train",
-        f"--config_path={file}",
-        f"--dataset.repo_id=local/{dataset.resolve().name}",
-        f"--dataset.root={dataset}",
-        f"--output_dir={out or Path('outputs/train') / policy / _place(dataset)}",
-    ]
-    size = batch_size or recipe["batch_size"]
-    if batch_size is not None:
-        command.append(f"--batch_size={batch_size}")
-    if epochs is not None:
-        frames = trained_frames(_episodes(dataset), recipe)
-        command.append(f"--steps={math.ceil(epochs * frames / size)}")
-    if _lerobot_averages():
-        command.append("--ema.enable=true")
-    return command
-
-
-def trained_frames(episodes: Iterable[tuple[str, int]], recipe: dict[str, Any]) -> int:
-    """Return how many frames a training draws from in one epoch.
-
-    Of each task's episodes LeRobot holds the last `ceil(episodes * eval_split)` out
-    (lerobot/datasets/factory.py), and a policy may leave out the last frames of each
-    (`drop_n_last_frames`).
-
-    Args:
-        episodes: Task and number of frames of every episode, in order.
-        recipe: What `lerobot-train` is configured with.
-    """
-    split = recipe.get("dataset", {}).get("eval_split", 0.0)
-    dropped = recipe.get("policy", {}).get("drop_n_last_frames", 0)
-    of: dict[str, list[int]] = {}
-    for task, frames in episodes:
-        of.setdefault(task, []).append(frames)
-    return sum(
-        max(frames - dropped, 0)
-        for lengths in of.values()
-        for frames in lengths[: len(lengths) - math.ceil(len(lengths) * split)]
-    )
-
-
-def _place(dataset: Path) -> str:
-    """Return where, below a policy's folder, evaluations look for what a dataset trains.
-
-    That is its task; of several tasks together, and of datasets of others, there is none, and it is
-    the end of the dataset's path.
-    """
-    file = dataset / "meta" / "labutopia.json"
-    recorded = read_json_object(file, RecipeError).get("config", {}) if file.is_file() else {}
-    task, step = recorded.get("task"), recorded.get("step")
-    if not isinstance(task, str):
-        return "/".join(dataset.resolve().parts[-2:])
-    return task if step is None else f"{task}/{step}"
-
-
-def _policies() -> list[str]:
-    return sorted({file.parent.name for file in shipped("policies").glob("*/train*.json")})
-
-
-def _recipe(policy: str, name: str) -> Path:
-    file = shipped("policies") / policy / name
-    if file.is_file():
-        return file
-    if policy in _policies():
-        raise RecipeError(
-            f"{policy} has no recipe for a dataset "
-            f"{'with' if name == 'train.json' else 'without'} pictures. There are: "
-            f"{', '.join(sorted(f.name for f in file.parent.glob('train*.json')))}"
-        )
-    raise RecipeError(f"'{policy}' is no recipe. Recipes: {', '.join(_policies())}")
-
-
-def _info(dataset: Path) -> dict[str, Any]:
-    file = dataset / INFO
-    require_dataset(dataset, (INFO,))
-    return read_json_object(file, RecipeError)
-
-
-def _episodes(dataset: Path) -> list[tuple[str, int]]:
-    from pyarrow import parquet  # here: it takes half a second
-
-    files: Sequence[Path] = sorted((dataset / "meta" / "episodes").rglob("*.parquet"))
-    columns = ["episode_index", "tasks", "length"]
-    rows = [row for file in files for row in parquet.read_table(file, columns=columns).to_pylist()]
-    rows.sort(key=lambda row: row["episode_index"])
-    return [(json.dumps(row["tasks"][:1]), row["length"]) for row in rows]
-
-
-def _lerobot_averages() -> bool:
-    """Return whether LeRobot can average weights over a training, as the paper did."""
-    from lerobot.configs import default  # here: it takes seconds
-
-    return hasattr(default, "EMAConfig")
 
 
 if __name__ == "__main__":

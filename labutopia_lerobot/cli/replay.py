@@ -16,10 +16,10 @@ import pyarrow as pa
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
-from labutopia_lerobot.cli.dataset_folder import dataset_folder
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.setting_flags import add_room_file
+from labutopia_lerobot.datasets.dataset_folder import dataset_folder
 from labutopia_lerobot.datasets.looking import Film, Look, find_episode, look_at
 from labutopia_lerobot.datasets.playback import Playback
 from labutopia_lerobot.datasets.replay import Replay, replay

@@ -11,10 +11,10 @@ from pathlib import Path
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
-from labutopia_lerobot.cli.dataset_folder import dataset_folder
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.setting_flags import add_room_file
+from labutopia_lerobot.datasets.dataset_folder import dataset_folder
 from labutopia_lerobot.datasets.description import read_info
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import PICTURES, verify

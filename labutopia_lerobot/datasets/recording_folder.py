@@ -53,6 +53,11 @@ def began_with(work: Path) -> dict[str, Any]:
     return provenance
 
 
+def unfinished(root: Path) -> bool:
+    """Return whether a recording in a folder has begun, or is extended, and is not over."""
+    return (root / _WORK).exists()
+
+
 def publish(root: Path, assembled: Path) -> None:
     """Move an assembled dataset to its place, and then delete everything unfinished."""
     for part in sorted(assembled.iterdir(), key=lambda path: path.name == "meta"):

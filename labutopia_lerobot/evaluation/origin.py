@@ -91,7 +91,7 @@ def _weights(checkpoint: Checkpoint) -> dict[str, Any]:
     weights = {
         "folder": str(folder),
         "type": checkpoint.type,
-        "step": _training_step(folder),
+        "step": training_step(folder),
         "sha256": hashes,
     }
     return weights if base is None else weights | {"base": {"folder": str(base), "sha256": of_base}}
@@ -118,7 +118,7 @@ def _hashes(folder: Path, names: Iterable[str]) -> dict[str, str]:
         raise CheckpointError(f"{folder} cannot be read: {error}") from None
 
 
-def _training_step(folder: Path) -> int | None:
+def training_step(folder: Path) -> int | None:
     """Return after how many steps of training it was saved, or None if nothing says so."""
     file = folder.parent / "training_state" / "training_step.json"
     if file.is_file():

@@ -11,13 +11,14 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from labutopia_lerobot.cli import bench, record, replay, speed
+from labutopia_lerobot.cli import bench, experiment, record, replay, speed
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import ABOUT
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
+from labutopia_lerobot.experiments.experiment import ExperimentConfig
 from labutopia_lerobot.runtime import bars
 from labutopia_lerobot.setting import option_help
 
@@ -72,6 +73,14 @@ def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
     assert listed == {
         option.name: option_help(RecordingConfig)[option.name] for option in fields(RecordingConfig)
     }
+
+
+def test_help_of_the_experiments_explains_every_option(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["labutopia-experiment", "--help"])
+    experiment.main()
+    listed = entries(capsys.readouterr().out)
+    assert set(listed) == {option.name for option in fields(ExperimentConfig)}
+    assert all(listed[name] == text for name, text in option_help(ExperimentConfig).items())
 
 
 @pytest.mark.parametrize(

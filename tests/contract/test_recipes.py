@@ -8,8 +8,8 @@ import pytest
 from lerobot.configs.train import TrainPipelineConfig
 from pyarrow import parquet
 
-from labutopia_lerobot.cli.dataset_folder import NoDatasetError, dataset_folder
-from labutopia_lerobot.cli.recipe import RecipeError, trained_frames, training_command
+from labutopia_lerobot.datasets.dataset_folder import NoDatasetError, dataset_folder
+from labutopia_lerobot.experiments.recipe import RecipeError, trained_frames, training_command
 from labutopia_lerobot.runtime.shipped import shipped
 from labutopia_lerobot.setting import CAMERAS
 

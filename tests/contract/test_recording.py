@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from lerobot.datasets.lerobot_dataset import LeRobotDataset
 
-from labutopia_lerobot.cli.recipe import training_command
 from labutopia_lerobot.cli.record import parse
 from labutopia_lerobot.datasets.declaration import dataset_features
 from labutopia_lerobot.datasets.description import read_recording
@@ -29,6 +28,7 @@ from labutopia_lerobot.datasets.trials import HopelessExpertError
 from labutopia_lerobot.datasets.verify import find_problems, verify
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.experiments.recipe import training_command
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
 from recordings import MOODY_TASK, PICK, Watch, assert_same_dataset, recording

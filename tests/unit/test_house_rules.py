@@ -30,7 +30,7 @@ LAYERS = (
     "checks",
     "runtime",
     "evaluation datasets devices lerobot_plugin",
-    "hub web",
+    "hub experiments web",
     "cli",
 )
 """Rooms from the ground up: one may import what stands on its own line or above it, here."""

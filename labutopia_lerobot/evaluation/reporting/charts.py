@@ -1,7 +1,7 @@
 """Data of the charts of the page, in per cent and in pixels."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
@@ -9,6 +9,7 @@ from labutopia_lerobot.evaluation.condition import SINGLE
 from labutopia_lerobot.evaluation.reporting.paper import paper_number
 from labutopia_lerobot.evaluation.reporting.report_entry import ReportEntry, shifts
 from labutopia_lerobot.evaluation.reporting.result_tables import cause_in_words, failures, success
+from labutopia_lerobot.evaluation.reporting.table import Rate
 
 _COLOURS = 8
 _LEFT, _RIGHT, _TOP, _BOTTOM = 40, 190, 10, 190
@@ -107,12 +108,46 @@ def _slope(label: str, entries: Sequence[ReportEntry], shown: Sequence[str]) -> 
                 "theirs": _points([(round(x[c], 1), _y(paper[c])) for c in shown if c in paper]),
             }
         )
+    return _drawn(label, x, lines)
+
+
+def curve(
+    title: str, places: Sequence[int], rates: Mapping[str, Mapping[int, Rate]]
+) -> dict[str, Any]:
+    """Return a chart of success over a number, such as of demonstrations.
+
+    Args:
+        title: What it shows.
+        places: Every value of the number, in increasing order; they stand equally far apart.
+        rates: Name of a line -> value of the number -> rate of success; of each line at least one.
+    """
+    apart = (_RIGHT - _LEFT) / max(len(places) - 1, 1)
+    x = {str(place): _LEFT + index * apart for index, place in enumerate(places)}
+    lines: list[dict[str, Any]] = []
+    for index, (name, points) in enumerate(rates.items()):
+        measured = [place for place in places if place in points]
+        dots = [(round(x[str(p)], 1), _y(points[p].percent)) for p in measured]
+        lines.append(
+            {
+                "task": name,
+                "last": f"{points[measured[-1]].percent:.0f}",
+                "colour": index % _COLOURS,
+                "dots": dots,
+                "points": _points(dots),
+                "theirs": "",
+            }
+        )
+    return _drawn(title, x, lines)
+
+
+def _drawn(title: str, x: Mapping[str, float], lines: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return a chart of lines; their labels stand at their ends, none on another."""
     lines.sort(key=lambda line: line["dots"][-1][1])
     height = max(_BOTTOM + 24, _TOP + _LABEL_GAP * len(lines) + 30)
     for line, y in zip(lines, _spread([line["dots"][-1][1] for line in lines]), strict=True):
         line["label_y"] = y
     return {
-        "policy": label,
+        "policy": title,
         "height": height,
         "right": _RIGHT,
         "marks": [{"percent": p, "y": _y(p)} for p in (0, 25, 50, 75, 100)],

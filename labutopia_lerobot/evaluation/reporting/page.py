@@ -25,6 +25,7 @@ from labutopia_lerobot.evaluation.reporting.result_tables import (
     level_tables,
     precision_table,
 )
+from labutopia_lerobot.evaluation.reporting.table import Table
 from labutopia_lerobot.evaluation.result_folder import VIDEOS, film_of, film_of_expert
 from labutopia_lerobot.evaluation.rows import Row, UnreadableResultError
 from labutopia_lerobot.foreign_files import inside
@@ -173,20 +174,39 @@ def _film(entry: ReportEntry, row: Row) -> Path | None:
     return film if film.parent.name == VIDEOS and film.is_file() else None
 
 
-def write_page(file: Path, results: Sequence[LoadedResult]) -> None:
-    """Write the page of results; the same results in the same place give the same bytes."""
+def write_page(
+    file: Path,
+    results: Sequence[LoadedResult],
+    tables: Sequence[Table] = (),
+    curves: Sequence[Mapping[str, Any]] = (),
+) -> None:
+    """Write the page of results; the same results in the same place give the same bytes.
+
+    Args:
+        file: The page.
+        results: What it shows; at least one of them has a row.
+        tables: Further tables, which come first.
+        curves: Charts of what grows with something, as `charts.curve` makes them.
+    """
     file.parent.mkdir(parents=True, exist_ok=True)
     written = file.with_name(f"{file.name}.tmp")
-    written.write_text(page(results, file.parent))
+    written.write_text(page(results, file.parent, tables, curves))
     written.replace(file)  # where a link lies, it is replaced and not followed
 
 
-def page(results: Sequence[LoadedResult], folder: Path) -> str:
+def page(
+    results: Sequence[LoadedResult],
+    folder: Path,
+    tables: Sequence[Table] = (),
+    curves: Sequence[Mapping[str, Any]] = (),
+) -> str:
     """Return the page of results as HTML.
 
     Args:
         results: What it shows; at least one of them has a row.
         folder: Where it will lie.
+        tables: Further tables, which come first.
+        curves: Charts, as `charts.curve` makes them.
     """
     environment = Environment(
         loader=FileSystemLoader(_TEMPLATES),
@@ -197,12 +217,19 @@ def page(results: Sequence[LoadedResult], folder: Path) -> str:
     )
     style = environment.get_template("style.css").render()
     template = environment.get_template("page.html.j2")
-    return template.render(_content(results, folder), style=environment.filters["safe"](style))
+    content = _content(results, folder, tables, curves)
+    return template.render(content, style=environment.filters["safe"](style))
 
 
-def _content(results: Sequence[LoadedResult], folder: Path) -> dict[str, Any]:
+def _content(
+    results: Sequence[LoadedResult],
+    folder: Path,
+    further: Sequence[Table],
+    curves: Sequence[Mapping[str, Any]],
+) -> dict[str, Any]:
     entries = report_entries(results)
-    tables = [(f"table{index}", table) for index, table in enumerate(level_tables(entries))]
+    shown = (*further, *level_tables(entries))
+    tables = [(f"table{index}", table) for index, table in enumerate(shown)]
     films = filmed_episodes(entries)
     address_of = addresses(films, folder)
     precision = precision_table(entries)
@@ -213,6 +240,7 @@ def _content(results: Sequence[LoadedResult], folder: Path) -> dict[str, Any]:
     failed = [failure_shares(entry, common) for entry in with_failures]
     sections = [
         *((id_, table.title) for id_, table in tables),
+        *([("curves", "Curves")] if curves else []),
         *([("shift", "Under shift")] if shifted else []),
         ("substeps", "Substeps"),
         *([("failures", "Failures")] if failed else []),
@@ -239,6 +267,7 @@ def _content(results: Sequence[LoadedResult], folder: Path) -> dict[str, Any]:
         ],
         "sections": sections,
         "tables": tables,
+        "curves": curves,
         "slopes": shifted,
         "funnels": [funnel(entry) for entry in entries],
         "failures": failed,

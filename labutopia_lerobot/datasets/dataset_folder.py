@@ -1,4 +1,4 @@
-"""The folder of a dataset on a command line: is there one at all?"""
+"""The folder of a dataset that a user names: is there one at all?"""
 
 from collections.abc import Sequence
 from itertools import islice

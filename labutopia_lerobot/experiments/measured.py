@@ -1,0 +1,168 @@
+"""Results of an experiment as tables and curves: what is not measured says so."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+from labutopia_lerobot.evaluation.compare import (
+    NoCommonEpisodesError,
+    compare,
+    comparison_table,
+)
+from labutopia_lerobot.evaluation.condition import REFERENCES
+from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
+from labutopia_lerobot.evaluation.reporting.charts import curve
+from labutopia_lerobot.evaluation.reporting.report_entry import report_entries
+from labutopia_lerobot.evaluation.reporting.result_tables import success
+from labutopia_lerobot.evaluation.reporting.table import Cell, Rate, Table
+from labutopia_lerobot.experiments.parts.evaluation_part import EvaluationPart
+from labutopia_lerobot.experiments.rates import UNKNOWN
+
+_RATES = "Successes of episodes, per cent, 95 % interval (Wilson)."
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Evaluations of an experiment, with the results of those that are finished.
+
+    Attributes:
+        evaluations: All of them, in order.
+        results: Of the finished ones.
+    """
+
+    evaluations: tuple[EvaluationPart, ...]
+    results: Mapping[EvaluationPart, LoadedResult]
+
+    @classmethod
+    def of(cls, evaluations: Iterable[EvaluationPart]) -> "Measured":
+        """Read what is there."""
+        wanted = tuple(evaluations)
+        return cls(wanted, {e: load_results(e.place)[0] for e in wanted if e.finished()})
+
+    @property
+    def final(self) -> list[EvaluationPart]:
+        """Those of the last weights, from the most demonstrations of each policy and task."""
+        last = [each for each in self.evaluations if each.at is None]
+        most: dict[tuple[str, str], int] = {}
+        for each in last:
+            key = (each.label, each.task)
+            most[key] = max(most.get(key, 0), each.demonstrations or 0)
+        return [e for e in last if (e.demonstrations or 0) == most[e.label, e.task]]
+
+    def rate(self, evaluation: EvaluationPart | None) -> Cell:
+        """Return the successes of an evaluation, or that they are not measured.
+
+        Args:
+            evaluation: The evaluation, or None for one that was not to be.
+        """
+        if evaluation is None:
+            return None
+        result = self.results.get(evaluation)
+        return UNKNOWN if result is None else success(report_entries([result])[0])
+
+    def tables(self) -> list[Table]:
+        """Return the table of all tasks, the learning curves, the comparisons."""
+        return [
+            self._by_task(),
+            *self._curve_tables(),
+            *self._comparisons(),
+        ]
+
+    def final_results(self) -> list[LoadedResult]:
+        """Return the finished ones of `final`."""
+        return [self.results[each] for each in self.final if each in self.results]
+
+    def curves(self) -> list[dict[str, Any]]:
+        """Return the charts of what grows with demonstrations, or with steps."""
+        charts = []
+        for title, places, lines in self._series():
+            measured = {
+                name: {x: rate for x, rate in points.items() if isinstance(rate, Rate)}
+                for name, points in lines.items()
+            }
+            drawn = {name: points for name, points in measured.items() if points}
+            if drawn:
+                charts.append(curve(title, places, drawn))
+        return charts
+
+    def _by_task(self) -> Table:
+        """A line per task and condition, a column per policy."""
+        labels = list(dict.fromkeys(each.label for each in self.final))
+        of: dict[tuple[str, str], dict[str, EvaluationPart]] = {}
+        for each in self.final:
+            of.setdefault((each.task, _played(each)), {})[each.label] = each
+        lines = [
+            (task, played, *(self.rate(by_label.get(label)) for label in labels))
+            for (task, played), by_label in of.items()
+        ]
+        note = f"{_RATES} Where a policy was not to be evaluated stands nothing."
+        return Table("All tasks", ("Task", "Condition", *labels), tuple(lines), note)
+
+    def _curve_tables(self) -> list[Table]:
+        return [
+            Table(
+                title,
+                ("Policy and task", *map(str, places)),
+                tuple((name, *(points.get(x) for x in places)) for name, points in lines.items()),
+                _RATES,
+            )
+            for title, places, lines in self._series()
+        ]
+
+    def _series(self) -> list[tuple[str, list[int], dict[str, dict[int, Cell]]]]:
+        """Return title, places on the axis, and name of a line -> place -> its rate."""
+        by_count: dict[str, dict[int, Cell]] = {}
+        by_step: dict[str, dict[int, Cell]] = {}
+        for each in self.evaluations:
+            if each.demonstrations is None:
+                continue
+            name = f"{each.label}, {each.task}, {_played(each)}"
+            if each.at is None:
+                by_count.setdefault(name, {})[each.demonstrations] = self.rate(each)
+            along = by_step.setdefault(f"{name}, {each.demonstrations} demonstrations", {})
+            steps = each.trainings[0].steps if each.at is None else each.at
+            along[steps] = self.rate(each)
+        return [
+            (title, sorted({x for points in shown.values() for x in points}), shown)
+            for title, lines in {
+                "Success over demonstrations": by_count,
+                "Success over steps of the training": by_step,
+            }.items()
+            if (shown := {name: points for name, points in lines.items() if len(points) > 1})
+        ]
+
+    def _comparisons(self) -> list[Table]:
+        """Every two learned policies on common seeds."""
+        of: dict[str, list[LoadedResult]] = {}
+        for each in self.final:
+            if each in self.results and each.policy not in REFERENCES:
+                of.setdefault(each.label, []).append(self.results[each])
+        tables = []
+        for first, second in combinations(of, 2):
+            try:
+                compared = compare(of[first], of[second])
+            except NoCommonEpisodesError:
+                continue
+            tables.append(comparison_table(compared, (first, second)))
+        return tables
+
+
+def missing_table(missing: Mapping[str, str]) -> Table:
+    """Return the table of parts that are not done, and why."""
+    lines = tuple((name, reason.replace("\n", " ")) for name, reason in missing.items())
+    return Table("Not done", ("Part", "Reason"), lines)
+
+
+def kept_results(folder: Path, evaluations: Sequence[EvaluationPart]) -> Measured:
+    """Return what is kept of evaluations in another folder, laid out as that of the experiment."""
+    moved = {each: folder / each.place.relative_to(each.out / "eval") for each in evaluations}
+    there = {e: load_results(place)[0] for e, place in moved.items() if place.exists()}
+    return Measured(tuple(evaluations), there)
+
+
+def _played(evaluation: EvaluationPart) -> str:
+    shift = evaluation.shift
+    staged = [evaluation.play] if evaluation.play != "single" else []
+    return ", ".join([" ".join([shift.split, *shift.axes]), *staged])

@@ -1,0 +1,1 @@
+"""What an experiment consists of: each part is one program that makes one thing."""

@@ -1,0 +1,48 @@
+"""Results of an experiment: tables, curves, and what is not measured."""
+
+from labutopia_lerobot.cli.experiment import parse
+from labutopia_lerobot.evaluation.load_results import load_results
+from labutopia_lerobot.evaluation.reporting.charts import curve
+from labutopia_lerobot.evaluation.reporting.page import page
+from labutopia_lerobot.evaluation.reporting.table import Rate, Table
+from labutopia_lerobot.experiments import planning
+from labutopia_lerobot.experiments.measured import Measured, kept_results
+
+from .written_rows import keep, written
+
+
+def test_a_result_stands_beside_what_is_not_measured(tmp_path):
+    out = tmp_path / "out"
+    words = ("level1/pick", "obs=state", "demonstrations=[10,25]", "evaluate_at=[500]")
+    chosen = parse([*words, "policy=[act,diffusion,expert]", f"out={out}"])
+    evaluations = planning.evaluations(planning.parts_of(chosen))
+    act = [e for e in evaluations if e.label == "act"]
+    for number, each in enumerate(act):
+        if each.demonstrations == 25 or each.at is None:
+            keep(each.place, written("level1/pick", "act", 0.5 + number / 10, n=20, obs="state"))
+    measured = Measured.of(evaluations)
+    (line,) = measured.tables()[0].lines
+    task, condition, of_act, of_diffusion, of_expert = line
+    assert (task, condition) == ("level1/pick", "id")
+    assert of_act.n == 20
+    assert of_diffusion == of_expert == "not measured"
+    titles = [table.title for table in measured.tables()]
+    assert titles == [
+        "All tasks",
+        "Success over demonstrations",
+        "Success over steps of the training",
+    ]
+    assert [chart["policy"] for chart in measured.curves()] == titles[1:]
+    moved = kept_results(out / "eval", evaluations)
+    assert moved.tables()[0].lines == measured.tables()[0].lines
+
+
+def test_the_page_of_results_has_the_tables_and_curves_of_an_experiment(tmp_path):
+    kept = keep(tmp_path / "act", written("level1/pick", "act", 0.9, n=10))
+    rates = {"act, level1/pick": {10: Rate(1, 10, (0.0, 0.4)), 100: Rate(9, 10, (0.6, 1.0))}}
+    chart = curve("Success over demonstrations", [10, 25, 100], rates)
+    table = Table("All tasks", ("Task", "act"), (("level1/pick", "not measured"),))
+    shown = page(load_results(kept), tmp_path, [table], [chart])
+    assert shown.index("All tasks") < shown.index("Level 1")
+    assert "not measured" in shown
+    assert "act, level1/pick 90" in shown
