@@ -86,7 +86,9 @@ def picture(kind: str) -> Image.Image:
     for number in range(2):
         model.geom(f"bar_{number}").pos = (low[0] - 0.03, 0.025 - 0.05 * number, low[2] + 0.004)
     model.geom("floor").pos = (0.0, 0.0, low[2] - 0.001)
+    mujoco.mj_forward(model, data)
     apparatus = Apparatus(model, data, piece.processes)
+    apparatus.start(np.random.default_rng(0))
     renderer = ClassicRenderer(model, 2 * SIZE, 2 * SIZE, apparatus=apparatus)
     drawn = Image.new("RGB", (2 * SIZE, SIZE))
     for number, share in enumerate((0.0, _OPENED)):

@@ -64,14 +64,16 @@ class DoorGap:
         area: Of the open doorway [m^2].
         height: Of the doorway [m].
         share: Of the flow through an upright doorway; less for a lid.
+        emissivity: Of what is behind it, which radiates out; a deep hot chamber is nearly black.
     """
 
     joint: str
     area: float
     height: float
     share: float = 1.0
+    emissivity: float = 0.0
 
-    def conductance(self, apparatus: Apparatus, difference: float, mean: float) -> float:
+    def conductance(self, apparatus: Apparatus, own: float, room: float) -> float:
         """Return the heat that goes through it now, per difference of temperature [W/K].
 
         Warm air leaves above, cold comes in below: a third of the area times the speed that the
@@ -79,12 +81,15 @@ class DoorGap:
 
         Args:
             apparatus: The processes at work.
-            difference: Between inside and outside [K].
-            mean: Of both temperatures [K].
+            own: Temperature inside [K].
+            room: And outside [K].
         """
         opening = math.sin(min(max(apparatus.joint(self.joint), 0.0), math.pi / 2))
-        speed = math.sqrt(_GRAVITY * self.height * abs(difference) / mean)
-        return self.share * _AIR * _DISCHARGE / 3.0 * self.area * opening * speed
+        speed = math.sqrt(_GRAVITY * self.height * abs(own - room) / ((own + room) / 2))
+        flow = self.share * _AIR * _DISCHARGE / 3.0 * self.area * opening * speed
+        if not self.emissivity:
+            return flow
+        return flow + self.area * opening * _radiated(own, room, self.emissivity)
 
 
 @dataclass(frozen=True)
@@ -159,14 +164,13 @@ class ThermalMass(Process):
     def loss(self, apparatus: Apparatus) -> float:
         """Return what goes to the room now, per difference of temperature [W/K]."""
         own, room = self.temperature(apparatus), apparatus.ambient
-        difference = own - room
         through = self.leak
         if self.area:
             through += self.area * loss_of_surface(
                 own, room, self.length, self.convection, self.emissivity
             )
         if self.gap is not None:
-            through += self.gap.conductance(apparatus, difference, (own + room) / 2)
+            through += self.gap.conductance(apparatus, own, room)
         return through
 
     @override
@@ -205,4 +209,9 @@ def loss_of_surface(
         emissivity: Of the surface.
     """
     convected: float = convection * (abs(own - room) / length) ** 0.25
-    return convected + emissivity * _STEFAN_BOLTZMANN * (own**2 + room**2) * (own + room)
+    return convected + _radiated(own, room, emissivity)
+
+
+def _radiated(own: float, room: float, emissivity: float) -> float:
+    """Return what a surface radiates to a room, per difference of temperature [W/m^2 K]."""
+    return emissivity * _STEFAN_BOLTZMANN * (own**2 + room**2) * (own + room)

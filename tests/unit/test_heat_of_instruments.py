@@ -8,6 +8,7 @@ from scipy.integrate import solve_ivp
 
 from heat_bench import alone, celsius, turn, warm_up
 from labutopia_lerobot.labware.instrument_catalogue import instrument
+from labutopia_lerobot.labware.instruments.muffle_furnace import MuffleFurnace
 from labutopia_lerobot.sim.simulation import Simulation
 
 ROOM = 20.0
@@ -97,3 +98,78 @@ def test_the_oven_of_a_chromatograph_heats_during_a_run_and_stops_when_it_is_ope
     assert celsius(simulation, "it_run") == 0.0
     assert celsius(simulation, "it_thermometer") < 80.0
     assert apparatus.processes["it_thermometer"].text(apparatus) == "OVEN OPEN"
+
+
+def furnace(set_to: float, celsius_inside: float) -> Simulation:
+    """Return a muffle furnace that is on, lining and air at a temperature."""
+    piece = MuffleFurnace("it", set_to=set_to)
+    simulation = alone(piece)
+    turn(simulation, piece.power.joint, piece.power.widest)
+    for name in ("it_lining", "it_air", "it_thermometer"):
+        apparatus = simulation.apparatus
+        apparatus.memory(apparatus.processes[name])[0] = celsius_inside + 273.15
+    return simulation
+
+
+def test_a_muffle_furnace_heats_as_4500_watts_and_its_insulation_have_it():
+    simulation = furnace(1100.0, ROOM)
+    warm_up(simulation, 300.0)
+    air = 0.30 * 0.24 * 0.36 * 1.19 * 1007.0
+    full = 4500.0 / 1.5  # where power and leak would balance [K]
+    expected = full * -math.expm1(-300.0 * 1.5 / (19_000.0 + air))
+    assert celsius(simulation, "it_lining") - ROOM == pytest.approx(expected, rel=0.02)
+    to_1100 = -(19_000.0 + air) / 1.5 * math.log(1.0 - 1080.0 / full)
+    assert to_1100 / 60.0 == pytest.approx(95.0, rel=0.05)  # what makers state
+
+
+def test_a_muffle_furnace_holds_what_it_is_set_to_and_shows_it():
+    simulation = furnace(600.0, 590.0)
+    warm_up(simulation, 300.0)
+    assert celsius(simulation, "it_thermometer") == pytest.approx(600.0, abs=5.0)
+    apparatus = simulation.apparatus
+    text = apparatus.processes["it_thermometer"].text(apparatus)
+    assert text == f"{celsius(simulation, 'it_thermometer'):.0f} \u00b0C"
+
+
+def test_through_the_open_door_of_a_hot_furnace_goes_what_radiates_and_what_the_air_takes_along():
+    piece = MuffleFurnace("it", set_to=20.0)
+    simulation = furnace(20.0, 1000.0)
+    turn(simulation, piece.door.joint, math.pi / 2)
+    warm_up(simulation, 60.0)
+    area, room = 0.30 * 0.24, ROOM + 273.15
+    walls = 2 * (0.30 * 0.24 + 0.24 * 0.36 + 0.36 * 0.30)
+
+    def rate(_: float, y: np.ndarray) -> list[float]:
+        lining, air = y
+        flow = 1.19 * 1007.0 * 0.61 / 3 * area
+        flow *= math.sqrt(9.81 * 0.24 * (air - room) / ((air + room) / 2))
+        given = 25.0 * walls * (lining - air)
+        radiated = 0.9 * 5.670e-8 * area * (lining**4 - room**4)
+        lost = 1.5 * (lining - room) + radiated
+        capacity = 0.30 * 0.24 * 0.36 * 1.19 * 1007.0
+        return [-(lost + given) / 19_000.0, (given - flow * (air - room)) / capacity]
+
+    start = [1273.15, 1273.15]
+    end = solve_ivp(rate, (0.0, 60.0), start, method="LSODA", rtol=1e-7).y[0, -1]
+    cooled = 1000.0 - celsius(simulation, "it_lining")
+    assert cooled == pytest.approx(1273.15 - end, rel=0.03)
+    shut = furnace(20.0, 1000.0)
+    warm_up(shut, 60.0)
+    assert 1000.0 - celsius(shut, "it_lining") < 0.2 * cooled
+
+
+def test_the_coils_of_a_furnace_glow_from_500_degrees_on():
+    simulation = furnace(1000.0, 400.0)
+    coil = simulation.scene.model.geom("it_coil_left_0")
+    simulation.apparatus.show()
+    dark = coil.rgba.copy()
+    memory = simulation.apparatus.memory(simulation.apparatus.processes["it_lining"])
+    memory[0] = 1000.0 + 273.15
+    simulation.apparatus.show()
+    assert coil.rgba[0] > dark[0] + 0.3
+
+
+def test_a_cold_furnace_has_neither_switch_nor_temperature():
+    piece = MuffleFurnace("it", set_to=None)
+    assert piece.processes == ()
+    assert piece.joints == (piece.door.joint,)

@@ -1,6 +1,7 @@
 """Doors and drawers as mechanisms: where they start, how they move, where they stop."""
 
 import math
+from functools import partial
 
 import mujoco
 import numpy as np
@@ -19,7 +20,7 @@ from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 
 AJAR = {"oven": math.radians(30), "furnace": math.radians(30), "cabinet": 0.1}
-KINDS = {"oven": DryingOven, "furnace": MuffleFurnace, "cabinet": Cabinet}
+KINDS = {"oven": DryingOven, "furnace": partial(MuffleFurnace, set_to=None), "cabinet": Cabinet}
 
 
 def scene(name: str, ajar: float = 0.0):

@@ -8,7 +8,7 @@ from labutopia_lerobot.processes import DoorGap, HeatZone, Process, ThermalMass,
 from labutopia_lerobot.processes.heat import UPWARDS
 from labutopia_lerobot.processes.hot_surface import IN_AIR, IN_WATER
 
-_AIR = 1.19 * 1007.0
+AIR = 1.19 * 1007.0
 """Heat capacity of air [J/m^3 K] (Incropera, table A.4)."""
 _STEEL = 480.0 * 7900.0 * 0.8e-3
 """Of a liner of 0.8 mm stainless steel [J/m^2 K] (EN 10088-1); ours that it is all that warms up
@@ -62,7 +62,7 @@ def chamber(
     inside = 2.0 * (wide * deep + deep * tall + tall * wide)
     air, liner = f"{piece}_air", f"{piece}_liner"
     zone = HeatZone(low, high, IN_AIR)
-    volume = wide * deep * tall * _AIR
+    volume = wide * deep * tall * AIR
     links = ((liner, IN_AIR * inside),)
     return (
         ThermalMass(air, piece, volume, links=links, zone=zone, gap=gap, begins=by.begins),

@@ -38,7 +38,7 @@ def open_transport_pour(draw: Draw) -> Task:
     order = draw.choice("order", train=ORDERS).split(", ")  # original: shuffled
     first, second, third = (JOBS[job] for job in order)
     furnace, vessel, flask = (
-        MuffleFurnace("furnace"),
+        MuffleFurnace("furnace", set_to=None),
         glassware("beaker", "250 ml"),
         glassware("conical_flask", "300 ml", "flask"),
     )
