@@ -115,8 +115,10 @@ class Handling(LiquidHandling):
     def react(self, period: float) -> None:
         liquid = self._liquid
         if liquid.solutions is not None:
-            capacity = self._capacities()
-            liquid.solutions.react(liquid.what, capacity, liquid.accounted, liquid.speeds, period)
+            heights, capacity = liquid.positions[:, 2], self._capacities()
+            liquid.solutions.react(
+                liquid.what, heights, capacity, liquid.accounted, liquid.speeds, period
+            )
 
     @override
     def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:

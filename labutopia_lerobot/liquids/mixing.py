@@ -7,6 +7,9 @@ _TURNOVER = 5.0
 that a difference of 2 to 5 K drives, sqrt(g beta dT L)."""
 _SWIRL = 0.05
 """Way on which what moves mixes [m]; ours: the width of a vessel."""
+_TREMBLE = 0.03
+"""Speed up to which a liquid stirs nothing up [m/s]; ours: particles at rest move by up to 0.022
+(docs/liquids.md)."""
 
 
 def mixed_share(speed: float, period: float) -> float:
@@ -17,3 +20,13 @@ def mixed_share(speed: float, period: float) -> float:
         period: Time [s].
     """
     return -math.expm1(-period * (1.0 / _TURNOVER + speed / _SWIRL))
+
+
+def stirred_share(speed: float, period: float) -> float:
+    """Return which part of what floats in a particle comes to the mean of its vessel.
+
+    Args:
+        speed: Mean speed of what is in the vessel [m/s].
+        period: Time [s].
+    """
+    return -math.expm1(-period * max(speed - _TREMBLE, 0.0) / _SWIRL)

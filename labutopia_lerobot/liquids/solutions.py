@@ -1,8 +1,8 @@
 """Solutes in a liquid: they mix with those in the same vessel, and react.
 
-In a period a share of what every particle in a vessel has goes into common; what is in common comes
-to equilibrium, and everybody gets back as much as he gave. So nothing reacts faster than it mixes,
-and what has been poured in is seen as it was until it has mixed.
+In a period a share of what every particle in a vessel has in solution goes into common; what is in
+common comes to equilibrium, and everybody gets back as much as he gave. So nothing reacts faster
+than it mixes, and what has been poured in is seen as it was until it has mixed.
 """
 
 from collections.abc import Sequence
@@ -16,6 +16,7 @@ from labutopia_lerobot.chemistry.palette import Palette
 from labutopia_lerobot.chemistry.speciation import ph_of
 from labutopia_lerobot.liquids.mixing import mixed_share
 from labutopia_lerobot.liquids.portion import Portion
+from labutopia_lerobot.liquids.settling import let_sink, sinking_speeds
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import FloatArray, Solution
 
@@ -40,7 +41,10 @@ class Solutions:
     def __init__(self, fillings: Sequence[Filling], names: Sequence[str], particle: float) -> None:
         self.inventory = Inventory.of([filling.dissolved for filling in fillings])
         self._particle = particle
+        self._layer = particle ** (1 / 3)
         self._palette = Palette(self.inventory.species)
+        self._sinking = sinking_speeds(self.inventory.species)
+        self._floats = np.array([key.endswith("(s)") for key in self.inventory.species])
         self._filled = {
             filling.dissolved: self.inventory.filled(filling.dissolved, particle)
             for filling in fillings
@@ -67,18 +71,21 @@ class Solutions:
     def react(
         self,
         what: Portion,
+        heights: FloatArray,
         capacities: FloatArray,
         inside: NDArray[np.int64],
         speeds: FloatArray,
         period: float,
     ) -> None:
-        """Let what is in each vessel mix and react, in place.
+        """Let what is in each vessel mix, react and sink, in place.
 
-        Atoms, charge and energy are neither lost nor made: heat of reaction warms the vessel's
+        Solids form everywhere and dissolve where they are; they do not mix, but sink or are stirred
+        up. Atoms, charge and energy are neither lost nor made: heat of reaction warms the vessel's
         liquid, gas that leaves is counted in `given_off`.
 
         Args:
             what: The particles.
+            heights: Of them, shape (n,) [m].
             capacities: What warms each by 1 K, shape (n,) [J/K].
             inside: Which vessel each is in, shape (n,); -1 none.
             speeds: Mean speed in each vessel [m/s].
@@ -87,19 +94,24 @@ class Solutions:
         contents, inventory = what.contents, self.inventory
         for vessel in np.unique(inside[inside >= 0]).tolist():
             held = np.flatnonzero(inside == vessel)
-            own = contents[held]
-            weights = capacities[held]
+            own, weights, speed = contents[held], capacities[held], float(speeds[vessel])
             warm = float(weights @ what.temperatures[held] / weights.sum())
             mean = _mean(own)
             goal, why = inventory.settled(mean, self._particle, warm)
             self.unreacted = tuple(dict.fromkeys([*self.unreacted, *([why] if why else [])]))
-            apart = np.abs(own - goal).max()
+            if mean[self._floats].any():
+                solids = own[:, self._floats]
+                sinking = self._sinking[self._floats]
+                let_sink(solids, heights[held], sinking, self._layer, speed, period)
+                own[:, self._floats] = contents[np.ix_(held, self._floats)] = solids
+            end = _where_it_is(own, mean, goal, self._floats)
+            apart = np.abs(own - end).max()
             if apart == 0.0:
                 continue
-            share = mixed_share(float(speeds[vessel]), period)
+            share = mixed_share(speed, period)
             if apart <= _MIXED * goal[inventory.dissolved].sum():
                 share = 1.0
-            new = own + share * (goal - own)
+            new = own + share * (end - own)
             heat = float((own - new).sum(axis=0) @ inventory.enthalpies)
             self.given_off[vessel] += np.where(inventory.gaseous, new.sum(axis=0), 0.0)
             contents[held] = np.where(inventory.gaseous, 0.0, new)
@@ -118,10 +130,11 @@ class Solutions:
         if not len(contents):
             return Solution.nothing(gas)
         warm = float(capacities @ what.temperatures / capacities.sum())
-        goal, _ = inventory.settled(_mean(contents), self._particle, warm)
-        everything = ~inventory.watery
-        apart = np.abs(contents - goal)[:, everything].sum()
-        total = (contents + goal)[:, everything].sum()
+        mean = _mean(contents)
+        goal, _ = inventory.settled(mean, self._particle, warm)
+        end, everything = _where_it_is(contents, mean, goal, self._floats), ~inventory.watery
+        apart = np.abs(contents - end)[:, everything].sum()
+        total = (contents + end)[:, everything].sum()
         settled = inventory.amounts(len(contents) * goal)
         volume = len(contents) * self._particle
         return Solution(
@@ -132,7 +145,7 @@ class Solutions:
             solids={key: mol for key, mol in settled.items() if key.endswith("(s)")},
             gas=gas,
             mixed=1.0 - float(apart / total) if total else 1.0,
-            colour=self._palette.colour(_mean(contents) / self._particle),
+            colour=self._palette.colour(mean / self._particle),
         )
 
     def looks(self, contents: FloatArray) -> FloatArray:
@@ -140,8 +153,25 @@ class Solutions:
         return self._palette.seen(contents / self._particle)
 
 
+def _where_it_is(
+    own: FloatArray, mean: FloatArray, goal: FloatArray, floats: NDArray[np.bool_]
+) -> FloatArray:
+    """Return what particles hold once all has mixed and reacted, shape (m, species) [mol].
+
+    A solid stays where it is: more of it forms everywhere, what dissolves does so where it is.
+
+    Args:
+        own: What they hold, shape (m, species) [mol].
+        mean: The mean of it, shape (species,).
+        goal: That mean at equilibrium, shape (species,).
+        floats: Which species are solids, shape (species,).
+    """
+    formed = own + np.maximum(goal - mean, 0.0)
+    left = np.divide(np.minimum(goal, mean), mean, out=np.ones_like(mean), where=mean > 0.0)
+    return np.where(floats, formed * left, goal)
+
+
 def _mean(contents: FloatArray) -> FloatArray:
-    """Return the mean of rows; of equal ones exactly the row."""
-    uniform = (contents == contents[0]).all()
-    mean: FloatArray = contents[0].copy() if uniform else contents.mean(axis=0)
-    return mean
+    """Return the mean of rows, shape (species,); of equal numbers exactly the number."""
+    uniform = (contents == contents[0]).all(axis=0)
+    return np.where(uniform, contents[0], contents.mean(axis=0))

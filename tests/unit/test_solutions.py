@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute
 from labutopia_lerobot.liquids.portion import Portion
+from labutopia_lerobot.liquids.settling import let_sink, sinking_speeds
 from labutopia_lerobot.liquids.solutions import Solutions
 from labutopia_lerobot.predicates import colour_turned, concentration, dissolved, ph_between
 from labutopia_lerobot.sim.simulation import Simulation
@@ -96,6 +97,7 @@ def test_any_vessel_keeps_atoms_charge_and_energy(held: list[list[Solute]], seed
         np.zeros(40, int), np.zeros(40, int), np.full(40, 298.0), np.ones((40, 1)), contents
     )
     weights, inside = np.full(40, 0.417), rng.integers(-1, 1, 40)
+    heights = rng.uniform(0.0, 0.03, 40)
 
     def totals() -> tuple[dict[str, float], float]:
         amounts = contents.sum(axis=0) + solutions.given_off.sum(axis=0)
@@ -104,7 +106,7 @@ def test_any_vessel_keeps_atoms_charge_and_energy(held: list[list[Solute]], seed
 
     before, warm = totals()
     for _ in range(40):
-        solutions.react(what, weights, inside, np.array([0.01]), 1.0)
+        solutions.react(what, heights, weights, inside, np.array([0.05]), 1.0)
     after, later = totals()
     assert later == pytest.approx(warm, rel=1e-9)
     assert (contents >= 0.0).all()
@@ -131,7 +133,7 @@ def test_what_stirs_mixes_faster() -> None:
         what = Portion(*(np.zeros(2, int),) * 2, np.full(2, 293.15), np.ones((2, 1)), contents)
         sodium = solutions.inventory.species.index("Na^+(aq)")
         at_first = contents[1, sodium]
-        solutions.react(what, np.ones(2), np.zeros(2, int), np.array([speed]), 1.0)
+        solutions.react(what, np.zeros(2), np.ones(2), np.zeros(2, int), np.array([speed]), 1.0)
         assert contents[0, sodium] == pytest.approx(0.5 * wanted * at_first)
 
 
@@ -161,6 +163,44 @@ def test_barium_sulfate_falls_out_of_a_solution_that_stays_blue() -> None:
     assert colour_turned(TAKER, to="blue").holds(view)
     assert not dissolved(TAKER).holds(view)
     assert dissolved(GIVER).holds(view) is False  # it is empty
+
+
+def test_grains_sink_as_stokes_has_it() -> None:
+    """Barium sulfate: 4500 kg/m^3 in water of 0.89 mPa s, 10 micrometres: 0.21 mm/s."""
+    speeds = sinking_speeds(("BaSO4(s)", "Cl^-(aq)", "H2O(l)"))
+    assert speeds == pytest.approx([0.21e-3, 0.0, 0.0], abs=0.01e-3)
+
+
+def test_a_precipitate_settles_and_is_stirred_up_and_none_of_it_is_lost() -> None:
+    heights = np.repeat(np.arange(6.0), 5) * 0.005 + 0.001
+    cloud = np.full((30, 1), 2e-6)
+    for _ in range(300):
+        let_sink(cloud, heights, np.array([2e-4]), 0.005, 0.005, 1.0)
+    assert cloud.sum() == pytest.approx(30 * 2e-6, rel=1e-12)
+    assert cloud[:5].sum() > 0.98 * cloud.sum()
+    assert (cloud[25:] < 1e-9).all()
+    for _ in range(30):
+        let_sink(cloud, heights, np.array([2e-4]), 0.005, 0.2, 1.0)
+    assert cloud.sum() == pytest.approx(30 * 2e-6, rel=1e-12)
+    assert cloud.max() < 1.3 * cloud.min()
+
+
+def test_what_has_settled_leaves_a_clear_blue_solution_above() -> None:
+    simulation = bench(BARIUM, COPPER)
+    pour(simulation, 1.0, 45)
+    handling, liquid = simulation.apparatus.liquid, liquid_of(simulation)
+    assert handling is not None
+    assert liquid.solutions is not None
+    liquid.speeds[:] = 0.0
+    for _ in range(300):
+        handling.react(1.0)
+    grains = liquid.what.contents[:, liquid.solutions.inventory.species.index("BaSO4(s)")]
+    here = liquid.accounted == liquid.names.index(TAKER.name)
+    heights = liquid.positions[here, 2] - liquid.positions[here, 2].min()
+    assert grains[here][heights < 0.006].sum() > 0.9 * grains.sum()
+    red, _, blue, opacity = liquid.looks(liquid.what, np.ones((1, 4)))[here][heights.argmax()]
+    assert blue > red + 0.2
+    assert opacity < 0.9 < liquid.looks(liquid.what, np.ones((1, 4)))[here][heights.argmin(), 3]
 
 
 def test_gas_leaves_and_is_counted_where_it_left() -> None:

@@ -1,0 +1,62 @@
+"""Precipitates sink in a vessel that stands still, and are stirred up in one that does not."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.chemistry.compound import substances
+from labutopia_lerobot.liquids.mixing import stirred_share
+from labutopia_lerobot.substances.substance import WATER
+from labutopia_lerobot.world import FloatArray
+
+_GRAIN = 1e-5
+"""Diameter of a precipitate's grain [m]; ours: fresh ones have 1 to 20 micrometres."""
+
+_DENSITY = 2500.0
+"""Of a solid whose density the table does not know [kg/m^3]; ours, that of most salts."""
+
+_GRAVITY = 9.81
+
+
+def sinking_speeds(species: Sequence[str]) -> FloatArray:
+    """Return how fast grains of each species sink in water [m/s], shape (species,); 0 if no solid.
+
+    Stokes' law for a sphere (Bird, Stewart and Lightfoot, Transport Phenomena, section 2.6).
+    """
+    known = {one.formula: one.density for one in substances().values() if one.phase == "solid"}
+    speeds = np.zeros(len(species))
+    for index, key in enumerate(species):
+        if key.endswith("(s)"):
+            denser = (known.get(key.removesuffix("(s)")) or _DENSITY) - WATER.density
+            speeds[index] = max(denser, 0.0) * _GRAVITY * _GRAIN**2 / (18.0 * WATER.viscosity)
+    return speeds
+
+
+def let_sink(
+    contents: FloatArray,
+    heights: NDArray[np.float64],
+    sinking: FloatArray,
+    layer: float,
+    speed: float,
+    period: float,
+) -> None:
+    """Let the solids of one vessel sink from layer to layer, or stir them up, in place.
+
+    Args:
+        contents: Amount of each solid that every particle holds, shape (m, solids) [mol].
+        heights: Of the particles, shape (m,) [m].
+        sinking: How fast each solid sinks, shape (solids,) [m/s].
+        layer: Height of a layer [m].
+        speed: Mean speed in the vessel [m/s].
+        period: Time [s].
+    """
+    up = stirred_share(speed, period)
+    if up:
+        contents += up * (contents.mean(axis=0) - contents)
+    levels = np.floor((heights - heights.min()) / layer)
+    _, rank, count = np.unique(levels, return_inverse=True, return_counts=True)
+    leaving = -np.expm1(-sinking * period / layer) * contents * (rank > 0)[:, None]
+    arriving = np.zeros((len(count) + 1, contents.shape[1]))
+    np.add.at(arriving, rank - 1, leaving)  # what is lowest adds nothing to the last row
+    contents += (arriving[:-1] / count[:, None])[rank] - leaving
