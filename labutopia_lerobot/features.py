@@ -24,7 +24,7 @@ _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
 
 _LARGEST_ROOM = 50.0
-"""No room is longer, and nothing turns further [m and rad]."""
+"""No room is longer [m]."""
 
 _DEPTH_PATH = "images."
 """Prefix of depths in the environment's observation; the name of the picture follows."""

@@ -10,7 +10,7 @@ from labutopia_lerobot.world import FloatArray
 
 
 @dataclass(frozen=True)
-class BaseLimits:
+class DrivingLimits:
     """How fast a base may be and become; speeds and accelerations are those of its middle.
 
     Attributes:
@@ -75,7 +75,7 @@ class Path:
         unit: FloatArray = along / np.hypot(*along)
         return unit
 
-    def speeds(self, limits: BaseLimits) -> FloatArray:
+    def speeds(self, limits: DrivingLimits) -> FloatArray:
         """Return the greatest speed at each point, shape (n,) [m/s].
 
         From rest to rest: bends take their part of the acceleration, v^2 / r, and between points a
@@ -89,7 +89,7 @@ class Path:
         speeds: FloatArray = np.sqrt(squares)
         return speeds
 
-    def duration(self, limits: BaseLimits) -> float:
+    def duration(self, limits: DrivingLimits) -> float:
         """Return the time that it takes at these speeds [s]."""
         speeds = self.speeds(limits)
         means = 0.5 * (speeds[1:] + speeds[:-1])

@@ -8,7 +8,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.navigation.clearance import Clearance
 from labutopia_lerobot.navigation.grid_search import cheapest_cells
 from labutopia_lerobot.navigation.occupancy import Occupancy
-from labutopia_lerobot.navigation.path import BaseLimits, Path
+from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.navigation.rounding import rounded
 from labutopia_lerobot.navigation.shortening import shortened
 from labutopia_lerobot.world import FloatArray
@@ -18,7 +18,7 @@ RADIUS = 0.6
 collision detection radius is set to 60 cm")."""
 
 _CARE = 0.2
-"""Share by which a way is dearer where it is tightest; ours: round an island of 6 m, 0.16 m further
+"""Share by which a way is dearer where it is tightest; ours: round an island of 6 m, 0.15 m further
 away, for 2 % of length and no more time."""
 _DETOUR = 1.04
 """Greatest length of a careful path, as a multiple of the shortest; ours."""
@@ -42,10 +42,12 @@ class PathPlanner:
     """
 
     clearance: Clearance
-    limits: BaseLimits
+    limits: DrivingLimits
 
     @classmethod
-    def of(cls, occupancy: Occupancy, limits: BaseLimits, radius: float = RADIUS) -> "PathPlanner":
+    def of(
+        cls, occupancy: Occupancy, limits: DrivingLimits, radius: float = RADIUS
+    ) -> "PathPlanner":
         """Return the planner for a map as it is now.
 
         Args:

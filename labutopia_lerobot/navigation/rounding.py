@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from labutopia_lerobot.navigation.clearance import Clearance
-from labutopia_lerobot.navigation.path import BaseLimits, Path
+from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.world import FloatArray
 
 _SPACING = 0.02
@@ -17,7 +17,7 @@ _NARROWEST = 0.02
 """Radius below which a corner stays a corner, at which the robot stops [m]; ours."""
 
 
-def rounded(waypoints: FloatArray, clearance: Clearance, limits: BaseLimits) -> Path:
+def rounded(waypoints: FloatArray, clearance: Clearance, limits: DrivingLimits) -> Path:
     """Return a path whose corners are arcs of circles, where the robot has room for them.
 
     Args:

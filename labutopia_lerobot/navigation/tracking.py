@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from labutopia_lerobot.navigation.path import BaseLimits, Path
+from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 _PULL = 2.0
@@ -35,7 +35,7 @@ class PathTracker:
         limits: How fast the base is.
     """
 
-    def __init__(self, path: Path, limits: BaseLimits) -> None:
+    def __init__(self, path: Path, limits: DrivingLimits) -> None:
         self._path, self._limits = path, limits
         self._speeds = path.speeds(limits)
         self._velocity_b: FloatArray = np.zeros(3)
@@ -101,7 +101,7 @@ class PathTracker:
         return max(self.travelled, float(along_it))
 
 
-def turning_speed(off: float, now: float, limits: BaseLimits) -> float:
+def turning_speed(off: float, now: float, limits: DrivingLimits) -> float:
     """Return how fast to turn in the next control period [rad/s], so as to stop where one looks.
 
     Args:

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from labutopia_lerobot.navigation.path import BaseLimits
+from labutopia_lerobot.navigation.path import DrivingLimits
 from labutopia_lerobot.robots.element import Element
 
 
@@ -38,10 +38,10 @@ class MobileBase:
         return 0.5 * math.hypot(*self.size)
 
     @property
-    def limits(self) -> BaseLimits:
+    def limits(self) -> DrivingLimits:
         """Speed and acceleration, for planning."""
         forward, _, turning = self.elements
-        return BaseLimits(forward.upper, forward.speed, turning.upper, turning.speed)
+        return DrivingLimits(forward.upper, forward.speed, turning.upper, turning.speed)
 
     @property
     def pose_names(self) -> tuple[str, str, str]:

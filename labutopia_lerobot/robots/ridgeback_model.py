@@ -40,12 +40,12 @@ _WHEEL_Y = (0.472 + 0.0790) / 2
 """Places of the axles and of the wheels on them, to either side [m] [URDF]."""
 
 _MASS = 165.304 + 2 * 10.267 + 4 * 2.3
-"""Chassis, rockers and wheels [kg] [URDF]; 135 kg in the data sheet, with smaller batteries."""
-_CENTRE = (0.010, 0.0017, 0.066)
-"""Centre of mass, frame of the files [m]: that of the chassis, the rest being even [URDF]."""
-_INERTIA = (6.9, 11.2, 15.9, 0.0, 0.0, 0.0)
-"""About it [kg m^2]: [URDF] of the chassis about its own axes, 4.6, 4.5 and 7.2, and of rockers and
-wheels with their distances: 2 x 0.029 + 4 x 2.3 x 0.2755^2 and so on."""
+"""Chassis, two rockers and four wheels [kg] [URDF]; 135 kg in the data sheet."""
+_CENTRE = (0.0102, 0.0017, 0.0644)
+"""Centre of mass of all of them, frame of the files [m] [URDF]."""
+_INERTIA = (6.2, 7.6, 11.8, 0.0, 0.0, 0.0)
+"""About it [kg m^2]: chassis 4.6, 4.5 and 7.2 about x, y and z, rockers 0.8, 2.1 and 3.0, wheels
+0.7, 1.0 and 1.6, each where it is [URDF]; heights differ too little to count."""
 
 _RISER = 0.09
 """Half the width of the riser that carries the arm [m]; ours."""

@@ -198,7 +198,9 @@ class Simulation:
     @property
     def robot_state(self) -> FloatArray:
         """State of the robot that is observed, in the order of `Robot.state_names`."""
-        return np.concatenate([self.measured, self.base_pose])
+        pose = self.base_pose
+        pose[2:] -= 2 * np.pi * np.round(pose[2:] / (2 * np.pi))  # however often it has turned
+        return np.concatenate([self.measured, pose])
 
     def draw_liquid(self) -> None:
         """Find the surface of the liquid, once for all pictures of this moment."""

@@ -11,7 +11,7 @@ from scipy.sparse import csgraph
 
 from labutopia_lerobot.navigation.clearance import Clearance
 from labutopia_lerobot.navigation.occupancy import COARSE, FREE, Occupancy
-from labutopia_lerobot.navigation.path import BaseLimits, Path
+from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.navigation.path_planner import (
     RADIUS,
     BlockedPlaceError,
@@ -21,7 +21,7 @@ from labutopia_lerobot.navigation.path_planner import (
 from labutopia_lerobot.navigation.tracking import PathTracker, turning_speed
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
-LIMITS = BaseLimits(speed=1.1, acceleration=1.0, turning=1.85, turning_acceleration=1.7)
+LIMITS = DrivingLimits(speed=1.1, acceleration=1.0, turning=1.85, turning_acceleration=1.7)
 CORNERS = np.array([[1.0, 1.0], [9.0, 6.0]])
 
 

@@ -83,6 +83,14 @@ def test_features_and_spaces_follow_from_the_robot(env):
     assert env.action_space.high[BASE] == pytest.approx([1.1, 1.1, 1.1 / 0.5945])
 
 
+def test_a_heading_is_observed_within_half_a_turn(env):
+    env.reset(seed=0)
+    simulation = env.workcell.simulation
+    simulation.data.joint("base_yaw").qpos = 4.0
+    assert simulation.robot_state[-1] == pytest.approx(4.0 - 2 * math.pi)
+    assert simulation.base_pose[2] == 4.0
+
+
 def test_it_begins_with_its_arm_where_an_arm_on_a_stand_has_it(env):
     env.reset(seed=0)
     world = env.workcell.world

@@ -1,0 +1,145 @@
+"""Docking: the last bit to a bench, where the robot's disc would touch but its footprint does not.
+
+A robot drives as a disc to a point straight behind its place, turns, and goes straight in.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from labutopia_lerobot.navigation.occupancy import FREE, Occupancy
+from labutopia_lerobot.navigation.path import Path
+from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, PathPlanner
+from labutopia_lerobot.world import FloatArray
+
+LONGEST = 1.5
+"""Greatest distance that is gone straight in [m]; ours: more than twice the paper's radius."""
+_STEP = 0.02
+"""Distance of the places that are looked at on the way [m]."""
+
+
+@dataclass(frozen=True)
+class FloorRectangle:
+    """The rectangle on the floor that a base takes; the base frame is in its middle.
+
+    Attributes:
+        length: Along x of the base [m].
+        width: Along y of the base [m].
+    """
+
+    length: float
+    width: float
+
+    def fits(self, occupancy: Occupancy, position: FloatArray, yaw: float) -> bool:
+        """Return whether it is on the floor and in no cell that is not free.
+
+        A cell counts as far as it reaches along the sides of the rectangle, which is too far at its
+        corners: by a fifth of a cell at most.
+
+        Args:
+            occupancy: Where things stand.
+            position: Middle of the base, shape (2,) [m], frame of the map.
+            yaw: Of the base, to the left of x [rad].
+        """
+        c, s = math.cos(yaw), math.sin(yaw)
+        half = np.array([self.length, self.width]) / 2
+        corners = half * [[1, 1], [1, -1], [-1, 1], [-1, -1]] @ [[c, s], [-s, c]] + position
+        rows, columns = occupancy.cells.shape
+        far = np.array(occupancy.origin) + np.array([columns, rows]) * occupancy.resolution
+        if (corners < occupancy.origin).any() or (corners > far).any():
+            return False
+        first = occupancy.cell(*corners.min(axis=0))
+        last = occupancy.cell(*corners.max(axis=0))
+        near = np.zeros(occupancy.cells.shape, bool)
+        window = slice(first[0], last[0] + 1), slice(first[1], last[1] + 1)
+        near[window] = occupancy.cells[window] != FREE
+        away = np.abs((occupancy.middles(near) - position) @ [[c, -s], [s, c]])
+        reach = half + occupancy.resolution / 2 * (abs(c) + abs(s))
+        return not (away < reach - 1e-9).all(axis=1).any()
+
+
+@dataclass(frozen=True)
+class Docking:
+    """The way to a place at a bench.
+
+    Attributes:
+        path: To the point straight behind the place, for the disc.
+        yaw: Heading there and from there on [rad], room frame.
+        position: The place: middle of the base, shape (2,) [m], room frame.
+    """
+
+    path: Path
+    yaw: float
+    position: FloatArray
+
+    @property
+    def before(self) -> FloatArray:
+        """Point straight behind the place at which the path ends, shape (2,) [m]."""
+        point: FloatArray = self.path.points[-1]
+        return point
+
+
+def approach_to(
+    planner: PathPlanner,
+    occupancy: Occupancy,
+    footprint: FloorRectangle,
+    position: FloatArray,
+    yaw: float,
+) -> FloatArray:
+    """Return the nearest point straight behind a place where the disc can be, shape (2,) [m].
+
+    Args:
+        planner: Knows where the disc can be.
+        occupancy: The same map, for the footprint.
+        footprint: Of the base.
+        position: The place: middle of the base, shape (2,) [m], room frame.
+        yaw: Heading at the place [rad].
+
+    Raises:
+        BlockedPlaceError: If the footprint touches something there or on the way in.
+    """
+    back = -np.array([math.cos(yaw), math.sin(yaw)])
+    for distance in np.arange(0.0, LONGEST, _STEP):
+        point: FloatArray = position + distance * back
+        if not footprint.fits(occupancy, point, yaw):
+            what = "there" if distance == 0.0 else f"{distance:.2f} m behind it"
+            raise BlockedPlaceError(
+                f"The place ({position[0]:.2f}, {position[1]:.2f}) m, heading "
+                f"{math.degrees(yaw):.0f} deg, is blocked: a base of {footprint.length:g} x "
+                f"{footprint.width:g} m touches something {what}. Choose another place"
+            )
+        if planner.free(point):
+            return point
+    raise BlockedPlaceError(
+        f"The place ({position[0]:.2f}, {position[1]:.2f}) m, heading {math.degrees(yaw):.0f} deg, "
+        f"is too far in: within {LONGEST:g} m behind it there is no room for a robot of "
+        f"{planner.clearance.radius:g} m radius to turn. Choose another place"
+    )
+
+
+def plan_docking(
+    planner: PathPlanner,
+    occupancy: Occupancy,
+    footprint: FloorRectangle,
+    start: FloatArray,
+    position: FloatArray,
+    yaw: float,
+) -> Docking:
+    """Return the way from a point to a place at a bench.
+
+    Args:
+        planner: As in `approach_to`.
+        occupancy: As in `approach_to`.
+        footprint: As in `approach_to`.
+        start: Where the base is, shape (2,) [m], room frame.
+        position: As in `approach_to`.
+        yaw: As in `approach_to`.
+
+    Raises:
+        BlockedPlaceError: If the disc cannot be at the start, or the footprint at the place or on
+            the way in.
+        UnreachableGoalError: If no way leads to where one goes in.
+    """
+    before = approach_to(planner, occupancy, footprint, position, yaw)
+    return Docking(planner.plan(start, before), yaw, position)

@@ -1,0 +1,124 @@
+"""Places of a robot that drives, at the benches of a furnished room, found by program."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from labutopia_lerobot.labware.parts.top import Top
+from labutopia_lerobot.navigation.docking import FloorRectangle, approach_to
+from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, PathPlanner
+from labutopia_lerobot.robots.mobile_base import MobileBase
+from labutopia_lerobot.scenes.plan import Placed, Plan
+from labutopia_lerobot.scenes.room_map import room_map
+from labutopia_lerobot.scenes.space.extent import extent
+from labutopia_lerobot.world import FloatArray
+
+_WIDEST, _LOWEST, _HIGHEST = 0.6, 0.6, 1.0
+"""Least width of a top that one works at, and between which heights it is [m]; ours: desks and
+benches, no shelves."""
+_GAPS = (0.02, 0.06, 0.10)
+"""Distances from the edge of a top to the base that are tried [m]; ours. With its arm at its front
+the farthest leaves it 0.28 m before the edge: it reaches over more than 40 cm of the bench."""
+_APART = 0.2
+"""Distance between places along an edge [m], and of the first from its end."""
+
+
+@dataclass(frozen=True, eq=False)
+class Dock:
+    """A place of a base at a bench.
+
+    Attributes:
+        piece: Name of the bench.
+        position: Middle of the base, shape (2,) [m], room frame.
+        yaw: Heading, to the bench [rad].
+        before: Point straight behind it to which the robot drives as a disc, shape (2,) [m].
+    """
+
+    piece: str
+    position: FloatArray
+    yaw: float
+    before: FloatArray
+
+
+def docks(plan: Plan, base: MobileBase, radius: float) -> tuple[Dock, ...]:
+    """Return the places in the largest part of a room that is in one piece for a robot.
+
+    Doors are open; what stands on the floor is where the plan has it.
+
+    Args:
+        plan: The room.
+        base: Of the robot.
+        radius: Of the disc as which it drives [m]; the paper's is 0.6.
+    """
+    occupancy, footprint = room_map(plan), FloorRectangle(*base.size)
+    planner = PathPlanner.of(occupancy, base.limits, radius)
+    largest = _largest(occupancy.passable(radius))
+    found = []
+    for piece, position, yaw in _candidates(plan, base):
+        try:
+            before = approach_to(planner, occupancy, footprint, position, yaw)
+        except BlockedPlaceError:
+            continue
+        row, column = occupancy.cell(*before)
+        if largest[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].any():
+            found.append(Dock(piece.name, position, yaw, before))
+    return tuple(found)
+
+
+def _largest(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the largest part of what is free that is in one piece."""
+    regions, count = ndimage.label(free, structure=np.ones((3, 3)))
+    if not count:
+        return free
+    sizes = ndimage.sum_labels(free, regions, np.arange(1, count + 1))
+    part: NDArray[np.bool_] = regions == 1 + int(np.argmax(sizes))
+    return part
+
+
+def _candidates(plan: Plan, base: MobileBase) -> Iterator[tuple[Placed, FloatArray, float]]:
+    """Yield pieces with places of a base before them, and headings there."""
+    worked_at = {place.bench for place in plan.work_places}
+    for piece in plan.pieces:
+        for top in _tops(piece, whole=piece.name in worked_at):
+            low, high = top.y
+            if high - low < _WIDEST or not _LOWEST <= piece.height + top.height <= _HIGHEST:
+                continue
+            for along in np.arange(low + _APART, high - _APART + 1e-6, _APART):
+                for gap in _GAPS:
+                    yield piece, *_before(piece, top, float(along), gap + base.size[0] / 2)
+
+
+def _tops(piece: Placed, *, whole: bool) -> tuple[Top, ...]:
+    """Return the tops of what stands on the floor; that of a work place, which is kept free, too.
+
+    Args:
+        piece: Of a plan.
+        whole: Whether it is the bench of a work place.
+    """
+    kind = extent(piece.kind)
+    if piece.on:
+        return ()
+    if not whole:
+        return kind.tops
+    (west, south, _), (east, north, height) = kind.hull.low[0], kind.hull.high[0]
+    return (Top(float(height), (float(west), float(east)), (float(south), float(north))),)
+
+
+def _before(piece: Placed, top: Top, along: float, away: float) -> tuple[FloatArray, float]:
+    """Return the point before the edge of a top at which one works, and the heading to it.
+
+    Args:
+        piece: That has the top.
+        top: On whose side one works.
+        along: Where along the edge [m], frame of the piece.
+        away: How far from the edge [m].
+    """
+    facing = math.radians(piece.heading)
+    ahead = np.array([-math.cos(facing), -math.sin(facing)])  # x of the piece, away from its front
+    left = np.array([-ahead[1], ahead[0]])
+    x, yaw = (top.x[1] + away, facing) if top.behind else (top.x[0] - away, facing + math.pi)
+    return np.array([piece.x, piece.y]) + x * ahead + along * left, yaw
