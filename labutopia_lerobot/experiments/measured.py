@@ -48,7 +48,7 @@ class Line:
     @property
     def short(self) -> str:
         """Its name in a chart, where there is little room."""
-        count = "" if self.demonstrations is None else f" {self.demonstrations}"
+        count = "" if self.demonstrations is None else f" ({self.demonstrations})"
         return f"{self.task.partition('/')[2]}{count}"
 
     def __str__(self) -> str:
