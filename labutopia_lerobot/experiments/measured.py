@@ -1,7 +1,8 @@
 """Results of an experiment as tables and curves: what is not measured says so."""
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,38 @@ _RATES = "Successes of episodes, per cent, 95 % interval (Wilson)."
 
 
 @dataclass(frozen=True)
+class Line:
+    """A line of a curve.
+
+    Attributes:
+        label: What tables call the policy.
+        played: Under which condition it plays.
+        task: Task id.
+        demonstrations: How many it has learned from, or None where that is the axis.
+    """
+
+    label: str
+    played: str
+    task: str
+    demonstrations: int | None
+
+    @property
+    def who(self) -> str:
+        """What all lines of a chart have in common."""
+        return f"{self.label}, {self.played}"
+
+    @property
+    def short(self) -> str:
+        """Its name in a chart, where there is little room."""
+        count = "" if self.demonstrations is None else f" ({self.demonstrations})"
+        return f"{self.task.partition('/')[2]}{count}"
+
+    def __str__(self) -> str:
+        count = "" if self.demonstrations is None else f", {self.demonstrations} demonstrations"
+        return f"{self.label}, {self.task}, {self.played}{count}"
+
+
+@dataclass(frozen=True)
 class Measured:
     """Evaluations of an experiment, with the results of those that are finished.
 
@@ -43,13 +76,18 @@ class Measured:
 
     @property
     def final(self) -> list[EvaluationPart]:
-        """Those of the last weights, from the most demonstrations of each policy and task."""
+        """Those of the last weights, from as many demonstrations as most policies and tasks have.
+
+        Where one has never so many, the most that it has: numbers in one table are comparable.
+        """
         last = [each for each in self.evaluations if each.at is None]
-        most: dict[tuple[str, str], int] = {}
+        counts: dict[tuple[str, str], set[int]] = {}
         for each in last:
-            key = (each.label, each.task)
-            most[key] = max(most.get(key, 0), each.demonstrations or 0)
-        return [e for e in last if (e.demonstrations or 0) == most[e.label, e.task]]
+            counts.setdefault((each.label, each.task), set()).add(each.demonstrations or 0)
+        times = Counter(count for of_one in counts.values() for count in of_one)
+        usual = max(times, key=lambda count: (times[count] * (count > 0), count), default=0)
+        chosen = {who: usual if usual in own else max(own) for who, own in counts.items()}
+        return [e for e in last if (e.demonstrations or 0) == chosen[e.label, e.task]]
 
     def rate(self, evaluation: EvaluationPart | None) -> Cell:
         """Return the successes of an evaluation, or that they are not measured.
@@ -78,13 +116,12 @@ class Measured:
         """Return the charts of what grows with demonstrations, or with steps."""
         charts = []
         for title, places, lines in self._series():
-            measured = {
-                name: {x: rate for x, rate in points.items() if isinstance(rate, Rate)}
-                for name, points in lines.items()
-            }
-            drawn = {name: points for name, points in measured.items() if points}
-            if drawn:
-                charts.append(curve(title, places, drawn))
+            drawn: dict[str, dict[str, dict[int, Rate]]] = {}
+            for line, points in lines.items():
+                rates = {x: rate for x, rate in points.items() if isinstance(rate, Rate)}
+                if rates:
+                    drawn.setdefault(line.who, {})[line.short] = rates
+            charts += [curve(f"{who}: {title.lower()}", places, of) for who, of in drawn.items()]
         return charts
 
     def _by_task(self) -> Table:
@@ -105,23 +142,25 @@ class Measured:
             Table(
                 title,
                 ("Policy and task", *map(str, places)),
-                tuple((name, *(points.get(x) for x in places)) for name, points in lines.items()),
+                tuple(
+                    (str(line), *(points.get(x) for x in places)) for line, points in lines.items()
+                ),
                 _RATES,
             )
             for title, places, lines in self._series()
         ]
 
-    def _series(self) -> list[tuple[str, list[int], dict[str, dict[int, Cell]]]]:
-        """Return title, places on the axis, and name of a line -> place -> its rate."""
-        by_count: dict[str, dict[int, Cell]] = {}
-        by_step: dict[str, dict[int, Cell]] = {}
+    def _series(self) -> list[tuple[str, list[int], dict["Line", dict[int, Cell]]]]:
+        """Return title, places on the axis, and line -> place -> its rate."""
+        by_count: dict[Line, dict[int, Cell]] = {}
+        by_step: dict[Line, dict[int, Cell]] = {}
         for each in self.evaluations:
             if each.demonstrations is None:
                 continue
-            name = f"{each.label}, {each.task}, {_played(each)}"
+            line = Line(each.label, _played(each), each.task, None)
             if each.at is None:
-                by_count.setdefault(name, {})[each.demonstrations] = self.rate(each)
-            along = by_step.setdefault(f"{name}, {each.demonstrations} demonstrations", {})
+                by_count.setdefault(line, {})[each.demonstrations] = self.rate(each)
+            along = by_step.setdefault(replace(line, demonstrations=each.demonstrations), {})
             steps = each.trainings[0].steps if each.at is None else each.at
             along[steps] = self.rate(each)
         return [
@@ -130,7 +169,7 @@ class Measured:
                 "Success over demonstrations": by_count,
                 "Success over steps of the training": by_step,
             }.items()
-            if (shown := {name: points for name, points in lines.items() if len(points) > 1})
+            if (shown := {line: points for line, points in lines.items() if len(points) > 1})
         ]
 
     def _comparisons(self) -> list[Table]:

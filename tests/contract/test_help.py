@@ -49,7 +49,7 @@ def test_help_of_the_evaluator_explains_every_option_and_lists_the_policies():
         if name in names
     )
     assert (
-        "Policies: act, diffusion, expert, lerobot, pi0, random, remote, smolvla, still"
+        "Policies: act, diffusion, expert, lerobot, mlp, pi0, random, remote, smolvla, still"
         in done.stdout
     )
 

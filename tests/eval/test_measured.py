@@ -32,9 +32,23 @@ def test_a_result_stands_beside_what_is_not_measured(tmp_path):
         "Success over demonstrations",
         "Success over steps of the training",
     ]
-    assert [chart["policy"] for chart in measured.curves()] == titles[1:]
+    assert [chart["policy"] for chart in measured.curves()] == [
+        f"act, id: {title.lower()}" for title in titles[1:]
+    ]
     moved = kept_results(out / "eval", evaluations)
     assert moved.tables()[0].lines == measured.tables()[0].lines
+
+
+def test_a_table_compares_what_has_learned_from_as_many_demonstrations(tmp_path):
+    file = tmp_path / "mine.yaml"
+    file.write_text(
+        "obs: state\nstudies:\n"
+        "  - {policy: [act, diffusion], task: [level1/pick, level1/press], demonstrations: 50}\n"
+        "  - {policy: act, task: level1/pick, demonstrations: [10, 50, 200]}\n"
+    )
+    parts = planning.parts_of(parse([f"experiment={file}"]))
+    final = Measured.of(planning.evaluations(parts)).final
+    assert [evaluation.demonstrations for evaluation in final] == [50] * 4
 
 
 def test_the_page_of_results_has_the_tables_and_curves_of_an_experiment(tmp_path):

@@ -29,7 +29,7 @@ LAYERS = (
     "features env vector gymnasium_ids",
     "checks",
     "runtime",
-    "evaluation datasets devices lerobot_plugin",
+    "evaluation datasets devices lerobot_plugin behaviour_cloning",
     "hub experiments web",
     "cli",
 )
@@ -38,7 +38,7 @@ LAYERS = (
 HEIGHT = {room: height for height, line in enumerate(LAYERS) for room in line.split()}
 
 MUJOCO = {"processes", "labware", "robots", "scenes", "liquids", "sim", "export"}
-LEROBOT = {"datasets", "devices", "evaluation", "lerobot_plugin"}
+LEROBOT = {"behaviour_cloning", "datasets", "devices", "evaluation", "lerobot_plugin"}
 
 
 def room(path: Path) -> str:

@@ -11,7 +11,7 @@ from typing import Any
 from labutopia_lerobot.datasets.disk_space import expected_frames
 from labutopia_lerobot.evaluation.find_checkpoint import adapted, checkpoint_files
 from labutopia_lerobot.evaluation.origin import training_step, weight_hashes
-from labutopia_lerobot.experiments.parts.experiment_part import ExperimentPart, log_of
+from labutopia_lerobot.experiments.parts.experiment_part import ExperimentPart, digest_of, log_of
 from labutopia_lerobot.experiments.parts.recording_part import RecordingPart, VerificationPart
 from labutopia_lerobot.experiments.recipe import RecipeError, recipe_file, training_command
 from labutopia_lerobot.experiments.study import Budget, ExperimentOptionError
@@ -20,6 +20,8 @@ from labutopia_lerobot.runtime import provenance
 
 _LEARNING = ("python", "lerobot", "torch", "torchvision", "diffusers", "transformers")
 """Packages whose version decides what a training makes."""
+
+_OWN_NETWORK = Path(__file__).parents[2] / "behaviour_cloning"
 
 _BAR = re.compile(r"Training: .*?\| *(\d+)/(\d+) \[")
 """LeRobot's progress bar: steps since it was started, and how many it began with."""
@@ -146,6 +148,7 @@ class TrainingPart:
             "recipe": provenance.sha256(self.recipe),
             "budget": [self.steps, self.budget.batch_size, *self._further()],
             "versions": {name: versions.get(name) for name in _LEARNING},
+            "network": self._own_network(),
         }
 
     def prepare(self) -> None:
@@ -203,6 +206,12 @@ class TrainingPart:
     @property
     def _recipe(self) -> dict[str, Any]:
         return read_json_object(self.recipe, RecipeError)
+
+    def _own_network(self) -> str | None:
+        """Return the hash of a network that is not LeRobot's but ours, or None."""
+        files = {file.name: file for file in _OWN_NETWORK.glob("*.py")}
+        ours = f"modeling_{self._recipe['policy'].get('type')}.py" in files
+        return digest_of(files) if ours else None
 
     def _made(self) -> list[str]:
         budget = self.budget

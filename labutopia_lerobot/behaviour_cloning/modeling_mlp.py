@@ -1,0 +1,76 @@
+"""The network: states in, a chunk of actions out, learned by the mean absolute error."""
+
+from collections import deque
+from itertools import pairwise
+from typing import Any
+
+import torch
+from lerobot.policies import PreTrainedPolicy
+from torch import Tensor, nn
+
+from labutopia_lerobot.behaviour_cloning.configuration_mlp import MLPConfig
+
+_INPUTS = ("observation.state", "observation.environment_state")
+
+
+class MLPPolicy(PreTrainedPolicy):
+    """A multilayer perceptron on the states of robot and things.
+
+    Args:
+        config: Its options, with the features of the dataset.
+        **kwargs: What LeRobot gives to every policy beside; not used.
+    """
+
+    config_class = MLPConfig
+    name = "mlp"
+
+    def __init__(self, config: MLPConfig, **kwargs: Any) -> None:
+        super().__init__(config)
+        config.validate_features()
+        self.config = config
+        sizes = [config.input_features[key].shape[0] for key in _INPUTS]
+        elements = config.action_feature.shape[0]
+        layers: list[nn.Module] = []
+        for before, after in pairwise([sum(sizes), *config.hidden]):
+            layers += [nn.Linear(before, after), nn.ReLU(), nn.Dropout(config.dropout)]
+        last = nn.Linear(config.hidden[-1], config.chunk_size * elements)
+        self.model = nn.Sequential(*layers, last, nn.Unflatten(-1, (config.chunk_size, elements)))
+        self.reset()
+
+    def get_optim_params(self) -> Any:
+        """Return what is trained: everything."""
+        return self.parameters()
+
+    def reset(self) -> None:
+        """Forget the actions that were to be played."""
+        self._queue: deque[Tensor] = deque(maxlen=self.config.n_action_steps)
+
+    def forward(self, batch: dict[str, Tensor]) -> tuple[Tensor, dict[str, float]]:
+        """Return the mean absolute error of a batch, without what lies behind its episodes.
+
+        Args:
+            batch: States, shape (frames, elements), and `action`, shape (frames, chunk, elements),
+                all scaled; `action_is_pad`, shape (frames, chunk).
+        """
+        error = (self._said(batch) - batch["action"]).abs().mean(dim=-1)
+        counts = ~batch["action_is_pad"]
+        loss = (error * counts).sum() / counts.sum().clamp_min(1)
+        return loss, {"l1_loss": loss.item()}
+
+    @torch.no_grad()
+    def predict_action_chunk(self, batch: dict[str, Tensor], **kwargs: Any) -> Tensor:
+        """Return the next actions, shape (environments, chunk, elements), scaled."""
+        self.eval()
+        return self._said(batch)
+
+    @torch.no_grad()
+    def select_action(self, batch: dict[str, Tensor], **kwargs: Any) -> Tensor:
+        """Return the next action, shape (environments, elements), scaled."""
+        if not self._queue:
+            chunk = self.predict_action_chunk(batch)[:, : self.config.n_action_steps]
+            self._queue.extend(chunk.transpose(0, 1))
+        return self._queue.popleft()
+
+    def _said(self, batch: dict[str, Tensor]) -> Tensor:
+        actions: Tensor = self.model(torch.cat([batch[key] for key in _INPUTS], dim=-1))
+        return actions

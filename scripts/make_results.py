@@ -1,0 +1,73 @@
+"""`python scripts/make_results.py`: docs/results.md, from the results that are kept.
+
+A result of `labutopia-experiment` is kept by copying its folder from `OUT/eval/` to the same place
+below `eval/learned/`. What is not there is "not measured" on the page.
+"""
+
+from pathlib import Path
+
+from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.cli.experiment import parse
+from labutopia_lerobot.evaluation.condition import REFERENCES
+from labutopia_lerobot.evaluation.reporting.table import as_markdown
+from labutopia_lerobot.experiments.measured import kept_results
+from labutopia_lerobot.experiments.planning import evaluations, parts_of
+
+ROOT = Path(__file__).parents[1]
+PAGE = ROOT / "docs" / "results.md"
+KEPT = ROOT / "eval" / "learned"
+
+_HEAD = """# Results
+
+[To the README](../README.md)
+
+Made by `scripts/make_results.py` from the experiments in
+[configs/experiment](../configs/experiment) and the results that are kept in `eval/learned/`.
+{state} The expert's rows are in the [README](../README.md) and in [failures](failures.md); what a
+table's interval means is in [statistics](statistics.md).
+
+```
+labutopia-experiment experiment=results_cpu plan=true            # what would be done; nothing is
+make results-cpu                                                 # everything that needs no GPU
+labutopia-experiment experiment=results_cpu only=level1/pick     # one task of the tables
+make results-gpu                                                 # the paper's settings, on one GPU
+```
+
+- An experiment records demonstrations, verifies them, trains with `lerobot-train` by the
+  [recipes](../policies/README.md), evaluates and compares, task by task. Before it begins it says
+  what it will cost, in hours, gigabytes and memory, by what parts like these took on this
+  machine, or by a warm-up in small.
+- Each part has the hashes of its inputs: a dataset's content, recipe, options, sources, versions.
+  What was made from the same ones stands and is not done again. What was made from others is
+  refused before anything runs; `again=true` makes it anew. A training depends on the dataset's
+  content and not on our sources, so that new code which records the same bytes trains nothing
+  again.
+- A killed one goes on with the same command, a training from its last checkpoint. A part that
+  fails leaves the others standing; the tables say "not measured", and why.
+- `out/report.html` has tables, curves, causes and films; `out/logs/` what every program said.
+- State policies are given the poses of all things and see no pictures: their numbers are not
+  comparable with the paper's.
+
+"""
+
+
+@clear_errors
+def main() -> None:
+    """Write the page."""
+    PAGE.write_text(content())
+
+
+def content() -> str:
+    """Return the page."""
+    chosen = parse(["experiment=results_cpu"])
+    learned = [e for e in evaluations(parts_of(chosen)) if e.policy not in REFERENCES]
+    kept = kept_results(KEPT, learned)
+    state = f"Of the {len(learned)} evaluations below {len(kept.results) or 'none'} "
+    state += "is measured." if len(kept.results) < 2 else "are measured."
+    tables = "\n".join(as_markdown(table) for table in kept.tables())
+    gpu = "## With pictures\n\nThe paper's settings (`make results-gpu`): not measured.\n"
+    return f"{_HEAD.format(state=state)}{tables}\n{gpu}"
+
+
+if __name__ == "__main__":
+    main()
