@@ -23,7 +23,7 @@ demo test test-slow: export OMP_WAIT_POLICY := PASSIVE
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo results-cpu results-gpu test test-slow lint format clean
+.PHONY: help setup demo results-cpu results-gpu test test-slow docs lint format clean
 
 help:  ## List the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -56,6 +56,9 @@ test: lint $(TESTED_WITH)  ## Check style and types, then run every test but the
 
 test-slow: setup $(TESTED_WITH)  ## Run the sweeps: ten episodes of every expert, more attacks, trainings, kills, leaks
 	$(PYTEST) -m slow
+
+docs: setup  ## Build the site into build/site, offline; a link that leads nowhere fails
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
 
 lint: setup  ## Check style, format and types
 	$(BIN)/ruff check

@@ -5,53 +5,54 @@ import argparse
 import gymnasium
 import numpy as np
 import torch
+from torch.nn import GELU, Linear, Sequential, Unflatten
 
 import labutopia_lerobot  # noqa: F401  # registers the tasks
 from labutopia_lerobot.evaluation.uncertainty.intervals import wilson
 
+CHUNK = 20  # actions that are given at a time: looking at every step, small errors add up
+
 
 def play(env, seed, act):
-    """Play an episode; return what was seen and done, row by row, and whether it succeeded."""
+    """Return what was seen in an episode, the next actions at each step, whether it succeeded."""
     observation, _ = env.reset(seed=seed)
-    expert = env.unwrapped.expert()
-    expert.start()
-    rows, terminated, truncated = [], False, False
+    script = env.unwrapped.expert()
+    script.start()
+    seen, done, planned, terminated, truncated = [], [], [], False, False
     while not (terminated or truncated):
-        seen = np.concatenate([observation["agent_pos"], observation["environment_state"]])
-        action = expert.act() if act is None else act(seen)
-        rows.append(np.concatenate([seen, action]))
-        observation, _, terminated, truncated, info = env.step(action)
-    return np.array(rows, np.float32), info["is_success"]
+        seen.append(np.concatenate([observation["agent_pos"], observation["environment_state"]]))
+        planned = planned or ([script.act()] if act is None else list(act(seen[-1])))
+        done.append(planned.pop(0))
+        observation, _, terminated, truncated, info = env.step(done[-1])
+    ahead = [(done + [done[-1]] * CHUNK)[step : step + CHUNK] for step in range(len(done))]
+    return np.array(seen), np.array(ahead), info["is_success"]
 
 
 def main() -> None:
     """Demonstrate, copy, evaluate."""
     parser = argparse.ArgumentParser(description=__doc__)
-    for name, default in (("demonstrations", 40), ("steps", 3000), ("episodes", 20)):
+    for name, default in (("demonstrations", 100), ("steps", 4000), ("episodes", 20)):
         parser.add_argument(f"--{name}", type=int, default=default)
     given = parser.parse_args()
     torch.manual_seed(0)
-
     env = gymnasium.make("labutopia/level1-pick-v0", obs="state", liquid="off")
-    joints = env.action_space.shape[0]
-    rows = np.vstack([play(env, seed, None)[0] for seed in range(given.demonstrations)])
-    seen = torch.tensor(rows[:, :-joints])
-    change = torch.tensor(rows[:, -joints:]) - seen[:, :joints]
-    mean, spread = seen.mean(0), seen.std(0) + 1e-3
-    hidden, last = torch.nn.Linear(seen.shape[1], 256), torch.nn.Linear(256, joints)
-    network = torch.nn.Sequential(hidden, torch.nn.ReLU(), last)
-    adam = torch.optim.Adam(network.parameters(), lr=1e-3)
+    played = [play(env, seed, None)[:2] for seed in range(given.demonstrations)]
+    seen, ahead = (torch.tensor(np.concatenate(part)) for part in zip(*played, strict=True))
+    low, span = seen.amin(0), seen.amax(0) - seen.amin(0) + 1e-3
+    mean, spread = ahead.mean((0, 1)), ahead.std((0, 1))
+    first, last = Linear(len(low), 512), Linear(512, CHUNK * len(mean))
+    net = Sequential(first, GELU(), Linear(512, 512), GELU(), last, Unflatten(1, (CHUNK, -1)))
+    adam = torch.optim.Adam(net.parameters(), lr=5e-4)
     for _ in range(given.steps):
         batch = torch.randint(len(seen), (256,))
-        error = network((seen[batch] - mean) / spread) - 100 * change[batch]
         adam.zero_grad()
-        error.square().mean().backward()
+        (net((seen[batch] - low) / span) - (ahead[batch] - mean) / spread).abs().mean().backward()
         adam.step()
 
     def act(now):
-        return now[:joints] + network((torch.tensor(now) - mean) / spread).detach().numpy() / 100
+        return (net((torch.tensor(now) - low)[None] / span)[0] * spread + mean).detach().numpy()
 
-    wins = sum(play(env, 100_000 + number, act)[1] for number in range(given.episodes))
+    wins = sum(play(env, 100_000 + number, act)[2] for number in range(given.episodes))
     print(f"{wins}/{given.episodes} successes, 95 %:", *wilson(wins, given.episodes))
 
 

@@ -25,8 +25,6 @@ from labutopia_lerobot.setting import Setting
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 BEGIN, END = "<!-- tasks -->", "<!-- end of tasks -->"
-POURING = "pouring"
-"""Name of the README's picture of a pour."""
 _SHORT = 3
 """Steps of a task whose pictures at the start and at the end say enough."""
 _COLUMNS = 5
@@ -46,16 +44,16 @@ def main() -> None:
     parser.add_argument("--only", metavar="TASK", nargs="+", help="of which tasks to make pictures")
     arguments = parser.parse_args()
     write_tables(expert_rows.read(arguments.results), expert_rows.commits(arguments.results))
-    write_gallery([] if arguments.tables else arguments.only or [*task_files(), POURING])
+    write_gallery([] if arguments.tables else arguments.only or [*task_files()])
 
 
 def write_tables(rows: dict[str, list[Row]], commits: Mapping[str, str]) -> None:
-    """Write the table of tasks in the README, where things start and how experts fail."""
-    readme = (ROOT / "README.md").read_text()
-    before, _, rest = readme.partition(BEGIN)
+    """Write the table of tasks, where things start and how experts fail."""
+    page = DOCS / "tasks.md"
+    before, _, rest = page.read_text().partition(BEGIN)
     _, _, after = rest.partition(END)
     table = "\n".join(task_table(rows, commits))
-    (ROOT / "README.md").write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
+    page.write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
     (DOCS / "starts.md").write_text("\n".join(start_table()) + "\n")
     (DOCS / "failures.md").write_text("\n".join(failure_table(rows)) + "\n")
 
@@ -83,8 +81,6 @@ def write_gallery(drawn: Sequence[str]) -> None:
             save(ends, name)
             if long:
                 save(steps, f"{name}-steps")
-    if POURING in drawn:
-        save(pouring(), POURING)
     (DOCS / "gallery.md").write_text("\n".join(gallery))
 
 
@@ -93,19 +89,6 @@ def save(picture: NDArray[np.uint8], name: str) -> None:
     file = DOCS / "gallery" / f"{name}.png"
     file.parent.mkdir(parents=True, exist_ok=True)
     Image.fromarray(picture).quantize(256).save(file, optimize=True)
-
-
-def pouring() -> NDArray[np.uint8]:
-    """Return pictures of a pour when a third is in the target, all cameras side by side."""
-    env = LabEnv(Setting("level1/pour", width=384, height=384))
-    env.reset(seed=1)
-    expert = env.expert()
-    expert.start()
-    while True:
-        observation, *_ = env.step(expert.act())
-        liquid = env.workcell.world.liquid
-        if liquid is not None and liquid.poured > liquid.total / 3:
-            return np.hstack(list(observation["pixels"].values()))
 
 
 def watched(task_id: str) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
@@ -208,9 +191,10 @@ def failure_table(rows: Rows) -> list[str]:
         "",
         "[To the README](../README.md)",
         "",
-        "Outcomes of the episodes behind the README's table; why episodes failed, and which phase",
-        "the expert could not finish; how many starts were drawn anew because the expert could not",
-        "bring about from them what the task begins with, such as a beaker in the hand.",
+        "Outcomes of the episodes behind [the table of tasks](tasks.md); why episodes failed, and",
+        "which phase the expert could not finish; how many starts were drawn anew because the",
+        "expert could not bring about from them what the task begins with, such as a beaker in",
+        "the hand.",
         "",
         "| task | episodes | outcomes | causes | expert | starts drawn anew |",
         "| --- | --- | --- | --- | --- | --- |",

@@ -18,7 +18,7 @@ _BYTES_PER_FRAME = 600
 """Size of the tables per frame, as they are put aside: about 150 numbers of four bytes."""
 
 _SHARE_OF_LIMIT = 0.6
-"""Length of a demonstration as a share of its time limit: 0.2 to 0.7 by the README's table."""
+"""Length of a demonstration as a share of its time limit: 0.2 to 0.7 by docs/tasks.md."""
 
 
 class NoSpaceError(UserError):

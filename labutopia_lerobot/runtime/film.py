@@ -55,7 +55,7 @@ _FORMS = {
     ".webp": _Form(
         "libwebp_anim",
         "yuv420p",
-        {"quality": "72", "compression_level": "6", "threads": "1"},
+        {"quality": "88", "compression_level": "6", "threads": "1"},
         {"loop": "0"},
     ),
     ".gif": _Form("gif", _PALETTED, {"threads": "1"}, {"loop": "0"}, even=False),
