@@ -14,8 +14,8 @@ class WaitUntil:
     """Stand still until something is so.
 
     Attributes:
-        fact: What is waited for.
-        holding: What is in the gripper meanwhile, if anything.
+        fact: The fact to wait for.
+        holding: The thing in the gripper meanwhile, if any.
         at_most_s: How long it may take [s].
     """
 

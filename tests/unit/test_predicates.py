@@ -53,6 +53,7 @@ SAMPLES: dict[Any, tuple[Any, Any]] = {
     Transfer: (Transfer(SMALL, LARGE), Transfer(LARGE, SMALL)),
     frozenset[str]: (frozenset(), frozenset({"hand"})),
     float: (0.1, 0.2),
+    str: ("green", "blue"),
 }
 """Annotation of an argument -> two values of it."""
 
