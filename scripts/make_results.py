@@ -23,7 +23,7 @@ _HEAD = """# Results
 
 Made by `scripts/make_results.py` from the experiments in
 [configs/experiment](../configs/experiment) and the results that are kept in `eval/learned/`.
-{state} The expert's rows are in the [README](../README.md) and in [failures](failures.md); what a
+{state} The expert's rows are in the [table of tasks](tasks.md) and in [failures](failures.md); what a
 table's interval means is in [statistics](statistics.md).
 
 ```
