@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from functools import partial
 
 import httpx
 import numpy as np
@@ -27,6 +28,8 @@ def start(*arguments: str) -> "subprocess.Popen[str]":
     return subprocess.Popen(
         [sys.executable, "-c", VIEW, "level1/pick", "liquid=off", *SMALL, *arguments],
         env={**os.environ, "PYTHONUNBUFFERED": "1"},
+        # A shell that starts the tests in the background has Ctrl-C ignored.
+        preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -41,9 +44,12 @@ def address() -> Iterator[str]:
     line = process.stdout.readline()
     assert line.startswith("Open http://127.0.0.1:"), line
     assert "ssh -L" in process.stdout.readline()
-    yield line.split()[1]
-    process.send_signal(signal.SIGINT)
-    assert process.wait(timeout=60) == 0
+    try:
+        yield line.split()[1]
+        process.send_signal(signal.SIGINT)
+        assert process.wait(timeout=60) == 0
+    finally:
+        process.kill()
 
 
 def moment(address: str, after: int | str = "") -> dict:
