@@ -31,7 +31,7 @@ _DEPTH_PATH = "images."
 
 _POSE_NAMES = ("x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz")
 
-_SOLUTION_NAMES = ("acidity", "red", "green", "blue")
+SOLUTION_NAMES = ("acidity", "red", "green", "blue")
 
 
 @dataclass(frozen=True)
@@ -196,7 +196,7 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
             *(f"{body}.{axis}" for body in region.shuffled for axis in "xyz"),
             *([f"{vessel.name}.fill" for vessel in _vessels(piece)] if task.contents else []),
             *(
-                [f"{v.name}.{part}" for v in _vessels(piece) for part in _SOLUTION_NAMES]
+                [f"{v.name}.{part}" for v in _vessels(piece) for part in SOLUTION_NAMES]
                 if any(filling.dissolved for filling in task.contents.values())
                 else []
             ),

@@ -7,7 +7,7 @@ import numpy as np
 from labutopia_lerobot.checks.playing import expert, play, random_walk, still
 from labutopia_lerobot.checks.require import require
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.features import SOLUTION_NAMES, environment_state_names
 from labutopia_lerobot.world import FloatArray
 
 
@@ -64,16 +64,17 @@ def observations_are_in_space_own_their_memory_and_vary(env: LabEnv) -> None:
 def _of_moved_things(env: LabEnv, states: FloatArray) -> list[int]:
     """Return which elements of `environment_state` belong to things that move by a millimetre.
 
-    Without fill depths, which stay as they are where nothing is poured.
+    Without what is about their contents, which stay as they are where nothing is poured in.
     """
     names = environment_state_names(env.workcell.task)
     moves = dict(zip(names, np.ptp(states, axis=0) > 1e-3, strict=True))
     things = [piece.name for piece in env.workcell.task.start]
     moved = tuple(f"{name}." for name in things if any(moves[f"{name}.{axis}"] for axis in "xyz"))
+    contents = tuple(f".{name}" for name in ("fill", *SOLUTION_NAMES))
     return [
         index
         for index, name in enumerate(names)
-        if name.startswith(moved) and not name.endswith(".fill")
+        if name.startswith(moved) and not name.endswith(contents)
     ]
 
 

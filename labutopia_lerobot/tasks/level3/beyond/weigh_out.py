@@ -10,11 +10,11 @@ from labutopia_lerobot.scenario import Draw
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks.level2.beyond.pour_to_mass import weigh_from
 
-# Ours: what the hand gets around and 100 ml fill by a third to two thirds. The shape held out is a
-# conical flask, whose neck gives less at first and more later than any beaker.
+# Ours: what the hand gets around and 100 ml fill by a third to two thirds. A 250 ml beaker of the
+# usual shape is not among them: it gives so little at a time that it slips meanwhile (3 of 13). The
+# shape held out is a conical flask, whose neck gives less at first and more later than any beaker.
 VESSELS = {
     "150 ml beaker": ("beaker", "150 ml"),
-    "250 ml beaker": ("beaker", "250 ml"),
     "tall 250 ml beaker": ("beaker_tall", "250 ml"),
     "tall 150 ml beaker": ("beaker_tall", "150 ml"),
     "300 ml conical flask": ("conical_flask", "300 ml"),
@@ -28,7 +28,7 @@ GRAMS_FOR_TESTS = (35, 45, 55)
 def weigh_out(draw: Draw) -> Task:
     """Return the task that an episode has drawn."""
     names = list(VESSELS)
-    name = draw.choice("object", train=names[:3], test=names[3:], shifted=True)
+    name = draw.choice("object", train=names[:2], test=names[2:], shifted=True)
     grams = draw.choice("mass", train=GRAMS, test=GRAMS_FOR_TESTS, shifted=True)
     return replace(
         weigh_from(glassware(*VESSELS[name], name="vessel"), mass=grams),
