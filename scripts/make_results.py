@@ -23,8 +23,8 @@ _HEAD = """# Results
 
 Made by `scripts/make_results.py` from the experiments in
 [configs/experiment](../configs/experiment) and the results that are kept in `eval/learned/`.
-{state} The expert's rows are in the [table of tasks](tasks.md) and in [failures](failures.md); what a
-table's interval means is in [statistics](statistics.md).
+{state} The expert's rows are in the [table of tasks](tasks.md) and in [failures](failures.md);
+what a table's interval means is in [statistics](statistics.md).
 
 ```
 labutopia-experiment experiment=results_cpu plan=true            # what would be done; nothing is

@@ -11,7 +11,7 @@ from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks.level2.beyond.pour_to_mass import weigh_from
 
 # Ours: what the hand gets around and 100 ml fill by a third to two thirds. A 250 ml beaker of the
-# usual shape is not among them: it gives so little at a time that it slips meanwhile (3 of 13). The
+# usual shape is not among them: it gives so little at a time that it slips meanwhile (2 of 7). The
 # shape held out is a conical flask, whose neck gives less at first and more later than any beaker.
 VESSELS = {
     "150 ml beaker": ("beaker", "150 ml"),
