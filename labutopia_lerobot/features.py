@@ -7,6 +7,7 @@ from what is here, so that keys, shapes and order cannot diverge. Imports neithe
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -226,9 +227,10 @@ def environment_state(task: Task, world: World) -> NDArray[np.float32]:
     return state
 
 
-def _vessels(piece: Thing) -> list[Fillable]:
+@cache
+def _vessels(piece: Thing) -> tuple[Fillable, ...]:
     """Return what liquid stays in of a piece: itself, or what is mounted on it."""
-    return [thing for thing in with_mounted([piece]) if isinstance(thing, Fillable)]
+    return tuple(thing for thing in with_mounted([piece]) if isinstance(thing, Fillable))
 
 
 def observation_space(features: Mapping[str, Feature]) -> spaces.Dict:

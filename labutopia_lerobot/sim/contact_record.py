@@ -70,8 +70,15 @@ class ContactRecord:
             self.approach,
         )
         _note_extremes(self.now, self.touched, self.force)
-        _note_falls(self.now, self._pads, self._movable, self._downward, data.qvel, self.fall)
-        _note_speeds(data.qvel, self.speed)
+        _note_speeds(
+            self.now,
+            self._pads,
+            self._movable,
+            self._downward,
+            data.qvel,
+            self.fall,
+            self.speed,
+        )
 
 
 @kernel
@@ -122,15 +129,16 @@ def _note_extremes(now: FloatArray, touched: NDArray[np.bool_], force: FloatArra
 
 
 @kernel
-def _note_falls(
+def _note_speeds(
     now: FloatArray,
     pads: tuple[int, int],
     movable: NDArray[np.intp],
     downward: NDArray[np.intp],
     qvel: FloatArray,
     fall: FloatArray,
+    speed: FloatArray,
 ) -> None:
-    """Take note of how fast what is not between the pads goes down.
+    """Take note of how fast everything moves, and how fast what is not between the pads goes down.
 
     Args:
         now: Forces between groups in a step [N], negative where none touch.
@@ -139,15 +147,11 @@ def _note_falls(
         downward: Where their vertical velocities are.
         qvel: All velocities.
         fall: Becomes the greatest downward speed of each piece [m/s].
+        speed: Becomes the greatest speed of every degree of freedom, whichever way.
     """
     for piece in range(len(movable)):
         group = movable[piece]
         if now[pads[0], group] < 0.0 or now[pads[1], group] < 0.0:
             fall[piece] = max(fall[piece], -qvel[downward[piece]])
-
-
-@kernel
-def _note_speeds(qvel: FloatArray, speed: FloatArray) -> None:
-    """Take note of how fast every degree of freedom moves, whichever way."""
     for dof in range(len(qvel)):
         speed[dof] = max(speed[dof], abs(qvel[dof]))
