@@ -11,6 +11,10 @@ class Thing(Protocol):
         """Name of the root body; every element of the thing starts with it."""
         ...
 
+    def __hash__(self) -> int:
+        """Return its hash: things are keys, of where they start and of what they hold."""
+        ...
+
 
 class Standing(Thing, Protocol):
     """A thing with an upright axis."""
