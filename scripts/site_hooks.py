@@ -115,9 +115,9 @@ def _task(task_id: str) -> Iterator[str]:
     yield from (f"![The expert's start and end, from three cameras](../gallery/{name}.png)", "")
     rate = re.search(rf"^\| `{task_id}` \|.*$", _rates(), re.MULTILINE)
     if rate is not None:
-        _, _, _, won, low_high, seconds, _ = rate[0].split("|")
+        won, low_high, seconds, commit = (cell.strip() for cell in rate[0].split("|")[3:7])
         yield from (
-            f"The expert succeeds in {won.strip()} ({low_high.strip()}), {seconds.strip()}.",
+            f"The expert succeeds in {won} ({low_high}), in {seconds}; commit {commit}.",
             "",
         )
     yield from ("```", f"labutopia-view {task_id} --web", f"labutopia-eval {task_id} policy=expert")
