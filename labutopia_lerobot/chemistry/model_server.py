@@ -92,8 +92,9 @@ class ModelServer:
         thread = threading.Thread(target=call, daemon=True, name="language model")
         thread.start()
         thread.join(timeout_s)
-        client.close()
+        # Before it is closed: the closing itself makes the thread fail, with other words.
         answer = answers[0] if answers else TimeoutError()
+        client.close()
         if isinstance(answer, str):
             return answer
         raise _meaning(answer, self.address, timeout_s) from None
