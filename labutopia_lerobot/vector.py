@@ -16,6 +16,7 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
 from labutopia_lerobot.env import Info, LabEnv, Observation
+from labutopia_lerobot.scenario.task_function import located_in_play
 from labutopia_lerobot.setting import Setting
 
 type Flags = NDArray[np.bool_]
@@ -29,10 +30,13 @@ class FreezeWhenOver(gymnasium.Wrapper[Observation, Actions, Observation, Action
     Gymnasium goes on stepping a vector's ended members, and resets them itself by a `reset` without
     arguments. Both replay the end here, with reward 0, so that waiting for the slowest member costs
     nothing. A `reset` with a seed or with options, be they empty, begins the next episode.
+
+    A mistake in a task of the user's that shows in play is reported with its file and line.
     """
 
     def __init__(self, env: LabEnv) -> None:
         super().__init__(env)
+        self._setting = env.setting
         self._end: Transition | None = None
 
     def reset(
@@ -43,13 +47,15 @@ class FreezeWhenOver(gymnasium.Wrapper[Observation, Actions, Observation, Action
             observation, *_, info = self._end
             return observation, info
         self._end = None
-        return self.env.reset(seed=seed, options=options)
+        with located_in_play(self._setting.task, self._setting.tasks_dir):
+            return self.env.reset(seed=seed, options=options)
 
     def step(self, action: Actions) -> Transition:
         """Step, or replay the end."""
         if self._end is not None:
             return self._end
-        transition = observation, _, terminated, truncated, info = self.env.step(action)
+        with located_in_play(self._setting.task, self._setting.tasks_dir):
+            transition = observation, _, terminated, truncated, info = self.env.step(action)
         if terminated or truncated:
             self._end = observation, 0.0, terminated, truncated, info
         return transition

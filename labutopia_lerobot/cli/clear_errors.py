@@ -4,6 +4,7 @@ import errno
 import sys
 from collections.abc import Callable
 from functools import wraps
+from types import TracebackType
 
 from rich.console import Console
 
@@ -28,8 +29,7 @@ def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
             with terminated_like_interrupted():
                 main(*args, **kwargs)
         except UserError as error:
-            notes = getattr(error, "__notes__", ())
-            _exit("\n".join((f"Error: {error}", *notes)), status=2)
+            _exit(_message(error), status=2)
         except OSError as error:
             _exit(f"Error: {_failure(error)}. What was finished before is intact.", status=1)
         except KeyboardInterrupt as interrupt:
@@ -37,6 +37,23 @@ def clear_errors[**P](main: Callable[P, None]) -> Callable[P, None]:
             _exit(message.rstrip(), status=143 if isinstance(interrupt, Terminated) else 130)
 
     return wrapped
+
+
+def show_clearly(
+    kind: type[BaseException], error: BaseException, trace: TracebackType | None
+) -> None:
+    """Print what ended a program: a user's mistake in one message, all else as Python does.
+
+    It is a `sys.excepthook`, for programs of others that play our episodes.
+    """
+    if isinstance(error, UserError):
+        _show(_message(error))
+    else:
+        sys.__excepthook__(kind, error, trace)
+
+
+def _message(error: UserError) -> str:
+    return "\n".join((f"Error: {error}", *getattr(error, "__notes__", ())))
 
 
 def _failure(error: OSError) -> str:
@@ -48,5 +65,9 @@ def _failure(error: OSError) -> str:
 
 
 def _exit(message: str, status: int) -> None:
-    Console(stderr=True, soft_wrap=True).print(message, style="red", markup=False, highlight=False)
+    _show(message)
     sys.exit(status)
+
+
+def _show(message: str) -> None:
+    Console(stderr=True, soft_wrap=True).print(message, style="red", markup=False, highlight=False)

@@ -4,8 +4,8 @@ import importlib
 import importlib.util
 import inspect
 import sys
-from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -42,21 +42,23 @@ def task_function(task_id: str, tasks_dir: str | Path | None = None) -> Callable
     return lambda draw: task
 
 
-def located_in_play(
-    task_id: str, tasks_dir: str | Path | None = None
-) -> AbstractContextManager[None]:
-    """Return what reports a mistake in a task's predicates or skills with its file and line.
+@contextmanager
+def located_in_play(task_id: str, tasks_dir: str | Path | None = None) -> Iterator[None]:
+    """Report a mistake in a task's predicates or skills with its file and line.
 
     Episodes are played within it: a task's code is called wherever one is judged, by
     the expert, and by what measures and explains. What the files of this package raise stays what
     it is, a bug.
 
     Raises:
-        FileMistakeError: Within, if a file of the user's raises anything that has no message of
-            ours.
-        UnknownTaskError: If there is no such task.
+        FileMistakeError: If a file of the user's raises anything that has no message of ours.
     """
-    return _located(require_task(task_id, tasks_dir), playing=True)
+    try:
+        yield
+    except Exception:
+        # The file is looked for only now: a control step enters here too.
+        with _located(require_task(task_id, tasks_dir), playing=True):
+            raise
 
 
 def _located(path: Path, *, playing: bool = False) -> AbstractContextManager[None]:

@@ -1,5 +1,6 @@
 """What a task file of the user's raises while it is played is told in a line; ours is a bug."""
 
+import subprocess
 import sys
 from importlib import import_module
 from pathlib import Path
@@ -113,6 +114,18 @@ def test_a_check_names_the_line_and_goes_on(monkeypatch, capsys, task):
     assert failed
     for line in failed:
         assert line.endswith(TOLD[task])
+
+
+@pytest.mark.slow
+def test_lerobot_eval_ends_with_the_line_too(folder):
+    program = Path(sys.executable).with_name("lerobot-eval")
+    policy = ["--policy.type=mlp", "--policy.device=cpu", "--eval.batch_size=1"]
+    env = ["--env.type=labutopia", "--env.task=level1/judged", f"--env.tasks_dir={folder}"]
+    flags = [*policy, *env, "--env.obs=state", "--eval.n_episodes=1", "--output_dir=here"]
+    done = subprocess.run([program, *flags], capture_output=True, text=True)
+    assert done.returncode != 0
+    assert "Traceback" not in done.stderr
+    assert f"Error: {TOLD['level1/judged']}" in done.stderr.splitlines()
 
 
 def test_what_was_finished_before_is_kept(monkeypatch, capsys):

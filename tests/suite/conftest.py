@@ -12,6 +12,7 @@ from labutopia_lerobot.checks.experts import (
 )
 from labutopia_lerobot.checks.judging import (
     doing_nothing_does_not_succeed,
+    doing_nothing_ends_by_timeout_at_the_time_limit,
     random_actions_do_not_succeed,
 )
 from labutopia_lerobot.checks.motions import the_expert_does_so_in_ten_episodes
@@ -34,6 +35,7 @@ TEN_EPISODES: set[Check] = {
 MORE_EPISODES: set[Check] = {
     a_step_can_begin_where_the_one_before_is_done,
     doing_nothing_does_not_succeed,
+    doing_nothing_ends_by_timeout_at_the_time_limit,
     random_actions_do_not_succeed,
     recorded_actions_replayed_open_loop_give_the_same_states,
     same_seed_gives_the_same_trajectory_bit_for_bit,
