@@ -1,13 +1,15 @@
 """`labutopia-replay DATASET --episode 3`: look at a recorded episode, played from its seed.
 
-In a window, as an MP4 (`--out FILE.mp4`) or as a Rerun recording (`--out FILE.rrd`) with states,
-actions, facts and liquid. Without `--episode` nothing is shown: every episode is played again and
-its frames are compared with the recorded ones.
+In a window, as an MP4 (`--out FILE.mp4`), as a Rerun recording (`--out FILE.rrd`) with states,
+actions, facts and liquid, or in a browser (`--web`), where the other episodes can be chosen too.
+Without `--episode` and `--web` nothing is shown: every episode is played again and its frames are
+compared with the recorded ones.
 """
 
 import argparse
 import sys
 from contextlib import AbstractContextManager
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import Self
@@ -18,6 +20,7 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
+from labutopia_lerobot.cli.in_browser import WEB_SIZE, add_web_flags, show_in_browser
 from labutopia_lerobot.cli.setting_flags import add_room_file
 from labutopia_lerobot.datasets.dataset_folder import dataset_folder
 from labutopia_lerobot.datasets.looking import Film, Look, find_episode, look_at
@@ -29,8 +32,9 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.setting import CAMERAS, require_choices
 from labutopia_lerobot.sim.viewer import Viewer, has_display
+from labutopia_lerobot.web.recorded_episodes import RecordedEpisodes
 
-_SIZE = 512
+_SIZE = 512, 512
 """Width and height of a picture by default [pixels]: more than policies see."""
 
 
@@ -52,8 +56,10 @@ def main() -> None:
     parser.add_argument(
         "--cameras", nargs="+", default=list(CAMERAS), help="which are drawn into the file"
     )
-    parser.add_argument("--width", type=int, default=_SIZE, help=f"of a picture (default: {_SIZE})")
-    parser.add_argument("--height", type=int, default=_SIZE, help=f"likewise (default: {_SIZE})")
+    add_web_flags(parser)
+    shown = f"(default: {_SIZE[0]}; with --web {' x '.join(map(str, WEB_SIZE))})"
+    parser.add_argument("--width", type=int, help=f"of a picture [pixels] {shown}")
+    parser.add_argument("--height", type=int, help="likewise")
     parser.add_argument(
         "--episodes", type=int, metavar="N", help="compare only the first N (default: all)"
     )
@@ -62,6 +68,12 @@ def main() -> None:
         "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
     )
     arguments = parser.parse_args()
+    width, height = WEB_SIZE if arguments.web else _SIZE
+    arguments.width = width if arguments.width is None else arguments.width
+    arguments.height = height if arguments.height is None else arguments.height
+    if arguments.web:
+        _show_in_browser(arguments)
+        return
     if arguments.episode is not None:
         _show(arguments)
         return
@@ -70,6 +82,15 @@ def main() -> None:
     if arguments.out is not None:
         raise ReplayOptionError("--out shows one episode: name it with --episode N")
     _compare(arguments.dataset, arguments.episodes, arguments.tasks_dir)
+
+
+def _show_in_browser(arguments: argparse.Namespace) -> None:
+    if arguments.out is not None:
+        raise ReplayOptionError("--out writes a file and --web shows episodes: choose one of them")
+    root, first, tasks_dir = arguments.dataset, arguments.episode or 0, arguments.tasks_dir
+    size = arguments.width, arguments.height
+    episodes = partial(RecordedEpisodes, root, first, *size, tasks_dir)
+    show_in_browser(episodes, first, arguments.port, str(root))
 
 
 def _show(arguments: argparse.Namespace) -> None:
@@ -88,7 +109,9 @@ def _look(arguments: argparse.Namespace, frames: pa.Table) -> AbstractContextMan
     out: Path | None = arguments.out
     if out is None:
         if not has_display():
-            raise ReplayOptionError("There is no display here: give --out FILE.mp4 or FILE.rrd")
+            raise ReplayOptionError(
+                "There is no display here: give --web, or --out FILE.mp4 or FILE.rrd"
+            )
         return Window()
     if out.suffix == ".mp4":
         return Film(out, arguments.cameras, arguments.width, arguments.height)

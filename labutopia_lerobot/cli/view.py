@@ -1,6 +1,6 @@
 """`labutopia-view TASK`: look at the expert doing a task: a window, a browser (`--web`), files."""
 
-from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -11,23 +11,19 @@ from labutopia_lerobot.checks.why import why_failed
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
+from labutopia_lerobot.cli.in_browser import WEB_SIZE, add_web_flags, show_in_browser
 from labutopia_lerobot.cli.setting_flags import add_setting_flags, setting_of_flags
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.video import require_filmable, write_video
 from labutopia_lerobot.scenario.task_function import located_in_play
-from labutopia_lerobot.setting import require_between
 from labutopia_lerobot.sim.renderers import require_renderer
 from labutopia_lerobot.sim.viewer import Viewer, has_display
 from labutopia_lerobot.skills.expert import Expert
-from labutopia_lerobot.web.server import served
-from labutopia_lerobot.web.showing import Showing, Stage
+from labutopia_lerobot.web.episodes import ExpertEpisodes
 
 _SIZE = 512, 512
 """Width and height of a picture by default [pixels]: more than policies see."""
-_WEB_SIZE = 960, 540
-"""Those of the picture in a browser."""
-_PORT = 8080
 
 
 class ViewOptionError(UserError):
@@ -44,18 +40,13 @@ def main() -> None:
         "--out", type=Path, default=Path(), help="folder for the files (default: this one)"
     )
     parser.add_argument("--headless", action="store_true", help="write files even with a display")
-    parser.add_argument(
-        "--web", action="store_true", help="show it in a browser, on this machine only"
-    )
-    parser.add_argument(
-        "--port", type=int, default=_PORT, help=f"of --web; 0 for any free (default: {_PORT})"
-    )
-    shown = f"(default: {_SIZE[0]}; with --web {' x '.join(map(str, _WEB_SIZE))})"
+    add_web_flags(parser)
+    shown = f"(default: {_SIZE[0]}; with --web {' x '.join(map(str, WEB_SIZE))})"
     parser.add_argument("--width", type=int, help=f"of the pictures [pixels] {shown}")
     parser.add_argument("--height", type=int, help="likewise")
     add_setting_flags(parser, but=("width", "height"))
     arguments = parser.parse_args()
-    width, height = _WEB_SIZE if arguments.web else _SIZE
+    width, height = WEB_SIZE if arguments.web else _SIZE
     arguments.width = width if arguments.width is None else arguments.width
     arguments.height = height if arguments.height is None else arguments.height
     headless = arguments.headless or not has_display()
@@ -64,33 +55,15 @@ def main() -> None:
     require_filmable(setting.width, setting.height)
     if arguments.seed < 0:
         raise ViewOptionError(f"--seed {arguments.seed} is too small: seeds begin at 0")
-    require_between("port", arguments.port, 0, 65535)
-    env = LabEnv(setting)
     with located_in_play(setting.task, setting.tasks_dir):
         if arguments.web:
-            _serve(env, arguments.seed, arguments.port)
+            require_renderer(setting.renderer)
+            episodes = partial(ExpertEpisodes, setting)
+            show_in_browser(episodes, arguments.seed, arguments.port, setting.task)
         elif headless:
-            _write_files(env, arguments.seed, arguments.out)
+            _write_files(LabEnv(setting), arguments.seed, arguments.out)
         else:
-            _open_viewer(env, arguments.seed)
-
-
-def _serve(env: LabEnv, seed: int, port: int) -> None:
-    """Show episodes in browsers until somebody presses Ctrl-C."""
-    require_renderer(env.setting.renderer)
-    console, stage = Console(soft_wrap=True, highlight=False), Stage()
-    with served(port, stage) as address:
-        with doing(Console(stderr=True), f"Setting up {env.setting.task}"):
-            showing = Showing(env, seed, stage)
-        here = address.removeprefix("http://")
-        console.print(f"Open {address} in a browser on this machine. Ctrl-C ends it.", markup=False)
-        console.print(
-            f"From another machine: ssh -L {here.rpartition(':')[2]}:{here} THIS_MACHINE, then "
-            "the same address there.",
-            markup=False,
-        )
-        with suppress(KeyboardInterrupt):
-            showing.run()
+            _open_viewer(LabEnv(setting), arguments.seed)
 
 
 def _write_files(env: LabEnv, seed: int, folder: Path) -> None:

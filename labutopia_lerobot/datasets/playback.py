@@ -84,7 +84,7 @@ class Player:
         if setting is None or row.get(SEED) is None:
             return None
         env = self._environment(setting)
-        commands = _commands(row, frames, len(load_robot(setting.robot).elements))
+        commands = commands_of(row, frames, setting.robot)
         replayed = Frames(env, setting.obs)
         with located_in_play(setting.task, setting.tasks_dir):
             observation, info = env.reset(seed=row[SEED])
@@ -118,8 +118,18 @@ class Player:
         return self._env
 
 
-def _commands(row: Row, frames: pa.Table, elements: int) -> NDArray[Any]:
-    """Return what was commanded, shape (frames, elements)."""
+def commands_of(row: Row, frames: pa.Table, robot: str) -> NDArray[Any]:
+    """Return what was commanded in an episode, shape (frames, elements).
+
+    Args:
+        row: Its row of the episode table.
+        frames: The table of its frames.
+        robot: Name of the robot that it commands.
+
+    Raises:
+        DamagedDatasetError: If there are no commands for it.
+    """
+    elements = len(load_robot(robot).elements)
     name = COMMAND if COMMAND in frames.column_names else ACTION
     where = f"{name} of episode {row['episode_index']}"
     if name not in frames.column_names:

@@ -75,12 +75,15 @@ class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
 
     def do_GET(self) -> None:
-        """Answer with the page, or with the next moment."""
+        """Answer with the page, with what can be chosen, or with the next moment."""
         address = urlsplit(self.path)
         if not self._is_of_this_machine():
             self._answer(HTTPStatus.FORBIDDEN, "text/plain", b"only for this machine")
         elif address.path == "/":
             self._answer(HTTPStatus.OK, "text/html; charset=utf-8", self.server.page)
+        elif address.path == "/choices":
+            choices = json.dumps(self.server.stage.choices).encode()
+            self._answer(HTTPStatus.OK, "application/json", choices)
         elif address.path == "/moment":
             number = parse_qs(address.query).get("after", [""])[0]
             known = int(number) if number.isdecimal() and len(number) < 18 else -1

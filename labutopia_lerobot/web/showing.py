@@ -1,4 +1,4 @@
-"""Plays episodes of the expert, one moment after the other, for all who look."""
+"""Plays episodes, one moment after the other, for all who look."""
 
 import base64
 import io
@@ -7,7 +7,7 @@ import math
 import queue
 import threading
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,11 +16,12 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from labutopia_lerobot.checks.why import why_failed
-from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.setting import CAMERAS
 from labutopia_lerobot.sim.beauty_camera import beauty_camera
 from labutopia_lerobot.sim.eye import eye_at
 from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.web.episodes import Actor, Episodes
 from labutopia_lerobot.web.orbit import Orbit
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -30,15 +31,19 @@ _INSET = (240, 180)
 """Largest width and height of a camera's inset [pixels]."""
 _ABSENT_S = 5.0
 """Time after which nobody looks any more, if nobody asks for a moment [s]."""
-_LARGEST_SEED = 2**31 - 1
 _FARTHEST_DRAG = 10.0
 """Heights of the picture that a command drags at most: no hand goes so far in 30 ms."""
 
 
 @dataclass
 class Stage:
-    """Where moments are published and commands are left: shared by the server's threads."""
+    """Where moments are published and commands are left: shared by the server's threads.
 
+    Attributes:
+        choices: What those who look may choose, and from what.
+    """
+
+    choices: Mapping[str, Sequence[str]] = field(default_factory=dict)
     commands: "queue.SimpleQueue[Mapping[str, Any]]" = field(default_factory=queue.SimpleQueue)
     changed: threading.Condition = field(default_factory=threading.Condition)
     number: int = 0
@@ -67,26 +72,27 @@ class Stage:
 
 
 class Showing:
-    """One environment, its expert, and a camera that those who look move.
+    """Episodes, and a camera that those who look move.
 
     All is done in the thread that made it: OpenGL wants that.
 
     Args:
-        env: The environment; its pictures are as large as its setting says.
-        seed: Of the first episode.
+        episodes: What is shown; pictures are as large as their setting says.
+        number: Of the first one.
         stage: Where moments go to and commands come from.
     """
 
-    def __init__(self, env: LabEnv, seed: int, stage: Stage) -> None:
-        self._env, self._stage = env, stage
+    def __init__(self, episodes: Episodes, number: int, stage: Stage) -> None:
+        self._episodes, self._stage = episodes, stage
         self._insets: dict[str, str] = {}
         self._wants_insets = True
         self._playing = False
+        self._note = ""
         self._drawn = 0
-        self._expert: Expert
+        self._actor: Actor
         self._orbit: Orbit
         self._home: Orbit
-        self._begin(seed)
+        self._begin(number)
         self._draw()
 
     def run(self) -> None:
@@ -94,7 +100,7 @@ class Showing:
         due = time.monotonic()
         while True:
             acted = self._obey()
-            steps = self._playing and not self._over and self._stage.is_watched
+            steps = self._playing and not self._is_over and self._stage.is_watched
             if steps:
                 self._step()
             if steps or acted:
@@ -103,8 +109,8 @@ class Showing:
             time.sleep(max(0.0, due - time.monotonic()))
 
     @property
-    def _over(self) -> bool:
-        return self._env.workcell.progress.over
+    def _is_over(self) -> bool:
+        return self._is_played or self._episodes.env.workcell.progress.over
 
     def _obey(self) -> bool:
         """Do what has been asked for since; return whether there was anything."""
@@ -124,16 +130,19 @@ class Showing:
         )
         match command.get("do"):
             case "play":
-                if self._over:
-                    self._begin(self._env.seed)
+                if self._is_over:
+                    self._begin(self._number)
                 self._playing = True
             case "pause":
                 self._playing = False
             case "step":
                 self._playing = False
                 self._step()
-            case "seed":
-                self._begin(max(0, int(_number(command.get("seed"), _LARGEST_SEED))))
+            case "begin":
+                last = self._episodes.last
+                self._try(lambda: self._begin(max(0, int(_number(command.get("number"), last)))))
+            case "choose":
+                self._try(lambda: self._choose(command.get("option"), command.get("value")))
             case "turn":
                 self._orbit = self._orbit.turned(right, up)
             case "move":
@@ -145,11 +154,25 @@ class Showing:
             case "insets":
                 self._wants_insets, self._insets = bool(command.get("on")), {}
 
-    def _begin(self, seed: int) -> None:
-        env = self._env
-        env.reset(seed=seed)
-        self._expert = env.expert()
-        self._expert.start()
+    def _try(self, do: Callable[[], None]) -> None:
+        """Do what may be refused; those who look are told why."""
+        self._note = ""
+        try:
+            do()
+        except UserError as error:
+            self._note = str(error)
+
+    def _choose(self, option: object, value: object) -> None:
+        self._playing, self._note = False, f"Setting up {value}"
+        self._draw()  # it takes seconds
+        self._episodes.choose(str(option), str(value), self._number)
+        self._begin(self._number)
+        self._note = ""
+
+    def _begin(self, number: int) -> None:
+        self._actor = self._episodes.begin(number)
+        self._number, self._is_played = number, False
+        env = self._episodes.env
         cell, setting = env.workcell, env.setting
         scene, data = cell.simulation.scene, cell.simulation.data
         pose = beauty_camera(scene, data, cell.task.view.front, setting.width / setting.height)
@@ -160,12 +183,17 @@ class Showing:
         self._home, self._insets = home, {}
 
     def _step(self) -> None:
-        if not self._over:
-            self._env.step(self._expert.act())
+        if self._is_over:
+            return
+        action = self._actor.act()
+        if action is None:
+            self._is_played = True
+        else:
+            self._episodes.env.step(action)
 
     def _draw(self) -> None:
         """Publish what there is to see and to know now."""
-        cell = self._env.workcell
+        cell = self._episodes.env.workcell
         simulation = cell.simulation
         simulation.draw_liquid()
         eye = eye_at(simulation.scene.model, self._orbit.pose)
@@ -176,13 +204,21 @@ class Showing:
                 self._insets[camera] = _jpeg(cell.color(camera), _INSET)
         self._drawn += 1
         self._stage.publish(
-            {"picture": _jpeg(picture), "insets": self._insets, "playing": self._playing}
+            {
+                "picture": _jpeg(picture),
+                "insets": self._insets,
+                "playing": self._playing and not self._is_over,
+                "note": self._note,
+                "counted": self._episodes.counted,
+                "episode": self._number,
+            }
             | self._facts()
         )
 
     def _facts(self) -> dict[str, Any]:
         """Return what is known of the episode now, fit for JSON."""
-        cell, env = self._env.workcell, self._env
+        env = self._episodes.env
+        cell = env.workcell
         progress, world = cell.progress, cell.world
         liquid = world.liquid
         present = progress.step
@@ -190,7 +226,6 @@ class Showing:
             "task": env.setting.task,
             "room": env.setting.room,
             "instruction": env.task,
-            "seed": env.seed,
             "time": world.time,
             "outcome": progress.outcome,
             "steps": [
@@ -211,11 +246,11 @@ class Showing:
         }
 
     def _why(self) -> list[str]:
-        """Return why the episode failed, if it is over and did."""
-        cell = self._env.workcell
-        if not cell.progress.over:
+        """Return why an expert's episode failed, if it is over and did."""
+        cell = self._episodes.env.workcell
+        if not (cell.progress.over and isinstance(self._actor, Expert)):
             return []
-        return why_failed(cell.task, cell.progress, self._expert, cell.world)
+        return why_failed(cell.task, cell.progress, self._actor, cell.world)
 
 
 def _number(value: Any, most: float) -> float:

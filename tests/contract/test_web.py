@@ -1,4 +1,4 @@
-"""`labutopia-view --web`: what is played is shown in a browser, and to this machine alone."""
+"""`--web`: what is played is shown in a browser, and to this machine alone."""
 
 import math
 import os
@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import partial
 
 import httpx
@@ -15,18 +16,20 @@ import numpy as np
 import pytest
 
 from browser import Page, needs_browser, opened
+from labutopia_lerobot.datasets.tables import read_episodes
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.web.orbit import Orbit
 from labutopia_lerobot.web.server import LOOPBACK, served
 from labutopia_lerobot.web.showing import Stage
+from recordings import recording
 
-VIEW = "from labutopia_lerobot.cli.view import main; main()"
 SMALL = ("--web", "--width", "160", "--height", "90")
 
 
-def start(*arguments: str) -> "subprocess.Popen[str]":
+def start(*arguments: str, program: str = "view") -> "subprocess.Popen[str]":
+    main = f"from labutopia_lerobot.cli.{program} import main; main()"
     return subprocess.Popen(
-        [sys.executable, "-c", VIEW, "level1/pick", "liquid=off", *SMALL, *arguments],
+        [sys.executable, "-c", main, *SMALL, *arguments],
         env={**os.environ, "PYTHONUNBUFFERED": "1"},
         # A shell that starts the tests in the background has Ctrl-C ignored.
         preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),
@@ -36,10 +39,9 @@ def start(*arguments: str) -> "subprocess.Popen[str]":
     )
 
 
-@pytest.fixture(scope="module")
-def address() -> Iterator[str]:
-    """A viewer of level1/pick; Ctrl-C ends it in the end, with status 0."""
-    process = start("--port", "0")
+@contextmanager
+def address_of(process: "subprocess.Popen[str]") -> Iterator[str]:
+    """Yield where a program shows something; Ctrl-C ends it in the end, with status 0."""
     assert process.stdout is not None
     line = process.stdout.readline()
     assert line.startswith("Open http://127.0.0.1:"), line
@@ -50,6 +52,13 @@ def address() -> Iterator[str]:
         assert process.wait(timeout=60) == 0
     finally:
         process.kill()
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    """A viewer of level1/pick."""
+    with address_of(start("level1/pick", "liquid=off", "--port", "0")) as found:
+        yield found
 
 
 def moment(address: str, after: int | str = "") -> dict:
@@ -64,8 +73,9 @@ def do(address: str, **command: object) -> dict:
 
 
 def test_a_step_is_one_thirtieth_of_a_second_and_a_seed_begins_anew(address):
-    began = do(address, do="seed", seed=3)
-    assert (began["seed"], began["time"], began["outcome"]) == (3, 0.0, "running")
+    began = do(address, do="begin", number=3)
+    assert (began["counted"], began["episode"]) == ("seed", 3)
+    assert (began["time"], began["outcome"]) == (0.0, "running")
     stepped = do(address, do="step")
     assert stepped["time"] == pytest.approx(1 / 30)
     assert set(stepped["insets"]) == {"front", "top", "wrist"}
@@ -87,8 +97,10 @@ def test_the_camera_turns_and_comes_home_while_the_episode_waits(address):
     [
         {"do": "turn", "right": "far", "up": None},
         {"do": "turn", "right": 1e308, "up": -1e308},
-        {"do": "seed", "seed": -5},
-        {"do": "seed", "seed": 1e40},
+        {"do": "begin", "number": -5},
+        {"do": "begin", "number": 1e40},
+        {"do": "choose"},
+        {"do": "choose", "option": "tasks_dir", "value": "/"},
         {"do": ["step"]},
         {"do": "dance"},
         {},
@@ -110,6 +122,46 @@ def test_other_pages_of_the_browser_can_neither_look_nor_command(address):
     assert long.status_code == 400
     assert httpx.get(f"{address}/../etc/passwd").status_code == 404
     assert moment(address)["number"] == number
+
+
+def test_task_and_room_are_chosen_and_what_cannot_be_played_is_told(address):
+    choices = httpx.get(f"{address}/choices", timeout=60).json()
+    assert {"level1/pick", "level1/press"} <= set(choices["task"])
+    assert "laboratory" in choices["room"]
+    do(address, do="choose", option="task", value="level1/press")
+    pressing = settled(address)
+    assert (pressing["task"], pressing["time"]) == ("level1/press", 0.0)
+    do(address, do="choose", option="task", value="level2/neutralise")  # liquid=off
+    refused = settled(address)
+    assert refused["task"] == "level1/press"
+    assert "liquid" in refused["note"]
+    assert do(address, do="choose", option="room", value="nowhere")["room"] == "laboratory"
+    do(address, do="choose", option="task", value="level1/pick")
+    assert settled(address)["task"] == "level1/pick"
+
+
+def settled(address: str) -> dict:
+    """Return the first moment in which nothing is being set up."""
+    seen = moment(address)
+    while seen["note"].startswith("Setting up"):
+        seen = moment(address, seen["number"])
+    return seen
+
+
+def test_a_recording_is_shown_as_it_was_recorded(tmp_path):
+    root = recording(tmp_path / "picked", "task=level1/pick", "obs=state", "episodes=2", workers=1)
+    _, last = read_episodes(root)
+    with address_of(start(str(root), "--port", "0", program="replay")) as there:
+        assert httpx.get(f"{there}/choices", timeout=60).json() == {}
+        first = moment(there)
+        assert (first["counted"], first["episode"], first["time"]) == ("episode", 0, 0.0)
+        assert do(there, do="begin", number=99)["episode"] == 1
+        do(there, do="play")
+        seen = moment(there)
+        while seen["playing"]:
+            seen = moment(there, seen["number"])
+        assert seen["outcome"] == "success"
+        assert seen["time"] == pytest.approx(last["length"] / 30)
 
 
 @needs_browser
@@ -145,7 +197,7 @@ def press(page: Page, button: str) -> None:
 
 @pytest.mark.slow
 def test_nothing_is_played_while_nobody_looks(address):
-    do(address, do="seed", seed=0)
+    do(address, do="begin", number=0)
     do(address, do="play")
     time.sleep(9.0)
     assert (
@@ -159,7 +211,7 @@ def test_a_port_in_use_is_one_line_with_the_cure():
         taken.bind((LOOPBACK, 0))
         taken.listen()
         port = taken.getsockname()[1]
-        process = start("--port", str(port))
+        process = start("level1/pick", "--port", str(port))
         _, said = process.communicate(timeout=120)
     assert process.returncode == 2
     assert said.splitlines()[-1] == (
