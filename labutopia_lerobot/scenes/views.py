@@ -110,11 +110,11 @@ CENTRIFUGE_VIEW = View(
 """Like `DOOR_VIEW`, but so near in front that one sees which key of an instrument is pressed."""
 
 BURETTE_VIEW = View(
-    front=CameraPose((-0.55, 0.95, 1.45), (0.80, -0.95, -0.22), _UP, 46.0),
+    front=CameraPose((0.62, 1.25, 1.42), (-0.26, -1.25, -0.14), _UP, 50.0),
     top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 31.0),
 )
-"""Over the robot's left shoulder, where a burette is in view from its mouth to the flask below it,
-and overhead."""
+"""From the left, past the arm, where a burette is in view from its mouth to the flask below it; and
+overhead."""
 
 PIPETTE_VIEW = View(
     front=CameraPose((1.10, -0.75, 1.45), (-0.88, 0.80, -0.50), _UP, 27.0),

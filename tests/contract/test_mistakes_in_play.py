@@ -84,13 +84,12 @@ def reported_by(program: str, words: str, monkeypatch, capsys) -> list[str]:
     return [lines[first].removeprefix("Error: "), *lines[first + 1 :]]
 
 
-@pytest.mark.parametrize("task", TOLD)
 @pytest.mark.parametrize(
-    ("program", "words"),
+    ("program", "words", "task"),
     [
-        ("view", "headless=true cameras=front width=32 height=32"),
-        ("record", "obs=state episodes=1 workers=1"),
-        ("evaluate", "policy=expert episodes=1 videos=0 workers=1 out=here"),
+        ("view", "headless=true cameras=front width=32 height=32", "level1/judged"),
+        ("record", "obs=state episodes=1 workers=1", "level1/judged"),
+        ("evaluate", "policy=expert episodes=1 videos=0 workers=1 out=here", "level1/moved"),
     ],
     ids=["view", "record", "evaluate"],
 )

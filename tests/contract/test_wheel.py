@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from labutopia_lerobot.datasets.verify import find_problems
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -64,7 +66,7 @@ def test_recording_from_an_empty_folder_leaves_a_dataset_and_nothing_else(site, 
     done = run(site, tmp_path, code)
     assert done.returncode == 0, done.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["pick"]
-    assert (tmp_path / "pick/meta/info.json").is_file()
+    assert find_problems(tmp_path / "pick") == []
 
 
 def test_evaluating_from_an_empty_folder_takes_configurations_and_recipes_from_the_wheel(

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from labutopia_lerobot.checks import Check
+from labutopia_lerobot.checks import Check, experts, motions
 from labutopia_lerobot.checks.experts import (
     a_step_can_begin_where_the_one_before_is_done,
     the_expert_wins_at_least_nine_of_ten,
@@ -17,6 +17,7 @@ from labutopia_lerobot.checks.judging import (
 )
 from labutopia_lerobot.checks.motions import the_expert_does_so_in_ten_episodes
 from labutopia_lerobot.checks.replaying import (
+    observations_are_in_space_own_their_memory_and_vary,
     recorded_actions_replayed_open_loop_give_the_same_states,
     same_seed_gives_the_same_trajectory_bit_for_bit,
 )
@@ -44,6 +45,16 @@ MORE_EPISODES: set[Check] = {
 """Episodes beside the one that all other checks look at: `make test` plays them in one task of
 each level, `make test-slow` in all others."""
 
+WHOLE_EPISODE: set[Check] = {
+    *experts.CHECKS,
+    *motions.CHECKS,
+    observations_are_in_space_own_their_memory_and_vary,
+}
+"""Those that look at the expert's episode: `make test` plays it without liquid where it is long."""
+
+LONG_S = 60.0
+"""Time limit above which an episode is long [s]: with liquid the expert's then takes 5 to 10 s."""
+
 ONE_OF_EACH_LEVEL = (
     "level1/pick",
     "level2/pour_liquid",
@@ -53,18 +64,19 @@ ONE_OF_EACH_LEVEL = (
 
 
 def _environments() -> list[Any]:
-    """Return task and liquid; what takes long, level 4 with liquid, is `make test-slow`.
+    """Return task and liquid: on and, where an episode is long and can do without, off.
 
     The checks of a task stay in one process, where several look at one episode (`checks.playing`).
     """
     found = []
-    for task in task_files():
-        long, name = task.startswith("level4/"), task.replace("/", "-")
-        together = pytest.mark.xdist_group(name)
-        marks = [together, pytest.mark.slow] if long else [together]
-        found.append(pytest.param((task, "on"), marks=marks, id=name))
-        if long and not canonical_task(Setting(task)).needs_liquid:
-            found.append(pytest.param((task, "off"), marks=together, id=f"{name}-dry"))
+    for name in task_files():
+        task, label = canonical_task(Setting(name)), name.replace("/", "-")
+        dry = task.time_limit_s > LONG_S and not task.needs_liquid
+        together = pytest.mark.xdist_group(label)
+        marks = [together, pytest.mark.slow] if dry else [together]
+        found.append(pytest.param((name, "on"), marks=marks, id=label))
+        if dry:
+            found.append(pytest.param((name, "off"), marks=together, id=f"{label}-dry"))
     return found
 
 
@@ -84,8 +96,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             played = getattr(item, "callspec", None)
             if played is None or "check" not in played.params:
                 continue
-            task, _ = played.params["env"]
-            check = played.params["check"]
+            (task, liquid), check = played.params["env"], played.params["check"]
+            is_long = canonical_task(Setting(task)).time_limit_s > LONG_S
             more = check in MORE_EPISODES and task not in ONE_OF_EACH_LEVEL
-            if check in TEN_EPISODES or more:
+            long = check in WHOLE_EPISODE | MORE_EPISODES and is_long and liquid == "on"
+            if check in TEN_EPISODES or more or long:
                 item.add_marker(pytest.mark.slow)
