@@ -89,9 +89,10 @@ def make_solid(plan: Plan, spec: mujoco.MjSpec) -> None:
             standing[ware.on].append(box_of(ware))
     for name, parts in standing.items():
         owner = body.add_body(name=f"{PREFIX}{name}")
-        for low, high in zip(*joined(*parts), strict=True):
+        for number, (low, high) in enumerate(zip(*joined(*parts), strict=True)):
             if (high > low).all():
                 owner.add_geom(
+                    name=f"{PREFIX}{name}_solid_{number}",
                     type=mujoco.mjtGeom.mjGEOM_BOX,
                     pos=(low + high) / 2,
                     size=(high - low) / 2,

@@ -46,6 +46,6 @@ def transport_between_areas() -> Task:
             **failures.handling(beaker, spill=0.01),  # paper: "no collisions, drops"; level 2's
             **driving.collisions(beaker, plate),
         },
-        time_limit_s=300.0,  # ours: three times what the expert needs in the largest room
+        time_limit_s=200.0,  # ours: three times what the expert needs in the largest rooms
         view=DRIVING_VIEW,
     )
