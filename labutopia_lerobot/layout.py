@@ -11,6 +11,7 @@ from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.ground import Ground
 from labutopia_lerobot.scenes.room import NowhereToDriveError, Room
+from labutopia_lerobot.scenes.rooms_to_drive_in import rooms_to_drive_in
 from labutopia_lerobot.world import BENCH, FloatArray
 
 CLEARANCE = 0.01
@@ -158,16 +159,16 @@ class OnSomeBench:
             NowhereToDriveError: If the room does not have that many benches.
         """
         taken = {placement.bench for placement in placed.values()}
-        free = [] if ground is None else [name for name in ground.benches if name not in taken]
-        if ground is None or not free:
+        spots = () if ground is None else ground.spots
+        free = list(dict.fromkeys(s.dock.bench for s in spots if s.dock.bench not in taken))
+        if not free:
             raise NowhereToDriveError(
-                f"The task needs {len(taken) + 1} benches with a place for a thing that the robot "
-                f"drives to; the room has {len(taken)}. Choose another, or none: one is drawn"
+                f"The task needs {len(taken) + 1} benches that a robot drives to. Choose a robot "
+                "and a room for that"
             )
         bench = free[int(rng.integers(len(free)))]
-        spots = [spot for spot in ground.spots if spot.dock.bench == bench]
-        spot = spots[int(rng.integers(len(spots)))]
-        x, y, height = spot.position
+        there = [spot.position for spot in spots if spot.dock.bench == bench]
+        x, y, height = there[int(rng.integers(len(there)))]
         return Placement(x, y, rng.uniform(-math.pi, math.pi), height, bench=bench)
 
 
@@ -208,9 +209,7 @@ def require_possible(
     Raises:
         ImpossibleStartError: If that is not so.
     """
-    layout = sample_layout(start, np.random.default_rng(0), ground)
-    if ground is not None:
-        sample_base(ground, layout, np.random.default_rng(0))
+    sample_layout(start, np.random.default_rng(0), ground)
     for piece in start:
         region = _region_on_bench(piece, start)
         if isinstance(region, OnSomeBench):
@@ -231,6 +230,28 @@ def require_possible(
                     f"{piece.name} would be out of reach at x={x:g}, y={y:g}: {region}. That is "
                     f"{distance:.2f} m from the robot, whose hand gets {workspace.reach:g} m far"
                 )
+
+
+def require_drivable(start: Mapping[Piece, Start], ground: Ground, room: str) -> None:
+    """Make sure, before anything is compiled, that a room has what a robot is to drive to.
+
+    Args:
+        start: Where the task wants things.
+        ground: What of the room the robot gets to.
+        room: Its name.
+
+    Raises:
+        NowhereToDriveError: If it has not; the message says how much it has.
+    """
+    needed = sum(isinstance(region, OnSomeBench) for region in start.values())
+    if len(ground.benches) < needed:
+        train, test = rooms_to_drive_in()
+        raise NowhereToDriveError(
+            f"room={room!r} has {len(ground.benches)} of the {needed} benches that the task needs: "
+            "a robot drives there as a disc of 0.6 m, docks, and its arm reaches a free place. "
+            f"Rooms with two or more: {', '.join((*train, *test))}. Or leave room= out: one is "
+            "drawn for each episode"
+        )
 
 
 def sample_layout(

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, UnreachableGoalError
-from labutopia_lerobot.skills.driving import Way, base_at, dock_for
 from labutopia_lerobot.skills.skill import PhaseError
+from labutopia_lerobot.skills.way import Way, base_at, dock_for
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import FloatArray, World
 

@@ -1,5 +1,6 @@
 """Named facts about the world: memoryless, relative to the scene, never changing anything."""
 
+from labutopia_lerobot.predicates.arrival import beside, carried_into, facing, halted, raised
 from labutopia_lerobot.predicates.buttons import (
     aligned,
     fingered,
@@ -23,7 +24,6 @@ from labutopia_lerobot.predicates.dissolved import (
     more_basic,
     ph_between,
 )
-from labutopia_lerobot.predicates.driving import beside, carried_into, facing, halted, raised
 from labutopia_lerobot.predicates.liquids import (
     Transfer,
     contaminated,

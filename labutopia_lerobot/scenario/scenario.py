@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.layout import require_drivable
 from labutopia_lerobot.robots import ROBOTS, load_robot
 from labutopia_lerobot.scenario.draw import Draw, Value
 from labutopia_lerobot.scenario.task_function import task_function
@@ -68,12 +69,16 @@ def canonical_task(setting: Setting) -> Task:
     Raises:
         AxisError: If the task declares an axis wrongly.
         NeedsBaseError: If one drives in the task, and the robot cannot.
+        NowhereToDriveError: If one does, and the room has not the benches for it.
         TaskError: If the task does not have the step of the setting.
         UnknownOptionError: If the task does not have the axes of the setting.
         UnknownRoomError: If there is no such room.
     """
-    load_room(setting.room)  # it must be one that can be played in
+    room = load_room(setting.room)  # it must be one that can be played in
     task = _scenario(setting, Draw(setting.split, setting.axes)).task
+    base = load_robot(setting.robot).base
+    if task.drives and base is not None and setting.room != DEFAULT_ROOM:
+        require_drivable(task.start, room.ground(base), setting.room)
     if setting.step is not None:
         task.steps_until(setting.step)
     return task

@@ -8,7 +8,8 @@ import numpy as np
 from labutopia_lerobot.navigation.docking import approach_to
 from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.tracking import PathTracker
-from labutopia_lerobot.skills.driving import (
+from labutopia_lerobot.skills.skill import Phase, arrived
+from labutopia_lerobot.skills.way import (
     AT_REST,
     Way,
     base_at,
@@ -17,7 +18,6 @@ from labutopia_lerobot.skills.driving import (
     parking,
     stowed,
 )
-from labutopia_lerobot.skills.skill import Phase, arrived
 from labutopia_lerobot.world import Pose, Thing, World
 
 
@@ -30,7 +30,7 @@ class DriveTo:
 
     Attributes:
         thing: What to drive to.
-        carrying: What is in the hand, if anything.
+        carrying: Thing in the hand, if any.
     """
 
     thing: Thing

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from labutopia_lerobot.navigation.parking import Parking
-from labutopia_lerobot.skills.driving import Way, base_at, dock_for, in_hand, parking
 from labutopia_lerobot.skills.skill import Phase
+from labutopia_lerobot.skills.way import Way, base_at, dock_for, in_hand, parking
 from labutopia_lerobot.world import Thing, World
 
 _IN = 0.4
@@ -18,7 +18,7 @@ class Face:
 
     Attributes:
         thing: What to face.
-        carrying: What is in the hand, if anything.
+        carrying: Thing in the hand, if any.
     """
 
     thing: Thing

@@ -35,7 +35,7 @@ def navigate(to: Thing, *, carrying: Graspable | None = None) -> Step:
 
     Args:
         to: What to drive to.
-        carrying: What is in the hand, if anything.
+        carrying: Thing in the hand, if any.
     """
     there = (beside(to, within=NEAR), halted(than=HALTED))
     return Step(
@@ -51,7 +51,7 @@ def face(thing: Thing, *, carrying: Graspable | None = None) -> Step:
 
     Args:
         thing: What to face.
-        carrying: What is in the hand, if anything.
+        carrying: Thing in the hand, if any.
     """
     faced = (facing(thing, within_deg=FACING), halted(than=HALTED), *_held(carrying))
     return Step(
@@ -79,7 +79,7 @@ def collisions(load: Graspable, *others: Thing) -> dict[str, Predicate]:
     Those of the robot itself no task forgives.
 
     Args:
-        load: What is carried.
+        load: Thing that is carried.
         *others: What it may touch.
     """
     return {"load_collided": carried_into(load, *others)}

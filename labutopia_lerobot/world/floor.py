@@ -30,7 +30,7 @@ class Floor:
     """The floor of a room: where one can drive, and to where; world frame.
 
     Attributes:
-        cells: What is where, as `navigation.occupancy` has it, shape (rows, columns).
+        cells: Kinds of cells, as `navigation.occupancy` has them, shape (rows, columns).
         origin: South-west corner of cell (0, 0) [m].
         resolution: Width of a cell [m].
         docks: Places at benches.

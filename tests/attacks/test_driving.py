@@ -23,7 +23,7 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.navigation.tracking import PathTracker
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills import DriveTo, Face, Pick
-from labutopia_lerobot.skills.driving import Way, base_at, dock_for
+from labutopia_lerobot.skills.way import Way, base_at, dock_for
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 PICK, TRANSPORT = "level5/navigation_and_manipulation", "level5/transport_between_areas"
