@@ -140,8 +140,8 @@ class SettingOptions:
     particles: int = option(PARTICLES, "In how many particles the liquid of a task is divided.")
     robot: str = option(
         OF_THE_LEVEL,
-        f"Which robot plays, one of {', '.join(ROBOT_NAMES)}; `{OF_THE_LEVEL}` is the paper's: "
-        f"{DEFAULT_ROBOT}, and {MOBILE_ROBOT} at level 5.",
+        f"Which robot plays: `{OF_THE_LEVEL}` is the paper's ({DEFAULT_ROBOT}, at level 5 "
+        f"{MOBILE_ROBOT}), or one of {', '.join(ROBOT_NAMES)}.",
     )
     room: str = option(
         DEFAULT_ROOM,
