@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 import gymnasium
 
 from labutopia_lerobot.registry import UnknownTaskError, task_files
-from labutopia_lerobot.setting import DEFAULT_ROBOT, ROBOT_NAMES, setting_from
+from labutopia_lerobot.setting import OF_THE_LEVEL, ROBOT_NAMES, robot_of_level, setting_from
 
 if TYPE_CHECKING:
     from labutopia_lerobot.env import LabEnv
 
 
-def gymnasium_id(task_id: str, robot: str = DEFAULT_ROBOT) -> str:
+def gymnasium_id(task_id: str, robot: str = OF_THE_LEVEL) -> str:
     """Return the Gymnasium id of a task and a robot; Gymnasium's ids take one slash only."""
-    before = "" if robot == DEFAULT_ROBOT else f"{robot}-"
+    before = "" if robot in (OF_THE_LEVEL, robot_of_level(task_id)) else f"{robot}-"
     return f"labutopia/{before}{task_id.replace('/', '-')}-v0"
 
 

@@ -9,12 +9,18 @@ import numpy as np
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.robots.robot import Robot
-from labutopia_lerobot.scenes.room import Room
+from labutopia_lerobot.scenes.ground import Ground
+from labutopia_lerobot.scenes.room import NowhereToDriveError, Room
+from labutopia_lerobot.scenes.rooms_to_drive_in import rooms_to_drive_in
+from labutopia_lerobot.world import BENCH, FloatArray
 
 CLEARANCE = 0.01
 """Least gap between two things at the start [m]."""
 
 _TRIES = 1000
+_AWAY = 2.0
+"""Least distance from things at which a robot that drives starts [m]; ours: from nearer it does not
+have to drive."""
 
 
 class ImpossibleStartError(UserError, ValueError):
@@ -31,6 +37,7 @@ class Placement:
         yaw: About the vertical [rad].
         height: Of its origin above the bench top [m].
         swaps: Bodies of the thing, each with the body whose place in it it takes.
+        bench: On which bench.
     """
 
     x: float
@@ -38,6 +45,7 @@ class Placement:
     yaw: float
     height: float = 0.0
     swaps: tuple[tuple[str, str], ...] = ()
+    bench: str = BENCH
 
 
 @dataclass(frozen=True)
@@ -71,7 +79,12 @@ class OnBench:
                     f"OnBench: {name}={bounds} is no range: write {name}=(least, greatest)"
                 )
 
-    def sample(self, rng: np.random.Generator, placed: Mapping[Piece, Placement]) -> Placement:
+    def sample(
+        self,
+        rng: np.random.Generator,
+        placed: Mapping[Piece, Placement],
+        ground: Ground | None = None,
+    ) -> Placement:
         """Draw one placement, wherever other things are."""
         x, y, yaw = (rng.uniform(*bounds) for bounds in (self.x, self.y, self.yaw))
         height = rng.uniform(*self.height)
@@ -97,7 +110,12 @@ class Inside:
     def shuffled(self) -> tuple[str, ...]:
         return ()
 
-    def sample(self, rng: np.random.Generator, placed: Mapping[Piece, Placement]) -> Placement:
+    def sample(
+        self,
+        rng: np.random.Generator,
+        placed: Mapping[Piece, Placement],
+        ground: Ground | None = None,
+    ) -> Placement:
         """Draw one placement in the holder's place, by default of a random yaw.
 
         Raises:
@@ -118,7 +136,43 @@ class Inside:
         )
 
 
-type Start = OnBench | Inside
+@dataclass(frozen=True)
+class OnSomeBench:
+    """Anywhere on a bench of the room that a robot drives to; things that say so are on different.
+
+    All benches are equally likely, and so are all places on each.
+    """
+
+    @property
+    def shuffled(self) -> tuple[str, ...]:
+        return ()
+
+    def sample(
+        self,
+        rng: np.random.Generator,
+        placed: Mapping[Piece, Placement],
+        ground: Ground | None = None,
+    ) -> Placement:
+        """Draw one placement, of any yaw; its height is that above the bench of the room.
+
+        Raises:
+            NowhereToDriveError: If the room does not have that many benches.
+        """
+        taken = {placement.bench for placement in placed.values()}
+        spots = () if ground is None else ground.spots
+        free = list(dict.fromkeys(s.dock.bench for s in spots if s.dock.bench not in taken))
+        if not free:
+            raise NowhereToDriveError(
+                f"The task needs {len(taken) + 1} benches that a robot drives to. Choose a robot "
+                "and a room for that"
+            )
+        bench = free[int(rng.integers(len(free)))]
+        there = [spot.position for spot in spots if spot.dock.bench == bench]
+        x, y, height = there[int(rng.integers(len(there)))]
+        return Placement(x, y, rng.uniform(-math.pi, math.pi), height, bench=bench)
+
+
+type Start = OnBench | Inside | OnSomeBench
 """Distribution of the place of a thing at the start."""
 
 
@@ -144,7 +198,9 @@ class Workspace:
         return cls(room.bench.x, room.bench.y, room.robot_stand[:2], robot.reach)
 
 
-def require_possible(start: Mapping[Piece, Start], workspace: Workspace) -> None:
+def require_possible(
+    start: Mapping[Piece, Start], workspace: Workspace, ground: Ground | None = None
+) -> None:
     """Make sure, before anything is compiled, that things can stand where a task wants them.
 
     Everything must be on the bench, what the robot is to move must be within its reach, and some
@@ -153,9 +209,11 @@ def require_possible(start: Mapping[Piece, Start], workspace: Workspace) -> None
     Raises:
         ImpossibleStartError: If that is not so.
     """
-    sample_layout(start, np.random.default_rng(0))
+    sample_layout(start, np.random.default_rng(0), ground)
     for piece in start:
         region = _region_on_bench(piece, start)
+        if isinstance(region, OnSomeBench):
+            continue  # its places are known to be good
         corners = [(x, y) for x in region.x for y in region.y]
         for x, y in corners:
             on_bench = (
@@ -174,17 +232,47 @@ def require_possible(start: Mapping[Piece, Start], workspace: Workspace) -> None
                 )
 
 
-def sample_layout(start: Mapping[Piece, Start], rng: np.random.Generator) -> dict[Piece, Placement]:
+def require_drivable(start: Mapping[Piece, Start], ground: Ground, room: str) -> None:
+    """Make sure, before anything is compiled, that a room has what a robot is to drive to.
+
+    Args:
+        start: Where the task wants things.
+        ground: What of the room the robot gets to.
+        room: Its name.
+
+    Raises:
+        NowhereToDriveError: If it has not; the message says how much it has.
+    """
+    needed = sum(isinstance(region, OnSomeBench) for region in start.values())
+    if len(ground.benches) < needed:
+        train, test = rooms_to_drive_in()
+        raise NowhereToDriveError(
+            f"room={room!r} has {len(ground.benches)} of the {needed} benches that the task needs: "
+            "a robot drives there as a disc of 0.6 m, docks, and its arm reaches a free place. "
+            f"Rooms with two or more: {', '.join((*train, *test))}. Or leave room= out: one is "
+            "drawn for each episode"
+        )
+
+
+def sample_layout(
+    start: Mapping[Piece, Start], rng: np.random.Generator, ground: Ground | None = None
+) -> dict[Piece, Placement]:
     """Draw a placement for every thing so that no two on the bench are nearer than `CLEARANCE`.
+
+    Args:
+        start: Where things can be.
+        rng: Of the episode.
+        ground: What of the room a robot gets to, if it drives.
 
     Raises:
         ImpossibleStartError: If no such layout is found, naming the things and their regions.
+        NowhereToDriveError: If the room has not the benches for it.
     """
     on_bench = [piece for piece, region in start.items() if not isinstance(region, Inside)]
     for _ in range(_TRIES):
         layout: dict[Piece, Placement] = {}
         for piece, region in start.items():
-            layout[piece] = region.sample(rng, layout)
+            layout[piece] = region.sample(rng, layout, ground)
         if not _overlapping(on_bench, layout):
             return layout
     regions = "; ".join(f"{piece.name}: {region}" for piece, region in start.items())
@@ -193,7 +281,27 @@ def sample_layout(start: Mapping[Piece, Start], rng: np.random.Generator) -> dic
     )
 
 
-def _region_on_bench(piece: Piece, start: Mapping[Piece, Start]) -> OnBench:
+def sample_base(
+    ground: Ground, layout: Mapping[Piece, Placement], rng: np.random.Generator
+) -> FloatArray:
+    """Draw where a robot that drives starts: x, y [m] and heading [rad], shape (3,).
+
+    Anywhere from where it gets to everything, but away from where it has to go.
+
+    Raises:
+        NowhereToDriveError: If the room is too small for that.
+    """
+    things = np.array([(placement.x, placement.y) for placement in layout.values()])
+    away = np.hypot(*(ground.starts[:, None] - things).transpose(2, 0, 1)).min(axis=1)
+    far = ground.starts[away > _AWAY]
+    if not len(far):
+        raise NowhereToDriveError(
+            f"Nowhere in the room the robot is {_AWAY:g} m away from all things. Choose another"
+        )
+    return np.append(far[int(rng.integers(len(far)))], rng.uniform(-math.pi, math.pi))
+
+
+def _region_on_bench(piece: Piece, start: Mapping[Piece, Start]) -> OnBench | OnSomeBench:
     """Return where a thing, or what holds it, stands."""
     region = start[piece]
     return _region_on_bench(region.holder, start) if isinstance(region, Inside) else region

@@ -57,6 +57,12 @@ ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda")
 DEFAULT_ROBOT = ROBOT_NAMES[0]
 """The robot of the paper's levels 1 to 4."""
 
+MOBILE_ROBOT = "ridgeback_panda"
+"""The robot of the paper's level 5."""
+
+OF_THE_LEVEL = "default"
+"""As a robot: that of the paper for the level of the task."""
+
 DEFAULT_ROOM = "laboratory"
 """The room of the paper's levels 1 to 4."""
 
@@ -132,11 +138,16 @@ class SettingOptions:
         "on", "`on`; with `off` vessels are empty, pouring and spilling are judged by tilts."
     )
     particles: int = option(PARTICLES, "In how many particles the liquid of a task is divided.")
-    robot: str = option(DEFAULT_ROBOT, f"Which arm plays, one of {', '.join(ROBOT_NAMES)}.")
+    robot: str = option(
+        OF_THE_LEVEL,
+        f"Which robot plays: `{OF_THE_LEVEL}` is the paper's ({DEFAULT_ROBOT}, at level 5 "
+        f"{MOBILE_ROBOT}), or one of {', '.join(ROBOT_NAMES)}.",
+    )
     room: str = option(
         DEFAULT_ROOM,
         "Where: `laboratory`, a furnished room such as `organic_7` that has a work place, or "
-        "FILE.json of one that `labutopia-scene generate` made.",
+        "FILE.json of one that `labutopia-scene generate` made. With `laboratory`, a task in which "
+        "one drives draws a furnished room for each episode.",
     )
     renderer: str = option(
         CLASSIC,
@@ -185,7 +196,7 @@ class Setting(SettingOptions):
         require_choices("obs", [self.obs], OBSERVATION_KINDS)
         require_choices("split", [self.split], SPLITS)
         require_choices("liquid", [self.liquid], LIQUID)
-        require_choices("robot", [self.robot], ROBOT_NAMES)
+        require_choices("robot", [self.robot], (*ROBOT_NAMES, OF_THE_LEVEL))
         require_choices("renderer", [self.renderer], RENDERERS)
         require_choices("reward", [self.reward], REWARDS)
         require_choices("cameras", self.cameras, CAMERAS)
@@ -209,6 +220,8 @@ class Setting(SettingOptions):
         require_between("width", self.width, 1, LARGEST_PICTURE[0])
         require_between("height", self.height, 1, LARGEST_PICTURE[1])
         require_task(self.task, self.tasks_dir)
+        if self.robot == OF_THE_LEVEL:
+            object.__setattr__(self, "robot", robot_of_level(self.task))
 
     def __setattr__(self, name: str, value: object) -> None:
         if name in vars(self) or name not in {each.name for each in fields(self)}:
@@ -222,6 +235,11 @@ class Setting(SettingOptions):
         """Return the same with no pictures drawn: `obs=state`, and of the extras the numbers."""
         numbers = tuple(extra for extra in self.extras if extra in NUMBERS)
         return replace(self, obs="state", extras=numbers)
+
+
+def robot_of_level(task_id: str) -> str:
+    """Return the robot that the paper has for the level of a task."""
+    return MOBILE_ROBOT if task_id.startswith("level5/") else DEFAULT_ROBOT
 
 
 def canonical_axes(axes: Iterable[str]) -> tuple[str, ...]:

@@ -165,6 +165,8 @@ class Task:
         view: Where the two fixed cameras are.
         paraphrases: Other ways to say the instruction.
         needs_liquid: Whether it cannot be judged without liquid, as by a mass or a temperature.
+        drives: Whether the robot drives: it then has a base, and starts somewhere in a furnished
+            room, its arm stowed.
 
     Raises:
         TaskError: If two steps or two substeps share a name, two predicates share a name without
@@ -182,6 +184,7 @@ class Task:
     view: View = VESSEL_VIEW
     paraphrases: tuple[str, ...] = ()
     needs_liquid: bool = False
+    drives: bool = False
 
     def __post_init__(self) -> None:
         _require_all(Step, self.steps, "`steps` of the task")

@@ -25,6 +25,7 @@ from labutopia_lerobot.evaluation.rows import Row, from_columns
 from labutopia_lerobot.evaluation.submission import PUBLISHED
 from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.setting import robot_of_level
 
 RESULTS = Path(__file__).parents[1] / "eval" / "results"
 
@@ -108,7 +109,7 @@ def _require_expert(
 ) -> None:
     config = provenance["config"]
     for row in rows:
-        wanted = {"task": task} | _WANTED
+        wanted = {"task": task, "robot": robot_of_level(task)} | _WANTED
         other = {name: row[name] for name, value in wanted.items() if row[name] != value}
         if row["liquid"] == "off":
             other["liquid"] = "off"

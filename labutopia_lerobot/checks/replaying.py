@@ -64,11 +64,14 @@ def observations_are_in_space_own_their_memory_and_vary(env: LabEnv) -> None:
 def _of_moved_things(env: LabEnv, states: FloatArray) -> list[int]:
     """Return which elements of `environment_state` belong to things that move by a millimetre.
 
-    Without what is about their contents, which stay as they are where nothing is poured in.
+    Without what is about their contents, which stay as they are where nothing is poured in. Before
+    a robot that drives all moves: of that what it handles.
     """
     names = environment_state_names(env.workcell.task)
     moves = dict(zip(names, np.ptp(states, axis=0) > 1e-3, strict=True))
-    things = [piece.name for piece in env.workcell.task.start]
+    task = env.workcell.task
+    handled = {thing.name for step in task.steps for thing in step.touches}
+    things = [piece.name for piece in task.start if not task.drives or piece.name in handled]
     moved = tuple(f"{name}." for name in things if any(moves[f"{name}.{axis}"] for axis in "xyz"))
     contents = tuple(f".{name}" for name in ("fill", *SOLUTION_NAMES))
     return [

@@ -9,10 +9,11 @@ from dataclasses import dataclass, fields, replace
 from labutopia_lerobot.setting import (
     ALL,
     CLASSIC,
-    DEFAULT_ROBOT,
     DEFAULT_ROOM,
+    OF_THE_LEVEL,
     PARTICLES,
     canonical_axes,
+    robot_of_level,
 )
 
 SINGLE = "single"
@@ -48,7 +49,7 @@ class Condition:
         after: Step behind which the whole task begins, or None for its start.
         liquid: `on` or `off`; None for a task whose vessels are empty anyway.
         particles: In how many particles the liquid is divided.
-        robot: Which robot plays.
+        robot: Which robot plays; by default that of the paper for the level of the task.
         room: Where.
         obs: `pixels` or `state`; None in a `scene`.
         renderer: What draws the pictures, `classic` or `filament`.
@@ -62,7 +63,7 @@ class Condition:
     after: str | None = None
     liquid: str | None = "on"
     particles: int | None = PARTICLES
-    robot: str = DEFAULT_ROBOT
+    robot: str = OF_THE_LEVEL
     room: str = DEFAULT_ROOM
     obs: str | None = "pixels"
     renderer: str | None = CLASSIC
@@ -70,6 +71,7 @@ class Condition:
     def __post_init__(self) -> None:
         canonical = {
             "axes": canonical_axes(self.axes),
+            "robot": robot_of_level(self.task) if self.robot == OF_THE_LEVEL else self.robot,
             # A step played alone begins where the one before it is done, in whatever order.
             "after": self.after if self.step is None else None,
             "particles": self.particles if self.liquid == "on" else None,

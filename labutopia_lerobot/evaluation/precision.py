@@ -38,6 +38,8 @@ class Precision:
             for piece in task.start
             if not piece.movable and not isinstance(piece, Dispenser)
         )
+        docks = world.floor.docks if task.drives else ()
+        self._benches = frozenset({BENCH, *(dock.bench for dock in docks)})
         self._volumes: dict[str, list[float]] = {}
         self._contacts: Counter[str] = Counter()
 
@@ -79,7 +81,7 @@ class Precision:
             if other in self._fixed or not self._belongs_to_the_task(other):
                 yield HAND, other
         for piece in self._task.start:
-            for other in self._world.touched_by(piece.name) - _ROBOT - {BENCH}:
+            for other in self._world.touched_by(piece.name) - _ROBOT - self._benches:
                 if not self._belongs_to_the_task(other):
                     yield piece.name, other
 

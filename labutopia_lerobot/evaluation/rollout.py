@@ -14,6 +14,7 @@ from labutopia_lerobot.env import Info, LabEnv
 from labutopia_lerobot.evaluation.condition import EXPERT, Condition
 from labutopia_lerobot.evaluation.failure_causes import cause_of
 from labutopia_lerobot.evaluation.jobs import EvaluationJob
+from labutopia_lerobot.evaluation.journey import Journey
 from labutopia_lerobot.evaluation.policies import (
     REFERENCE_POLICIES,
     Policy,
@@ -109,6 +110,8 @@ def _play(job: EvaluationJob, seed: int) -> Episode:
     policy.start(env, seed)
     actions: list[NDArray[np.float32]] = []
     precision = Precision(env.workcell.task, env.workcell.world)
+    task, world = env.workcell.task, env.workcell.world
+    journey = Journey(task, world) if task.drives else None
     over = False
     while not over:
         try:
@@ -119,11 +122,14 @@ def _play(job: EvaluationJob, seed: int) -> Episode:
         actions.append(action)
         observation, _, terminated, truncated, info = env.step(action)
         precision.note(info["substeps"])
+        if journey is not None:
+            journey.note()
         over = terminated or truncated
     row = _row(job, seed, len(actions), info, env.workcell)
     row = replace(
         row,
         **precision.columns,
+        driving=None if journey is None else journey.columns(success=row.success),
         expert_failure=getattr(policy, "failure", None),
         cause=cause_of(row),
         device=getattr(policy, "device", None),

@@ -79,6 +79,8 @@ class Row:
         solutions: Contents of vessels at the end, by vessel, as `Solution.numbers` has it; None for
             no number. Empty without chemistry.
         unreacted: Why mixtures were left as they were, in words.
+        driving: Of a robot that drives: way driven and shortest way [m], least distance of its
+            middle from things [m], and SPL (see `journey`); None of one that does not.
     """
 
     task: str
@@ -125,6 +127,7 @@ class Row:
     readings: dict[str, float | None] = field(default_factory=dict)
     solutions: dict[str, dict[str, float | None]] = field(default_factory=dict)
     unreacted: list[str] = field(default_factory=list)
+    driving: dict[str, float | None] | None = None
 
     @cached_property
     def condition(self) -> Condition:

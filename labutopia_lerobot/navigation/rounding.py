@@ -37,8 +37,9 @@ def rounded(waypoints: FloatArray, clearance: Clearance, limits: DrivingLimits) 
         radius, arc = next(fitting, (0.0, meet[None]))
         _add(pieces, bends, arc[:1], np.inf)
         bends[-1][-1] = radius
-        pieces.append(arc[1:])
-        bends.append(np.full(len(arc) - 1, radius))
+        if len(arc) > 1:
+            pieces.append(arc[1:])
+            bends.append(np.full(len(arc) - 1, radius))
     _add(pieces, bends, waypoints[-1:], np.inf)
     return Path(np.vstack(pieces), corners, np.concatenate(bends))
 
@@ -47,7 +48,7 @@ def _add(
     pieces: list[FloatArray], bends: list[FloatArray], point: FloatArray, radius: float
 ) -> None:
     """Go straight on to a point, shape (1, 2)."""
-    start = next(piece[-1] for piece in reversed(pieces) if len(piece))
+    start = pieces[-1][-1]
     length = float(np.hypot(*(point[0] - start)))
     if length < 1e-9:
         return

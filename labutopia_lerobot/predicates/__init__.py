@@ -1,5 +1,6 @@
 """Named facts about the world: memoryless, relative to the scene, never changing anything."""
 
+from labutopia_lerobot.predicates.arrival import beside, carried_into, facing, halted, raised
 from labutopia_lerobot.predicates.buttons import (
     aligned,
     fingered,
@@ -74,7 +75,9 @@ __all__ = [
     "Transfer",
     "above",
     "aligned",
+    "beside",
     "broken",
+    "carried_into",
     "clear_of",
     "closed",
     "collided",
@@ -84,6 +87,7 @@ __all__ = [
     "dispensed",
     "displaced",
     "dissolved",
+    "facing",
     "falling",
     "faster",
     "fingered",
@@ -91,6 +95,7 @@ __all__ = [
     "given",
     "grasped",
     "gripped",
+    "halted",
     "hotter",
     "immersed",
     "in_hand",
@@ -113,6 +118,7 @@ __all__ = [
     "pressed_out_of_turn",
     "pulled",
     "pushed",
+    "raised",
     "reads",
     "received",
     "released",

@@ -77,6 +77,7 @@ class Robot:
         vessel_approach: How the hand comes to vessels, relative to the bearing from the base.
         handle_approach: How the hand comes to handles, relative to straight into the door.
         base: What carries the arm over the floor; None if it is mounted on a stand.
+        stowed: Joint angles while it drives [rad]; of an arm on a stand none.
     """
 
     name: str
@@ -91,6 +92,7 @@ class Robot:
     vessel_approach: Approach
     handle_approach: Approach
     base: MobileBase | None = None
+    stowed: tuple[float, ...] = ()
 
     @property
     def elements(self) -> tuple[Element, ...]:

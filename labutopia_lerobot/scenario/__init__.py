@@ -2,6 +2,7 @@
 
 from labutopia_lerobot.scenario.draw import AxisError, Draw, Value
 from labutopia_lerobot.scenario.scenario import (
+    NeedsBaseError,
     Scenario,
     canonical_task,
     draw_scenario,
@@ -11,6 +12,7 @@ from labutopia_lerobot.scenario.scenario import (
 __all__ = [
     "AxisError",
     "Draw",
+    "NeedsBaseError",
     "Scenario",
     "Value",
     "canonical_task",

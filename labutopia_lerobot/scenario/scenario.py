@@ -4,7 +4,9 @@ import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from labutopia_lerobot.robots import load_robot
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.layout import require_drivable
+from labutopia_lerobot.robots import ROBOTS, load_robot
 from labutopia_lerobot.scenario.draw import Draw, Value
 from labutopia_lerobot.scenario.task_function import task_function
 from labutopia_lerobot.scenario.variation import (
@@ -14,8 +16,12 @@ from labutopia_lerobot.scenario.variation import (
     draw_variation,
 )
 from labutopia_lerobot.scenes import load_room
-from labutopia_lerobot.setting import ALL, Setting
+from labutopia_lerobot.setting import ALL, DEFAULT_ROOM, Setting
 from labutopia_lerobot.task import Task
+
+
+class NeedsBaseError(UserError, ValueError):
+    """A task in which one drives, and a robot that cannot; the message lists those that can."""
 
 
 @dataclass(frozen=True)
@@ -62,12 +68,17 @@ def canonical_task(setting: Setting) -> Task:
 
     Raises:
         AxisError: If the task declares an axis wrongly.
+        NeedsBaseError: If one drives in the task, and the robot cannot.
+        NowhereToDriveError: If one does, and the room has not the benches for it.
         TaskError: If the task does not have the step of the setting.
         UnknownOptionError: If the task does not have the axes of the setting.
         UnknownRoomError: If there is no such room.
     """
-    load_room(setting.room)  # it must be one that can be played in
+    room = load_room(setting.room)  # it must be one that can be played in
     task = _scenario(setting, Draw(setting.split, setting.axes)).task
+    base = load_robot(setting.robot).base
+    if task.drives and base is not None and setting.room != DEFAULT_ROOM:
+        require_drivable(task.start, room.ground(base), setting.room)
     if setting.step is not None:
         task.steps_until(setting.step)
     return task
@@ -83,12 +94,26 @@ def _scenario(setting: Setting, draw: Draw) -> Scenario:
 
 def _drawn(setting: Setting, draw: Draw) -> tuple[Task, Variation]:
     task = task_function(setting.task, setting.tasks_dir)(draw)
-    variation = draw_variation(draw, len(load_robot(setting.robot).joints))
+    robot = load_robot(setting.robot)
+    if task.drives:
+        _require_base(setting)
+        if setting.room == DEFAULT_ROOM:  # nobody has chosen one
+            draw.vary("room", shifted=True)
+    variation = draw_variation(draw, len(robot.joints), drives=task.drives)
     variation = replace(variation, ambient=draw_ambient(draw, task))
     instruction = draw_instruction(draw, task)
     if instruction != task.instruction:
         task = replace(task, instruction=instruction)
     return task, variation
+
+
+def _require_base(setting: Setting) -> None:
+    if load_robot(setting.robot).base is None:
+        able = ", ".join(name for name, robot in ROBOTS.items() if robot.base is not None)
+        raise NeedsBaseError(
+            f"robot={setting.robot} is mounted on a stand, and in {setting.task} one drives. "
+            f"Choose from: {able}"
+        )
 
 
 def _axes(setting: Setting) -> Mapping[str, bool]:

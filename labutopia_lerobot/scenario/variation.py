@@ -14,7 +14,7 @@ from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.processes import ThermalMass
 from labutopia_lerobot.scenario.distractors import held_out_sets, training_sets
 from labutopia_lerobot.scenario.draw import Draw
-from labutopia_lerobot.scenes import rooms_to_draw
+from labutopia_lerobot.scenes import rooms_to_draw, rooms_to_drive_in
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
 from labutopia_lerobot.scenes.views import MOST_DISPLACED
 from labutopia_lerobot.task import Task
@@ -52,12 +52,14 @@ class Variation:
     ambient: float | None = None
 
 
-def draw_variation(draw: Draw, joints: int) -> Variation:
+def draw_variation(draw: Draw, joints: int, *, drives: bool = False) -> Variation:
     """Draw on every axis that varies but `instruction`.
 
     Args:
         draw: The episode's draw.
         joints: How many joints the robot's arm has.
+        drives: Whether the robot drives: nothing stands around on its benches but what belongs to
+            the room, and it needs rooms with benches that it gets to.
     """
     drawn: dict[str, Any] = {}
     if draw.varies("material"):
@@ -74,12 +76,12 @@ def draw_variation(draw: Draw, joints: int) -> Variation:
         drawn["robot_start"] = draw.displacement(
             "robot_start", joints, train=(0.0, 0.10), test=[(0.15, 0.25)]
         )
-    if draw.varies("layout"):
+    if not drives and draw.varies("layout"):
         train, test = training_sets(), held_out_sets()
         name = draw.choice("layout", train=list(train), test=list(test))
         drawn["distractors"] = (train | test)[name]
     if draw.varies("room"):
-        rooms, rooms_for_tests = rooms_to_draw()
+        rooms, rooms_for_tests = rooms_to_drive_in() if drives else rooms_to_draw()
         drawn["room"] = draw.choice("room", train=rooms, test=rooms_for_tests)
     return Variation(**drawn)
 

@@ -8,8 +8,9 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.scenes.furnished_room import furnished_room
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
-from labutopia_lerobot.scenes.room import Room, Surface, UnknownRoomError
+from labutopia_lerobot.scenes.room import NowhereToDriveError, Room, Surface, UnknownRoomError
 from labutopia_lerobot.scenes.room_files import is_of_file, read_before, room_label
+from labutopia_lerobot.scenes.rooms_to_drive_in import rooms_to_drive_in
 
 ROOMS = {room.name: room for room in (LABORATORY,)}
 """Rooms that are no plans, by name."""
@@ -91,10 +92,12 @@ __all__ = [
     "LABORATORY",
     "ROOMS",
     "NoWorkPlaceError",
+    "NowhereToDriveError",
     "Room",
     "Surface",
     "UnknownRoomError",
     "load_room",
     "room_label",
     "rooms_to_draw",
+    "rooms_to_drive_in",
 ]

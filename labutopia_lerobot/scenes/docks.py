@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +14,7 @@ from labutopia_lerobot.robots.mobile_base import MobileBase
 from labutopia_lerobot.scenes.plan import Placed, Plan
 from labutopia_lerobot.scenes.room_map import room_map
 from labutopia_lerobot.scenes.space.extent import extent
-from labutopia_lerobot.world import FloatArray
+from labutopia_lerobot.world import Dock, FloatArray
 
 _WIDEST, _LOWEST, _HIGHEST = 0.6, 0.6, 1.0
 """Least width of a top that one works at, and between which heights it is [m]; ours: desks and
@@ -25,23 +24,6 @@ _GAPS = (0.02, 0.06, 0.10)
 the farthest leaves it 0.28 m before the edge: it reaches over more than 40 cm of the bench."""
 _APART = 0.2
 """Distance between places along an edge [m], and of the first from its end."""
-
-
-@dataclass(frozen=True, eq=False)
-class Dock:
-    """A place of a base at a bench.
-
-    Attributes:
-        piece: Name of the bench.
-        position: Middle of the base, shape (2,) [m], room frame.
-        yaw: Heading, to the bench [rad].
-        before: Point straight behind it to which the robot drives as a disc, shape (2,) [m].
-    """
-
-    piece: str
-    position: FloatArray
-    yaw: float
-    before: FloatArray
 
 
 def docks(plan: Plan, base: MobileBase, radius: float) -> tuple[Dock, ...]:
@@ -56,7 +38,7 @@ def docks(plan: Plan, base: MobileBase, radius: float) -> tuple[Dock, ...]:
     """
     occupancy, footprint = room_map(plan), FloorRectangle(*base.size)
     planner = PathPlanner.of(occupancy, base.limits, radius)
-    largest = _largest(occupancy.passable(radius))
+    largest = largest_part(occupancy.passable(radius))
     found = []
     for piece, position, yaw in _candidates(plan, base):
         try:
@@ -69,7 +51,7 @@ def docks(plan: Plan, base: MobileBase, radius: float) -> tuple[Dock, ...]:
     return tuple(found)
 
 
-def _largest(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def largest_part(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return the largest part of what is free that is in one piece."""
     regions, count = ndimage.label(free, structure=np.ones((3, 3)))
     if not count:

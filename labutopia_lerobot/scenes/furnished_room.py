@@ -13,6 +13,9 @@ from labutopia_lerobot.scenes.views import View
 if TYPE_CHECKING:
     import mujoco
 
+    from labutopia_lerobot.robots.mobile_base import MobileBase
+    from labutopia_lerobot.scenes.ground import Ground
+
 
 def furnished_room(plan: Plan) -> Room:
     """Return the room of a plan that has a work place.
@@ -29,6 +32,7 @@ def furnished_room(plan: Plan) -> Room:
         furniture=partial(_furniture, plan),
         solidifier=partial(_make_solid, plan),
         mapper=partial(_map, plan),
+        surveyor=partial(_survey, plan),
     )
 
 
@@ -54,6 +58,12 @@ def _map(plan: Plan) -> Occupancy:
     from labutopia_lerobot.scenes.room_map import map_around  # here: mujoco
 
     return map_around(plan, plan.work_places[0])
+
+
+def _survey(plan: Plan, base: "MobileBase") -> "Ground":
+    from labutopia_lerobot.scenes.survey import surveyed  # here: mujoco
+
+    return surveyed(plan, base)
 
 
 def _furniture(plan: Plan) -> tuple[Piece, ...]:

@@ -54,7 +54,7 @@ def decorate(plan: Plan, spec: mujoco.MjSpec, view: View) -> None:
     for number, surface in enumerate(scenery(plan)):
         vertices, normals, faces = surface.mesh
         there = vertices @ turn.as_matrix().T + pos, normals, faces
-        visible = visible_triangles(there, view.front) | visible_triangles(there, view.top)
+        visible = _visible(there, view)
         colors = _palette(plan)[1][number]
         for suffix, chosen, group in (
             ("", visible, VISUAL_GROUP),
@@ -89,9 +89,10 @@ def make_solid(plan: Plan, spec: mujoco.MjSpec) -> None:
             standing[ware.on].append(box_of(ware))
     for name, parts in standing.items():
         owner = body.add_body(name=f"{PREFIX}{name}")
-        for low, high in zip(*joined(*parts), strict=True):
+        for number, (low, high) in enumerate(zip(*joined(*parts), strict=True)):
             if (high > low).all():
                 owner.add_geom(
+                    name=f"{PREFIX}{name}_solid_{number}",
                     type=mujoco.mjtGeom.mjGEOM_BOX,
                     pos=(low + high) / 2,
                     size=(high - low) / 2,
@@ -135,10 +136,17 @@ def _add_real(
     hull = real.room.hull
     corners, normals, faces = rounded_box((hull.high - hull.low)[0], 0.0)
     around = turn.apply(corners + (hull.high + hull.low)[0] / 2) + pos, normals, faces
-    if not any(visible_triangles(around, camera).any() for camera in (view.front, view.top)):
+    if not _visible(around, view).any():
         for geom in body.find_all(mujoco.mjtObj.mjOBJ_GEOM):
             if geom.group == VISUAL_GROUP:
                 geom.group = BEYOND_GROUP
+
+
+def _visible(mesh: Shell, view: View) -> NDArray[np.bool_]:
+    """Return which triangles get into the pictures of the fixed cameras; all if those ride."""
+    if view.on_base:
+        return np.ones(len(mesh[2]), bool)
+    return visible_triangles(mesh, view.front) | visible_triangles(mesh, view.top)
 
 
 def _frame(place: WorkPlace) -> tuple[Rotation, FloatArray]:

@@ -48,8 +48,8 @@ def laboratory(
     (surround or _walls)(spec)
     _bench(spec, room)
     add_lights(spec)
-    _add_camera(spec, "front", view.front)
-    _add_camera(spec, "top", view.top)
+    if not view.on_base:
+        add_cameras(spec.worldbody, view)
     return spec
 
 
@@ -163,13 +163,19 @@ def add_lights(spec: mujoco.MjSpec) -> None:
         )
 
 
-def _add_camera(spec: mujoco.MjSpec, name: str, pose: CameraPose) -> None:
+def add_cameras(body: mujoco.MjsBody, view: View) -> None:
+    """Add the cameras `front` and `top` to the body in whose frame they are."""
+    _add_camera(body, "front", view.front)
+    _add_camera(body, "top", view.top)
+
+
+def _add_camera(body: mujoco.MjsBody, name: str, pose: CameraPose) -> None:
     """Add a camera: its -z axis along the direction, its y axis towards what is up."""
     back = -np.array(pose.direction_w) / np.linalg.norm(pose.direction_w)
     right = np.cross(pose.up_w, back)
     right /= np.linalg.norm(right)
     axes = np.column_stack([right, np.cross(back, right), back])
-    spec.worldbody.add_camera(
+    body.add_camera(
         name=name,
         pos=pose.position_w,
         quat=Rotation.from_matrix(axes).as_quat(scalar_first=True),

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
 
     from labutopia_lerobot.labware.piece import Piece
     from labutopia_lerobot.navigation.occupancy import Occupancy
+    from labutopia_lerobot.robots.mobile_base import MobileBase
+    from labutopia_lerobot.scenes.ground import Ground
 
 
 PEDESTAL = "pedestal"
@@ -20,6 +22,10 @@ PEDESTAL = "pedestal"
 
 class UnknownRoomError(UserError, ValueError):
     """A room that does not exist; the message names some that do."""
+
+
+class NowhereToDriveError(UserError, ValueError):
+    """A room without the places that a task needs to which one drives; the message says what."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +58,7 @@ class Room:
         furniture: Returns the pieces that it builds, or None.
         solidifier: Adds to such a spec what only a robot that drives can touch, or None.
         mapper: Returns the map for such a robot, world frame.
+        surveyor: Returns what of it a base gets to, or None where nobody can drive to anything.
     """
 
     name: str
@@ -62,6 +69,7 @@ class Room:
     furniture: "Callable[[], tuple[Piece, ...]] | None" = None
     solidifier: "Callable[[mujoco.MjSpec], None] | None" = None
     mapper: "Callable[[], Occupancy] | None" = None
+    surveyor: "Callable[[MobileBase], Ground] | None" = None
 
     @property
     def pieces(self) -> "tuple[Piece, ...]":
@@ -89,6 +97,19 @@ class Room:
         if self.mapper is None:
             raise UnknownRoomError(f"There is no map of the room {self.name!r}. Choose another")
         return self.mapper()
+
+    def ground(self, base: "MobileBase") -> "Ground":
+        """Return what of the room a robot gets to, world frame.
+
+        Raises:
+            NowhereToDriveError: If there is nothing to drive to.
+        """
+        if self.surveyor is None:
+            raise NowhereToDriveError(
+                f"room={self.name!r} has one bench and nowhere to drive. Choose a furnished room, "
+                "such as organic_7"
+            )
+        return self.surveyor(base)
 
     def decorate(self, spec: "mujoco.MjSpec", view: View) -> None:
         """Add to the spec that was built what is seen around the bench and never touched."""

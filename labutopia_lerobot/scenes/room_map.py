@@ -7,6 +7,7 @@ from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Plan, WorkPlace
 from labutopia_lerobot.scenes.space.boxes import joined
 from labutopia_lerobot.scenes.space.claims import claims
+from labutopia_lerobot.world import FloatArray
 
 
 def room_map(plan: Plan, resolution: float = FINE) -> Occupancy:
@@ -32,11 +33,23 @@ def map_around(plan: Plan, place: WorkPlace, resolution: float = FINE) -> Occupa
         place: The work place.
         resolution: Width of a cell [m].
     """
-    quarters = -place.heading // 90
-    turn = np.linalg.matrix_power(np.array([[0, -1], [1, 0]]), quarters % 4)
     occupancy = room_map(plan, resolution)
     rows, columns = occupancy.cells.shape
+    turn, moved = frame_around(place)
     far = turn @ (columns * resolution, rows * resolution)
-    moved = np.array(LABORATORY.robot_stand[:2]) - turn @ (place.x, place.y)
     x, y = np.minimum(far, 0.0) + moved
-    return occupancy.placed(quarters, (float(x), float(y)))
+    return occupancy.placed(-place.heading // 90, (float(x), float(y)))
+
+
+def frame_around(place: WorkPlace) -> tuple[FloatArray, FloatArray]:
+    """Return how a room is turned for a task at one of its work places, and then moved.
+
+    Args:
+        place: The work place: its robot is then where that of the laboratory is.
+
+    Returns:
+        Rotation over the floor, shape (2, 2), and translation [m], shape (2,).
+    """
+    quarters = -place.heading // 90 % 4
+    turn = np.linalg.matrix_power(np.array([[0.0, -1.0], [1.0, 0.0]]), quarters)
+    return turn, np.array(LABORATORY.robot_stand[:2]) - turn @ (place.x, place.y)

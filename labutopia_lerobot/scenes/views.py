@@ -33,10 +33,17 @@ class CameraPose:
 
 @dataclass(frozen=True)
 class View:
-    """The cameras `front` and `top` of a task."""
+    """The cameras `front` and `top` of a task.
+
+    Attributes:
+        front: One of them.
+        top: The other.
+        on_base: Whether they ride on a mobile base: their poses are then in its frame.
+    """
 
     front: CameraPose
     top: CameraPose
+    on_base: bool = False
 
 
 _UP = (0.0, 0.0, 1.0)
@@ -121,3 +128,11 @@ PIPETTE_VIEW = View(
     top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 31.0),
 )
 """From the right of the bench, near enough for a pipette's tip in a beaker; and overhead."""
+
+DRIVING_VIEW = View(
+    front=CameraPose((0.05, -0.25, 1.75), (0.80, 0.10, -0.60), _UP, 70.0),
+    top=CameraPose((0.45, 0.0, 2.75), (0.0, 0.0, -1.0), _FORWARD, 75.0),
+    on_base=True,
+)
+"""On a mast of a robot that drives, where it looks ahead over its arm to the floor and the benches
+before it; and from above it, under the ceiling, which goes with it. Ours: the paper has none."""

@@ -7,6 +7,7 @@ position, speed and acceleration, without letting any pair of bodies come nearer
 """
 
 import itertools
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -20,6 +21,7 @@ from labutopia_lerobot.robots.command_limits import CommandLimits
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
+from labutopia_lerobot.scenes.within_reach import PREFIX
 from labutopia_lerobot.sim.scene import Scene, add_robot, ancestors
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
@@ -48,6 +50,9 @@ _RETREAT = 0.0005
 """Distance by which a pair that is too near must part in a control period [m]."""
 _SHARE = 0.85
 """Share of the robot's speeds and accelerations that is used: commands are never clipped."""
+_REACHED = 0.5
+"""Height above the floor from which furniture is kept clear of [m]; ours: no arm on a base comes
+lower."""
 _FAR = (0.0, 0.0, -10.0)
 _OBSTACLE, _LOAD = "obstacle_", "load_"
 
@@ -83,18 +88,28 @@ class ReactiveMotion:
             self._box,
             mink.VelocityLimit(self._model, dict.fromkeys(scene.robot.other_joints, 0.0)),
         ]
-        self._clearances = _clearances(self._model, scene.robot, scene.pieces)
+        furniture = [] if scene.robot.base is None else _furniture(self._model)
+        self._clearances = _clearances(self._model, scene.robot, scene.pieces, furniture)
+        self._extents = {name: _extent(self._model, name) for name in furniture}
         hulls = [body for piece in scene.pieces for body in _hulls_by_body(scene, piece)]
         self._obstacles = [(scene.model.body(body).name, body) for body in hulls]
 
     def follow(
-        self, target: Pose, opening: float, *, touches: frozenset[str], holds: Thing | None
+        self,
+        target: Pose,
+        opening: float,
+        driving_b: FloatArray | None = None,
+        *,
+        touches: frozenset[str],
+        holds: Thing | None,
     ) -> FloatArray:
         """Return the next command, shape (elements,), that brings the gripper to the target.
 
         Args:
             target: Wanted pose of the gripper frame.
             opening: Wanted distance between the pads [m].
+            driving_b: Wanted velocity of the base, base frame, shape (3,) [m/s, m/s, rad/s]; None
+                to stand.
             touches: Names of things, or `bench`, that the hand and its load may touch.
             holds: The thing in the gripper, kept clear of everything else, or None.
         """
@@ -110,6 +125,7 @@ class ReactiveMotion:
         self._box.least, self._box.greatest = least[joints], greatest[joints]
         wanted = last.copy()
         wanted[gripper] = opening
+        wanted[self._roles.base] = 0.0 if driving_b is None else driving_b
         wanted = limits.within(wanted)
         change = np.clip(limits.closing(wanted - last), least, greatest)
         try:
@@ -155,7 +171,15 @@ class ReactiveMotion:
     ) -> Iterator[tuple[str, str]]:
         """Yield each mover (arm, hand, load) with what it must not touch."""
         load = holds.name if holds is not None else None
+        here = self._world.robot_base.position_w[:2]
+        far = {
+            name
+            for name, (low, high) in self._extents.items()
+            if math.dist(np.clip(here, low, high), here) > self._robot.reach
+        }
         for mover, obstacle in self._clearances:
+            if obstacle in far:
+                continue
             may_touch = obstacle in touches and mover != ARM
             if mover in (ARM, HAND, load) and obstacle != load and not may_touch:
                 yield mover, obstacle
@@ -252,8 +276,42 @@ def _copy_hulls(
         body.add_geom(name=prefix + hull.name, type=shape, pos=hull.pos, quat=hull.quat, **kind)
 
 
+def _furniture(model: mujoco.MjModel) -> list[str]:
+    """Return the bodies of a furnished room that reach so high that an arm could touch them."""
+    bodies = (model.body(body).name for body in range(model.nbody))
+    return [name for name in bodies if name.startswith(PREFIX) and _high_geoms(model, name)]
+
+
+def _high_geoms(model: mujoco.MjModel, body: str) -> list[int]:
+    """Return the colliding geoms of a body alone whose tops are above `_REACHED`."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    first, count = model.body(body).geomadr[0], model.body(body).geomnum[0]
+    return [
+        geom
+        for geom in range(first, first + count)
+        if model.geom_contype[geom] and _corners(model, data, geom)[:, 2].max() > _REACHED
+    ]
+
+
+def _extent(model: mujoco.MjModel, body: str) -> tuple[FloatArray, FloatArray]:
+    """Return least and greatest x and y of what of a body an arm could touch [m], world frame."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    corners = np.vstack([_corners(model, data, geom) for geom in _high_geoms(model, body)])
+    return corners[:, :2].min(axis=0), corners[:, :2].max(axis=0)
+
+
+def _corners(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> FloatArray:
+    """Return the corners of the box around a geom, shape (8, 3) [m], world frame."""
+    signs = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
+    local = model.geom_aabb[geom, :3] + signs * model.geom_aabb[geom, 3:]
+    corners: FloatArray = local @ data.geom_xmat[geom].reshape(3, 3).T + data.geom_xpos[geom]
+    return corners
+
+
 def _clearances(
-    model: mujoco.MjModel, robot: Robot, pieces: tuple[Piece, ...]
+    model: mujoco.MjModel, robot: Robot, pieces: tuple[Piece, ...], furniture: list[str]
 ) -> dict[tuple[str, str], mink.CollisionAvoidanceLimit]:
     """Return one distance limit for every mover (arm, hand, load) and obstacle (bench, body)."""
     loads = {
@@ -266,6 +324,7 @@ def _clearances(
     names = (model.body(body).name for body in range(model.nbody) if model.body_mocapid[body] >= 0)
     obstacles = {name.removeprefix(_OBSTACLE): _geoms_below(model, name) for name in names}
     obstacles[BENCH] = _geoms_below(model, BENCH)
+    obstacles |= {name: _high_geoms(model, name) for name in furniture}
     return {
         (mover, obstacle): mink.CollisionAvoidanceLimit(
             model,

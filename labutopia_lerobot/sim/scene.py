@@ -12,6 +12,7 @@ from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.processes import Process, slots_of
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.robots.set_points import SPAN
+from labutopia_lerobot.scenes.laboratory_model import add_cameras
 from labutopia_lerobot.scenes.room import PEDESTAL, Room
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
@@ -101,6 +102,8 @@ def scene_spec(pieces: Iterable[Piece], robot: Robot, room: Room, view: View) ->
     room.decorate(spec, view)
     set_options(spec)
     add_robot(spec, robot, room)
+    if view.on_base and robot.base is not None:
+        add_cameras(spec.body(robot.base.body), view)
     for piece in pieces:
         body = piece.add_to(spec, spec.worldbody)
         if piece.movable:

@@ -79,6 +79,7 @@ class Simulation:
         layout: Mapping[Piece, Placement],
         displacement: FloatArray | None = None,
         rng: np.random.Generator | None = None,
+        base_pose: FloatArray | None = None,
     ) -> None:
         """Put the robot at home and the things where the layout says, and let them settle.
 
@@ -86,6 +87,8 @@ class Simulation:
             layout: Where things stand.
             displacement: How far from home the arm starts, shape (joints,), radians.
             rng: Where the processes' random numbers come from; a fixed one if there is none.
+            base_pose: Where a base starts that is to drive, the arm stowed: x, y [m] and heading
+                [rad], shape (3,); None for one that stands at the bench.
         """
         rng = np.random.default_rng(0) if rng is None else rng
         model, data, bench = self.scene.model, self.data, self.scene.room.bench
@@ -103,10 +106,12 @@ class Simulation:
             for body, place in placement.swaps:
                 model.body(body).pos = self._built[model.body(place).id]
         start = self._start.copy()
+        if base_pose is not None:
+            start[self.scene.robot.roles.joints] = self.scene.robot.stowed
         if displacement is not None:
             start[self.scene.robot.roles.joints] += displacement
         self._drives.place(data.qpos, start)
-        self._drives.stand(data.qpos, self._base_start)
+        self._drives.stand(data.qpos, self._base_start if base_pose is None else base_pose)
         self._drives.command(data, start)
         self.commands[:] = start
         mujoco.mj_step1(model, data)

@@ -3,15 +3,20 @@
 import difflib
 import math
 from collections.abc import Iterable, Mapping
+from functools import cached_property
 
 import mujoco
 import numpy as np
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.processes import UnknownReadingError
+from labutopia_lerobot.robots.drives import Drives
+from labutopia_lerobot.robots.mobile_base import MobileBase
+from labutopia_lerobot.scenes import NowhereToDriveError
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.world import (
     FloatArray,
+    Floor,
     LiquidAccount,
     Manipulator,
     Pose,
@@ -75,6 +80,30 @@ class SimulatedWorld:
         """Middle of the mobile base on the floor, x forward, z up; None for an arm on a stand."""
         base = self._simulation.scene.robot.base
         return None if base is None else self._pose(self._model.body(base.body).id)
+
+    @property
+    def base_velocity(self) -> FloatArray:
+        """Velocity of the mobile base, in its own frame, shape (3,) [m/s, m/s, rad/s]."""
+        return self._simulation.measured[self._simulation.scene.robot.roles.base]
+
+    @property
+    def stowed_hand(self) -> Pose:
+        """Pose of the hand while the robot drives, in the frame of the arm's base.
+
+        Raises:
+            NowhereToDriveError: If it has no base.
+        """
+        self._require_base()
+        return self._stowed_hand
+
+    @cached_property
+    def floor(self) -> Floor:
+        """Map of the room and places at its benches, for a robot that drives.
+
+        Raises:
+            NowhereToDriveError: If there is no such robot, or nothing to drive to.
+        """
+        return self._simulation.scene.room.ground(self._require_base()).floor
 
     @property
     def gripper(self) -> Pose:
@@ -207,6 +236,26 @@ class SimulatedWorld:
     def approach_speed(self, first: str, second: str) -> float:
         """Return the greatest speed at which the two met since the last control step [m/s]."""
         return float(self._simulation.contacts.approach[self._pair(first, second)])
+
+    def _require_base(self) -> MobileBase:
+        robot = self._simulation.scene.robot
+        if robot.base is None:
+            raise NowhereToDriveError(
+                f"robot={robot.name!r} is mounted on a stand, and a skill or predicate lets it "
+                "drive. Choose a robot with a base"
+            )
+        return robot.base
+
+    @cached_property
+    def _stowed_hand(self) -> Pose:
+        """Found on a model of its own: kinematics of the arm, wherever the base is."""
+        robot, data = self._simulation.scene.robot, mujoco.MjData(self._model)
+        elements = np.array([*robot.stowed, robot.max_opening, *np.zeros(3)])
+        Drives(self._model, robot).place(data.qpos, elements)
+        mujoco.mj_kinematics(self._model, data)
+        base, site = data.body(robot.base_body), data.site(self._gripper)
+        arm = Pose(base.xpos, base.xmat.reshape(3, 3))
+        return arm.inverse() @ Pose(site.xpos, site.xmat.reshape(3, 3))
 
     def _pose(self, body: int) -> Pose:
         return Pose(self._data.xpos[body].copy(), self._data.xmat[body].reshape(3, 3).copy())

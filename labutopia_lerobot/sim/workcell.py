@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.layout import Workspace, sample_layout
+from labutopia_lerobot.layout import Workspace, sample_base, sample_layout
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
 from labutopia_lerobot.processes import AMBIENT
 from labutopia_lerobot.progress import Progress
@@ -59,6 +59,7 @@ class Workcell:
         robot = load_robot(setting.robot)
         room = load_room(scenario.variation.room or setting.room)
         self._workspace = Workspace.of(room, robot)
+        self._ground = room.ground(robot.base) if task.drives and robot.base else None
         scene = compile_scene(
             pieces, robot, room, task.view, task.contents, setting.particles, setting.renderer
         )
@@ -127,7 +128,9 @@ class Workcell:
         self._appearance.show(variation)
         celsius = variation.ambient
         self.simulation.apparatus.ambient = AMBIENT if celsius is None else celsius + ZERO_C
-        layout = sample_layout(task.start, rng)
+        ground = self._ground
+        layout = sample_layout(task.start, rng, ground)
+        base_pose = None if ground is None else sample_base(ground, layout, rng)
         layout |= place_distractors(
             variation.distractors,
             layout,
@@ -135,7 +138,7 @@ class Workcell:
             self.world.robot.vessel_approach.yaw,
             rng,
         )
-        self.simulation.reset(layout, variation.robot_start, rng)
+        self.simulation.reset(layout, variation.robot_start, rng, base_pose)
         self.simulation.fill(rng)
         self.filter.start(self.simulation.command)
         if not self._play(task.setup) or not self._play_steps(before):

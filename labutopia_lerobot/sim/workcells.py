@@ -39,8 +39,11 @@ class Workcells:
         self.task = canonical_task(setting)
         require_fillable(self.task.contents, self.task.start)
         require_possible_solutions(setting.task, self.task.contents)
-        workspace = Workspace.of(load_room(setting.room), load_robot(setting.robot))
-        require_possible(self.task.start, workspace)
+        robot = load_robot(setting.robot)
+        scenario = draw_scenario(setting, 0)
+        room = load_room(scenario.variation.room or setting.room)
+        ground = room.ground(robot.base) if self.task.drives and robot.base else None
+        require_possible(self.task.start, Workspace.of(room, robot), ground)
         self._kept: OrderedDict[object, Workcell] = OrderedDict()
 
     def begin(self, seed: int, after: str | None = None) -> tuple[Workcell, Scenario, int]:

@@ -3,6 +3,8 @@
 from labutopia_lerobot.skills.aspirate import Aspirate
 from labutopia_lerobot.skills.close import Close
 from labutopia_lerobot.skills.dispense import Dispense
+from labutopia_lerobot.skills.drive_to import DriveTo
+from labutopia_lerobot.skills.face import Face
 from labutopia_lerobot.skills.go import Go
 from labutopia_lerobot.skills.insert import Insert
 from labutopia_lerobot.skills.open import Open
@@ -25,6 +27,8 @@ __all__ = [
     "Aspirate",
     "Close",
     "Dispense",
+    "DriveTo",
+    "Face",
     "Go",
     "Insert",
     "Open",

@@ -40,9 +40,15 @@ class Motion(Protocol):
     """Turns a wanted gripper pose and opening into commands, reactively."""
 
     def follow(
-        self, target: Pose, opening: float, *, touches: frozenset[str], holds: Thing | None
+        self,
+        target: Pose,
+        opening: float,
+        driving_b: FloatArray | None = None,
+        *,
+        touches: frozenset[str],
+        holds: Thing | None,
     ) -> FloatArray:
-        """Return the next command, shape (elements,): joint targets [rad] and opening [m]."""
+        """Return the next command, shape (elements,): joint targets, opening, base velocities."""
         ...
 
     def kept_from(
@@ -77,7 +83,8 @@ class Expert:
         self.label = ""
         self._remaining = self._play()
         self._reference = self._world.gripper
-        self._velocity = np.zeros(6)
+        self._carrier = self._world.mobile_base
+        self._velocity: FloatArray = np.zeros(6)
         self._next_phase()
 
     def _play(self) -> Iterator[tuple[str, Phase]]:
@@ -139,10 +146,12 @@ class Expert:
             target = self._target()
         elif self.failure is None and late:
             self.failure = f"{self.label} not done after {self._phase.timeout_s:g} s"
+        self._ride()
         self._reference = self._towards(target)
         phase = self._phase
+        driving = None if phase.drive is None or self.finished else phase.drive(self._world)
         command = self._motion.follow(
-            self._reference, phase.opening, touches=phase.touches, holds=phase.holds
+            self._reference, phase.opening, driving, touches=phase.touches, holds=phase.holds
         )
         return command.astype(np.float32)
 
@@ -156,6 +165,18 @@ class Expert:
         for mover, others in allowed.items():
             for other in self._world.touched_by(mover) - others:
                 self.unexpected[mover, other] += 1
+
+    def _ride(self) -> None:
+        """Carry the reference along with the base, on which the arm stands."""
+        base, before = self._world.mobile_base, self._carrier
+        if base is not None and before is not None:
+            moved = base @ before.inverse()
+            self._reference = moved @ self._reference
+            turned = moved.rotation_w
+            self._velocity = np.concatenate(
+                [turned @ self._velocity[:3], turned @ self._velocity[3:]]
+            )
+        self._carrier = base
 
     def _towards(self, target: Pose) -> Pose:
         """Move the reference towards the target within the phase's speeds, in a straight line.

@@ -25,7 +25,7 @@ class Pick:
     Attributes:
         thing: What to pick up.
         lift: How far to raise it [m].
-        support: What it stands on or in, and touches while it is lifted.
+        support: What it stands on or in, and touches while it is lifted; None for whatever that is.
         standoff: Distance from which the last approach starts [m] (original: 0.1, before).
         hover: How far above that the hand comes first [m].
         squeeze: How much narrower than the thing the closed gripper is commanded [m]; at most half
@@ -38,7 +38,7 @@ class Pick:
 
     thing: Graspable
     lift: float
-    support: str = BENCH
+    support: str | None = BENCH
     standoff: float = 0.10
     hover: float = 0.10
     squeeze: float = 0.012
@@ -49,6 +49,7 @@ class Pick:
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield hover, lower, reach, settle and close, again after a miss, then lift and hold."""
         thing = frozenset({self.thing.name})
+        below = world.touched_by(self.thing.name) if self.support is None else {self.support}
         shut = self.thing.grip_width - min(self.squeeze, 0.5 * self.thing.grip_width)
         held = gripped(self.thing)
         wide = world.robot.max_opening
@@ -76,7 +77,7 @@ class Pick:
             back = partial(_stay, here.advanced(-self.standoff))
             yield Phase("back", back, wide, away, touches=thing, speed=0.15)
         raised = here.moved(z=self.lift)
-        carrying = thing | {self.support}
+        carrying = thing | below
         yield Phase("lift", lambda w: raised, shut, there, carrying, self.thing, speed=0.2)
         yield Phase("hold", lambda w: raised, shut, waited(0.1), thing, self.thing)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.world import Pose, Thing, World
+from labutopia_lerobot.world import FloatArray, Pose, Thing, World
 
 Target = Callable[[World], Pose]
 """Target pose of the gripper frame, computed from the live world."""
@@ -17,6 +17,10 @@ Condition = Callable[[World, Pose, float], bool]
 
 class PhaseError(UserError, ValueError):
     """A phase that cannot be played; the message names it, says what is wrong, and the cure."""
+
+
+Drive = Callable[[World], FloatArray]
+"""Wanted velocity of a mobile base, in its own frame, shape (3,) [m/s, m/s, rad/s]."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +42,9 @@ class Phase:
         turn_speed: Greatest angular speed of the gripper frame [rad/s].
         timeout_s: The phase has failed after this long [s].
         may_fail: The phase then ends as if it were done, and the skill decides what follows.
+        drive: Velocity of the base, asked for once at every control step; None where it stands. The
+            hand is carried along: a target that is to stay with the base follows
+            `world.robot_base`.
 
     Raises:
         PhaseError: If `target` or `done` cannot be called like that.
@@ -53,6 +60,7 @@ class Phase:
     turn_speed: float = 1.5
     timeout_s: float = 6.0
     may_fail: bool = False
+    drive: Drive | None = None
 
     def __post_init__(self) -> None:
         self._require_callable("target", "(world)")

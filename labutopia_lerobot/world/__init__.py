@@ -1,7 +1,8 @@
 """The read-only view of the simulation that predicates and skills have."""
 
+from labutopia_lerobot.world.floor import Dock, Floor
 from labutopia_lerobot.world.liquid_account import LiquidAccount
-from labutopia_lerobot.world.manipulator import Approach, Manipulator
+from labutopia_lerobot.world.manipulator import Approach, Manipulator, Wheels
 from labutopia_lerobot.world.pose import FloatArray, Pose
 from labutopia_lerobot.world.reading import ON, PRESSED, Reading
 from labutopia_lerobot.world.solution import Solution
@@ -31,7 +32,9 @@ __all__ = [
     "ROOM",
     "Approach",
     "Button",
+    "Dock",
     "FloatArray",
+    "Floor",
     "Graspable",
     "LiquidAccount",
     "Manipulator",
@@ -41,5 +44,6 @@ __all__ = [
     "Solution",
     "Standing",
     "Thing",
+    "Wheels",
     "World",
 ]

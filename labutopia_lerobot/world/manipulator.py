@@ -17,6 +17,44 @@ class Approach:
     pitch: float
 
 
+class Pace(Protocol):
+    """How fast a base may be and become."""
+
+    @property
+    def speed(self) -> float:
+        """Greatest speed, whichever way [m/s]."""
+        ...
+
+    @property
+    def acceleration(self) -> float:
+        """Greatest acceleration, whichever way [m/s^2]."""
+        ...
+
+    @property
+    def turning(self) -> float:
+        """Greatest speed of turning [rad/s]."""
+        ...
+
+    @property
+    def turning_acceleration(self) -> float:
+        """Greatest angular acceleration [rad/s^2]."""
+        ...
+
+
+class Wheels(Protocol):
+    """The view of a base that skills have: its footprint, and how fast it is."""
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Length and width of its footprint [m]."""
+        ...
+
+    @property
+    def limits(self) -> Pace:
+        """How fast it is."""
+        ...
+
+
 class Manipulator(Protocol):
     """The view of the robot that skills have: its hand, and the orientations that suit its arm."""
 
@@ -43,4 +81,9 @@ class Manipulator(Protocol):
     @property
     def handle_approach(self) -> Approach:
         """Approach of the hand to handles, relative to straight into the door or drawer."""
+        ...
+
+    @property
+    def base(self) -> Wheels | None:
+        """What carries it over the floor; None for an arm on a stand."""
         ...

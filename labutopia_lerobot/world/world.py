@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Protocol
 
+from labutopia_lerobot.world.floor import Floor
 from labutopia_lerobot.world.liquid_account import LiquidAccount
 from labutopia_lerobot.world.manipulator import Manipulator
 from labutopia_lerobot.world.pose import FloatArray, Pose
@@ -55,6 +56,24 @@ class World(Protocol):
     @property
     def mobile_base(self) -> Pose | None:
         """Middle of the mobile base on the floor, x forward, z up; None for an arm on a stand."""
+        ...
+
+    @property
+    def base_velocity(self) -> FloatArray:
+        """Velocity of the mobile base, in its own frame; shape (3,), of an arm on a stand (0,).
+
+        Forward and to the left [m/s], and turning to the left [rad/s].
+        """
+        ...
+
+    @property
+    def stowed_hand(self) -> Pose:
+        """Pose of the hand while the robot drives, in the frame of the arm's base."""
+        ...
+
+    @property
+    def floor(self) -> Floor:
+        """Map of the room and places at its benches, for a robot that drives."""
         ...
 
     @property

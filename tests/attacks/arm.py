@@ -23,7 +23,8 @@ class Arm:
     """Commands the hand of an environment's robot; knows its model and nothing of the labware."""
 
     def __init__(self, env: LabEnv) -> None:
-        simulation = env.workcell.simulation
+        self._simulation = simulation = env.workcell.simulation
+        self._roles = simulation.scene.robot.roles
         self._model, self._data = simulation.scene.model, mujoco.MjData(simulation.scene.model)
         self._drives = Drives(self._model, simulation.scene.robot)
         self._site = self._model.site(simulation.scene.robot.gripper.site).id
@@ -34,6 +35,7 @@ class Arm:
     def pose(self) -> Pose:
         """Where the command in force brings the gripper frame."""
         self._drives.place(self._data.qpos, self.command)
+        self._drives.stand(self._data.qpos, self._simulation.base_pose)
         mujoco.mj_kinematics(self._model, self._data)
         mujoco.mj_comPos(self._model, self._data)
         rotation = self._data.site_xmat[self._site].reshape(3, 3)
@@ -55,12 +57,12 @@ class Arm:
         """Keep the hand where it is commanded to be."""
         for _ in range(round(seconds * CONTROL_HZ)):
             if opening is not None:
-                self.command[-1] = opening
+                self.command[self._roles.gripper] = opening
             yield self.command.astype(np.float32)
 
     def at(self, target: Pose, opening: float | None = None) -> NDArray[np.float32]:
         """Return the action that brings the gripper frame to a pose, damped least squares."""
-        dofs, count = self._drives.joint_dofs, len(self.command) - 1
+        dofs, joints = self._drives.joint_dofs, self._roles.joints
         for _ in range(_ROUNDS):
             now, jacobian = self.pose, np.zeros((6, self._model.nv))
             mujoco.mj_jacSite(self._model, self._data, jacobian[:3], jacobian[3:], self._site)
@@ -68,8 +70,8 @@ class Arm:
             error = np.concatenate([target.position_w - now.position_w, turn])
             arm = jacobian[:, dofs]
             damped = arm @ arm.T + _DAMPING**2 * np.eye(6)
-            self.command[:count] += arm.T @ np.linalg.solve(damped, error)
+            self.command[joints] += arm.T @ np.linalg.solve(damped, error)
             self.command = np.clip(self.command, *self._limits)
         if opening is not None:
-            self.command[-1] = opening
+            self.command[self._roles.gripper] = opening
         return self.command.astype(np.float32)

@@ -14,6 +14,7 @@ import pytest
 
 from attacks.arm import Actions, Arm
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.robots.robot import Roles
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.task import DIVERGED
@@ -39,6 +40,11 @@ def slow(*case: object) -> Any:
 def begun(task: str, liquid: str = "off", axes: tuple[str, ...] = ()) -> LabEnv:
     """Return an environment without pictures, with a third of the usual particles."""
     return LabEnv(Setting(task, obs="state", liquid=liquid, particles=300, axes=axes))
+
+
+def roles(env: LabEnv) -> Roles:
+    """Return what the numbers of an action are."""
+    return env.workcell.simulation.scene.robot.roles
 
 
 def outcome(env: LabEnv, play: Play, seed: int) -> dict[str, Any]:
@@ -137,7 +143,7 @@ def _down(arm: Arm, env: LabEnv, speed: float = 0.25) -> Actions:
 def ram_the_bench(env: LabEnv) -> Actions:
     """Drive what is in the hand, or the fist, into the bench, go back and do the task."""
     arm = Arm(env)
-    shut = float(arm.command[-1]) if _held(env) else 0.0
+    shut = float(arm.command[roles(env).gripper]) if _held(env) else 0.0
     home = arm.pose
     yield from chain(arm.stay(0.5, shut), _down(arm, env), arm.go(home), expert(env))
 
@@ -154,7 +160,7 @@ def ram_the_bench_at_the_end(env: LabEnv) -> Actions:
 def never_close_the_hand(env: LabEnv) -> Actions:
     """Do as the expert does, with open fingers."""
     for action in expert(env):
-        action[-1] = env.workcell.world.robot.max_opening
+        action[roles(env).gripper] = env.workcell.world.robot.max_opening
         yield action
 
 
@@ -170,7 +176,7 @@ def drop(env: LabEnv) -> Actions:
         if _held(env):
             since.append(env.workcell.world.time)
         if since and env.workcell.world.time > since[0] + 0.5:
-            action[-1] = env.workcell.world.robot.max_opening
+            action[roles(env).gripper] = env.workcell.world.robot.max_opening
         yield action
 
 
@@ -178,9 +184,10 @@ def shake_while_holding(env: LabEnv) -> Actions:
     """Do the task, and rock what is in the hand by 12 degrees, twice a second, as it counts."""
     yield from until(env, lambda: env.workcell.progress.ever)
     arm, began = Arm(env), env.workcell.world.time
-    level = arm.command[-2]
+    last = roles(env).joints.stop - 1
+    level = arm.command[last]
     for action in arm.stay(60.0):
-        action[-2] = level + 0.2 * np.sin(4 * np.pi * (env.workcell.world.time - began))
+        action[last] = level + 0.2 * np.sin(4 * np.pi * (env.workcell.world.time - began))
         yield action
 
 
@@ -198,7 +205,7 @@ def tremble(env: LabEnv) -> Actions:
     yield from Arm(env).stay(1.0)
     for action in expert(env):
         noise = rng.normal(0.0, 0.0005, len(action))
-        noise[-1] = 0.0
+        noise[roles(env).gripper] = 0.0
         yield action + noise.astype(np.float32)
 
 

@@ -64,6 +64,8 @@ def require_that_it_applies(play: Play, env: LabEnv) -> None:
         fact.name.endswith(" gripped") for fact in task.goal
     ):
         pytest.skip("nothing is in the hand in the end")
+    if play is ram_the_bench and task.drives:
+        pytest.skip("it starts away from every bench: test_driving rams them")
     if play is drop and not any(name.endswith((" gripped", " grasped")) for name in task.facts):
         pytest.skip("nothing is ever held")
 

@@ -25,7 +25,7 @@ from labutopia_lerobot.checks.scenes import training_and_evaluation_splits_share
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenario import canonical_task
-from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.setting import DEFAULT_ROOM, Setting
 
 TEN_EPISODES: set[Check] = {
     the_expert_wins_at_least_nine_of_ten,
@@ -60,6 +60,7 @@ ONE_OF_EACH_LEVEL = (
     "level2/pour_liquid",
     "level3/pick_sizes",
     "level4/clean_beaker",
+    "level5/navigation_and_manipulation",
 )
 
 
@@ -82,9 +83,13 @@ def _environments() -> list[Any]:
 
 @pytest.fixture(params=_environments(), scope="module")
 def env(request: pytest.FixtureRequest) -> LabEnv:
-    """One environment per task, without pictures, and with a third of the usual particles."""
+    """One environment per task, without pictures, and with a third of the usual particles.
+
+    Tasks in which one drives are in one room: to compile a room takes seconds.
+    """
     task, liquid = request.param
-    return LabEnv(Setting(task, obs="state", particles=300, liquid=liquid))
+    room = "organic_7" if canonical_task(Setting(task)).drives else DEFAULT_ROOM
+    return LabEnv(Setting(task, obs="state", particles=300, liquid=liquid, room=room))
 
 
 @pytest.hookimpl(tryfirst=True)  # before pytest selects by marks

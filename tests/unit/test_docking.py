@@ -108,7 +108,7 @@ def test_a_bench_in_another_part_of_the_room_is_out_of_reach():
 
 def test_docks_of_a_room_are_before_its_benches_and_face_them():
     found, occupancy = docks(BRIGHT, RIDGEBACK, RADIUS), room_map(BRIGHT)
-    assert {dock.piece for dock in found} >= {"bench", "wall_bench_1"}
+    assert {dock.bench for dock in found} >= {"bench", "wall_bench_1"}
     for dock in found:
         assert BASE.fits(occupancy, dock.position, dock.yaw)
         ahead = np.array([math.cos(dock.yaw), math.sin(dock.yaw)])
@@ -121,7 +121,7 @@ def test_docks_of_a_room_are_before_its_benches_and_face_them():
 @pytest.mark.slow
 def test_in_ninety_rooms_a_robot_of_the_papers_radius_docks_at_two_benches():
     counts = {
-        name: len({dock.piece for dock in docks(load_plan(name), RIDGEBACK, RADIUS)})
+        name: len({dock.bench for dock in docks(load_plan(name), RIDGEBACK, RADIUS)})
         for name in plan_names()
     }
     assert len(counts) == 100

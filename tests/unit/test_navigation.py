@@ -18,6 +18,7 @@ from labutopia_lerobot.navigation.path_planner import (
     PathPlanner,
     UnreachableGoalError,
 )
+from labutopia_lerobot.navigation.rounding import rounded
 from labutopia_lerobot.navigation.tracking import PathTracker, turning_speed
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
@@ -221,3 +222,13 @@ def test_distances_between_cells_are_those_of_the_map_at_their_middles():
     cells = np.ones(SLALOM.cells.shape, bool)
     found = clearance.at(SLALOM.middles(cells)).reshape(cells.shape)
     assert np.allclose(found, clearance.distances)
+
+
+def test_a_path_stops_at_a_corner_without_room_and_goes_on_round_the_next():
+    """Two corners in a row that are too tight for any bend."""
+    free = np.full((60, 60), 0.6)
+    waypoints = np.array([[0.5, 0.5], [1.0, 0.5], [1.0, 1.0], [1.5, 1.0]])
+    path = rounded(waypoints, Clearance(free, (0.0, 0.0), 0.05, 0.6 + 1e-6), LIMITS)
+    assert path.points[0].tolist() == [0.5, 0.5]
+    assert path.points[-1].tolist() == [1.5, 1.0]
+    assert path.length == pytest.approx(1.5)

@@ -1,0 +1,65 @@
+"""What a robot has driven in an episode, beside its success; it is measured and decides nothing."""
+
+import math
+
+import numpy as np
+
+from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, UnreachableGoalError
+from labutopia_lerobot.skills.skill import PhaseError
+from labutopia_lerobot.skills.way import Way, base_at, dock_for
+from labutopia_lerobot.task import Task
+from labutopia_lerobot.world import FloatArray, World
+
+
+class Journey:
+    """Measures the driving of one episode; `note` it after every step.
+
+    The shortest way is the planner's for the paper's disc, from where the robot starts to the bench
+    of each thing of the task, in the order of its start, the last bit straight in and back out.
+
+    Args:
+        task: The played task; in it one drives.
+        world: Where.
+    """
+
+    def __init__(self, task: Task, world: World) -> None:
+        self._world = world
+        self._way = Way.of(world)
+        self._places = [base_at(world)[0]]
+        self._clearance = math.inf
+        self._shortest = self._shortest_way(task)
+
+    def note(self) -> None:
+        """Look at the world after a control step."""
+        place, _ = base_at(self._world)
+        self._places.append(place)
+        near = float(self._way.planner.clearance.at(place[None])[0])
+        self._clearance = min(self._clearance, near)
+
+    def columns(self, *, success: bool) -> dict[str, float | None]:
+        """Return what a row says of it.
+
+        SPL is that of an episode: 1 for the shortest way, less for a longer one, 0 without success
+        (Anderson et al., 2018, "On Evaluation of Embodied Navigation Agents").
+
+        Args:
+            success: Whether the episode was one.
+        """
+        driven = float(np.hypot(*np.diff(self._places, axis=0).T).sum())
+        shares = {"spl": self._shortest / max(driven, self._shortest) if success else 0.0}
+        lengths = {"m_driven": driven, "m_shortest": self._shortest, "m_clear": self._clearance}
+        numbers = lengths | shares
+        return {n: round(v, 3) if math.isfinite(v) else None for n, v in numbers.items()}
+
+    def _shortest_way(self, task: Task) -> float:
+        here: FloatArray = self._places[0]
+        length = straight = 0.0
+        for thing in task.start:
+            try:
+                dock = dock_for(self._world, thing)
+                length += straight + self._way.path(here, dock.before).length
+            except (BlockedPlaceError, UnreachableGoalError, PhaseError):
+                return math.inf
+            here, straight = dock.before, math.dist(dock.before, dock.position)
+            length += straight
+        return length

@@ -1,0 +1,84 @@
+"""Facts about a robot that drives: where it stands, what it faces, what it carries into."""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from labutopia_lerobot.predicates.predicate import predicate
+from labutopia_lerobot.predicates.vessels import gripped
+from labutopia_lerobot.world import HAND, LEFT_PAD, RIGHT_PAD, FloatArray, Thing, World
+
+REACH = 1.0
+"""Distance at which a base counts as near by 1/e [m] (ours; for `reward=dense` alone)."""
+
+
+@predicate("base within {within:g} m of {thing}")
+def beside(world: World, thing: Thing, *, within: float) -> bool:
+    """Middle of the base is, horizontally, within a distance [m] of the thing."""
+    return _way(world, thing)[0] < within
+
+
+@beside.measure
+def _distance_left(world: World, thing: Thing, *, within: float) -> Mapping[str, float]:
+    return {"mm": 1e3 * _way(world, thing)[0]}
+
+
+@beside.approach
+def _nearness(world: World, thing: Thing, *, within: float) -> float:
+    return math.exp(-max(0.0, _way(world, thing)[0] - within) / REACH)
+
+
+@predicate("base facing {thing} within {within_deg:g} deg")
+def facing(world: World, thing: Thing, *, within_deg: float) -> bool:
+    """Heading of the base is within an angle of the direction from its middle to the thing."""
+    return abs(_way(world, thing)[1]) < math.radians(within_deg)
+
+
+@facing.measure
+def _heading_error(world: World, thing: Thing, *, within_deg: float) -> Mapping[str, float]:
+    return {"deg": math.degrees(abs(_way(world, thing)[1]))}
+
+
+@facing.approach
+def _turned_to(world: World, thing: Thing, *, within_deg: float) -> float:
+    return 1.0 - abs(_way(world, thing)[1]) / math.pi
+
+
+@predicate("base slower than {than:g}")
+def halted(world: World, *, than: float) -> bool:
+    """Base is slower than a speed, along and across [m/s] and turning [rad/s]."""
+    return bool(np.abs(world.base_velocity).max() < than)
+
+
+@predicate("{thing} raised by {by:g} m")
+def raised(world: World, thing: Thing, *, by: float) -> bool:
+    """Base of the thing is more than `by` metres above where it stood at the start."""
+    return _rise(world, thing) > by
+
+
+@raised.approach
+def _height(world: World, thing: Thing, *, by: float) -> float:
+    return min(max(_rise(world, thing) / by, 0.0), 1.0) if by > 0.0 else 1.0
+
+
+def _rise(world: World, thing: Thing) -> float:
+    rise: FloatArray = world.pose(thing).position_w - world.stood(thing).position_w
+    return float(rise[2])
+
+
+@predicate("{thing} carried into anything but benches and {others}")
+def carried_into(world: World, thing: Thing, *others: Thing) -> bool:
+    """The thing, in the grip, touches what is neither hand nor bench nor one of some others."""
+    own = {LEFT_PAD, RIGHT_PAD, HAND, *(dock.bench for dock in world.floor.docks)}
+    met = world.touched_by(thing.name) - own - {other.name for other in others}
+    return bool(met) and gripped(thing).holds(world)
+
+
+def _way(world: World, thing: Thing) -> tuple[float, float]:
+    """Return how far a thing is from the middle of the base [m], and its bearing there [rad]."""
+    base = world.mobile_base
+    if base is None:
+        return math.inf, math.pi
+    x, y, _ = base.inverse().position_w + base.inverse().rotation_w @ world.pose(thing).position_w
+    return math.hypot(x, y), math.atan2(y, x)

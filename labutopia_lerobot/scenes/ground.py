@@ -1,0 +1,41 @@
+"""A furnished room for a robot that drives: its map, places at benches, and what can stand there.
+
+All of it in the frame of a task, in which the room's first work place is where the laboratory's is.
+"""
+
+from dataclasses import dataclass
+
+from labutopia_lerobot.world import Dock, FloatArray, Floor
+
+
+@dataclass(frozen=True, eq=False)
+class Spot:
+    """A place for a thing on a bench, and that of a base whose arm reaches it well.
+
+    Attributes:
+        dock: Where the base stands.
+        position: Of the thing: x, y, and height above the room's first bench, shape (3,) [m].
+    """
+
+    dock: Dock
+    position: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """What of a room a robot gets to.
+
+    Attributes:
+        floor: Map and places at benches.
+        spots: Places for things.
+        starts: Points from which it gets to all of them, shape (n, 2) [m].
+    """
+
+    floor: Floor
+    spots: tuple[Spot, ...]
+    starts: FloatArray
+
+    @property
+    def benches(self) -> tuple[str, ...]:
+        """Benches with places for things, by their names in the world."""
+        return tuple(dict.fromkeys(spot.dock.bench for spot in self.spots))

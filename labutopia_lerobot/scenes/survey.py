@@ -1,0 +1,116 @@
+"""What of a furnished room a robot gets to, found from its plan."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from labutopia_lerobot.navigation.occupancy import Occupancy
+from labutopia_lerobot.navigation.path_planner import RADIUS
+from labutopia_lerobot.robots.mobile_base import MobileBase
+from labutopia_lerobot.scenes.docks import docks, largest_part
+from labutopia_lerobot.scenes.ground import Ground, Spot
+from labutopia_lerobot.scenes.laboratory import LABORATORY
+from labutopia_lerobot.scenes.plan import Placed, Plan
+from labutopia_lerobot.scenes.room_map import frame_around, map_around
+from labutopia_lerobot.scenes.space.boxes import Boxes, joined
+from labutopia_lerobot.scenes.space.claims import claims_of_piece
+from labutopia_lerobot.scenes.space.ware_room import box_of
+from labutopia_lerobot.scenes.within_reach import PREFIX
+from labutopia_lerobot.world import BENCH, Dock, FloatArray, Floor
+
+_AHEAD = (0.50, 0.54, 0.58, 0.62)
+"""Distances of places for things before the base of the arm [m]; ours: those of level 1's pick are
+0.61 to 0.76, and a beaker of 0.25 m further out stays within the reach of 0.855."""
+_LEFT = (-0.08, -0.04, 0.0, 0.04, 0.08)
+"""The same to the left of it [m]; ours: docks are 0.2 m apart."""
+_HAND = ((-0.30, 0.10), (-0.16, 0.45))
+"""Region around a thing that is free of other things, ahead of it and to its left [m]; ours: the
+hand comes to vessels from the left (`Robot.vessel_approach`), with 0.35 m of wrist behind it and
+0.10 m of approach."""
+_HEADROOM = 0.50
+"""Height over the bench that is free there [m]; ours: a beaker in a hand, lifted by 0.25 m."""
+_FOOT = 0.05
+"""Half the width of the level ground that a thing gets [m]; ours: a wide beaker's."""
+_LOWEST, _HIGHEST = 0.6, 1.0
+"""Heights of benches [m], as for docks."""
+
+
+@cache
+def surveyed(plan: Plan, base: MobileBase) -> Ground:
+    """Return what of a furnished room a robot gets to, as the paper's disc of 0.6 m.
+
+    Args:
+        plan: The room; it has a work place.
+        base: Of the robot.
+    """
+    place = plan.work_places[0]
+    turn, moved = frame_around(place)
+    yaw = -math.radians(place.heading)
+
+    def in_world(dock: Dock) -> Dock:
+        return replace(
+            dock,
+            bench=BENCH if dock.bench == place.bench else f"{PREFIX}{dock.bench}",
+            position=turn @ dock.position + moved,
+            before=turn @ dock.before + moved,
+            yaw=math.remainder(dock.yaw + yaw, 2.0 * math.pi),
+        )
+
+    found = [(dock, in_world(dock)) for dock in docks(plan, base, RADIUS)]
+    spots = [
+        Spot(there, np.append(turn @ point[:2] + moved, point[2]))
+        for dock, there in found
+        for point in _points(plan, base, dock)
+    ]
+    occupancy: Occupancy = map_around(plan, place)
+    starts = occupancy.middles(largest_part(occupancy.passable(RADIUS)))
+    floor = Floor(
+        occupancy.cells,
+        occupancy.origin,
+        occupancy.resolution,
+        tuple(there for _, there in found),
+    )
+    return Ground(floor, tuple(spots), starts)
+
+
+def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[FloatArray]:
+    """Yield the places for things that a robot at a dock reaches, shape (3,) [m], room frame.
+
+    Their heights are those above the bench of the work place.
+    """
+    solids, own = _solids(plan), _bench(plan, dock.bench)
+    ahead = np.array([math.cos(dock.yaw), math.sin(dock.yaw)])
+    left = np.array([-ahead[1], ahead[0]])
+    arm = dock.position + base.arm[0] * ahead + base.arm[1] * left
+    for along in _AHEAD:
+        for beside in _LEFT:
+            point = arm + along * ahead + beside * left
+            below = (own.low[:, :2] < point - _FOOT) & (own.high[:, :2] > point + _FOOT)
+            height = own.high[below.all(axis=1), 2].max(initial=0.0)
+            if not _LOWEST <= height <= _HIGHEST:
+                continue
+            (back, front), (right, far_left) = _HAND
+            corners = np.array([point + back * ahead + right * left,
+                                point + front * ahead + far_left * left])  # fmt: skip
+            low, high = corners.min(axis=0), corners.max(axis=0)
+            inside = ((solids.low[:, :2] < high) & (solids.high[:, :2] > low)).all(axis=1)
+            standing = solids.high[:, 2] > height + 0.005
+            if not (inside & standing & (solids.low[:, 2] < height + _HEADROOM)).any():
+                yield np.append(point, height - LABORATORY.bench.height)
+
+
+@cache
+def _solids(plan: Plan) -> Boxes:
+    """Return all that stands in a room, and what opens out of it [m], room frame."""
+    claimed = (claim.room for piece in plan.pieces for claim in claims_of_piece(piece))
+    return joined(*claimed, *(box_of(ware) for ware in plan.ware))
+
+
+@cache
+def _bench(plan: Plan, name: str) -> Boxes:
+    """Return what a piece of a room consists of [m], room frame."""
+    piece: Placed = next(piece for piece in plan.pieces if piece.name == name)
+    return joined(*(claim.room for claim in claims_of_piece(piece) if not claim.what))

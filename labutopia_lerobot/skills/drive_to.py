@@ -1,0 +1,63 @@
+"""Drive to a bench: stow the arm, leave where one is, follow a planned path."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from labutopia_lerobot.navigation.docking import approach_to
+from labutopia_lerobot.navigation.parking import Parking
+from labutopia_lerobot.navigation.tracking import PathTracker
+from labutopia_lerobot.skills.skill import Phase, arrived
+from labutopia_lerobot.skills.way import (
+    AT_REST,
+    Way,
+    base_at,
+    dock_for,
+    in_hand,
+    parking,
+    stowed,
+)
+from labutopia_lerobot.world import Pose, Thing, World
+
+
+@dataclass(frozen=True)
+class DriveTo:
+    """Navigation as in the paper: a map, A* over it, key waypoints, which the base follows.
+
+    It ends where the robot can turn as a disc, straight behind the place from which its arm reaches
+    the thing.
+
+    Attributes:
+        thing: What to drive to.
+        carrying: Thing in the hand, if any.
+    """
+
+    thing: Thing
+    carrying: Thing | None = None
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        """Yield stow, leave (if the base stands too near to something to turn) and drive."""
+        hand = in_hand(world, self.carrying)
+        yield Phase("stow", stowed, done=arrived(within=0.01), timeout_s=10.0, **hand)
+        way = Way.of(world)
+        position, yaw = base_at(world)
+        if not way.planner.free(position):
+            out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
+            yield parking("leave", Parking(out, yaw, way.limits), hand)
+        dock = dock_for(world, self.thing)
+        path = way.path(base_at(world)[0], dock.before)
+        tracker = PathTracker(path, way.limits)
+
+        def there(world: World, target: Pose, elapsed: float) -> bool:
+            still = bool(np.abs(world.base_velocity).max() < AT_REST)
+            return tracker.arrived(base_at(world)[0], within=0.02) and still
+
+        yield Phase(
+            "drive",
+            stowed,
+            done=there,
+            drive=lambda w: tracker.velocity(*base_at(w)),
+            timeout_s=15.0 + 4.0 * path.duration(way.limits),
+            **hand,
+        )

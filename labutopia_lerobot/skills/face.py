@@ -1,0 +1,33 @@
+"""Turn to face a thing on a bench, and go in to where the arm reaches it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from labutopia_lerobot.navigation.parking import Parking
+from labutopia_lerobot.skills.skill import Phase
+from labutopia_lerobot.skills.way import Way, base_at, dock_for, in_hand, parking
+from labutopia_lerobot.world import Thing, World
+
+_IN = 0.4
+"""Share of the base's speeds with which it goes in; ours: centimetres before furniture."""
+
+
+@dataclass(frozen=True)
+class Face:
+    """The paper's "controlled orientation adjustment", and the last half metre to the bench.
+
+    Attributes:
+        thing: What to face.
+        carrying: Thing in the hand, if any.
+    """
+
+    thing: Thing
+    carrying: Thing | None = None
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        """Yield turn and dock."""
+        hand, dock = in_hand(world, self.carrying), dock_for(world, self.thing)
+        limits = Way.of(world, _IN).limits
+        yield parking("turn", Parking(base_at(world)[0], dock.yaw, limits), hand)
+        yield parking("line up", Parking(dock.before, dock.yaw, limits), hand)
+        yield parking("dock", Parking(dock.position, dock.yaw, limits), hand)

@@ -1,0 +1,152 @@
+"""What skills that drive share: where the base is, how fast it goes, which place suits a thing."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import TypedDict
+
+import numpy as np
+
+from labutopia_lerobot.navigation.docking import FloorRectangle
+from labutopia_lerobot.navigation.occupancy import Occupancy
+from labutopia_lerobot.navigation.parking import Parking
+from labutopia_lerobot.navigation.path import DrivingLimits, Path
+from labutopia_lerobot.navigation.path_planner import RADIUS, PathPlanner
+from labutopia_lerobot.skills.skill import Phase, PhaseError
+from labutopia_lerobot.world import Dock, FloatArray, Pose, Thing, Wheels, World
+
+_SHARE = 0.6
+"""Share of the base's speeds and accelerations that experts use; ours: what is in a beaker stays
+there."""
+AT_REST = 0.01
+"""Speed below which the base stands [m/s and rad/s]; ours."""
+_REACHED = (0.45, 0.70)
+"""Distances ahead of the arm's base at which it takes things well [m]; ours, as
+`scenes.survey`."""
+
+
+@dataclass(frozen=True)
+class Way:
+    """A base in a room: map, limits, and how it drives there.
+
+    Attributes:
+        occupancy: Map of the room.
+        planner: Plans over it for the paper's disc.
+        footprint: Of the base.
+        limits: How fast it is to go.
+    """
+
+    occupancy: Occupancy
+    planner: PathPlanner
+    footprint: FloorRectangle
+    limits: DrivingLimits
+
+    @classmethod
+    def of(cls, world: World, share: float = _SHARE) -> "Way":
+        """Return that of a world.
+
+        Args:
+            world: Its robot has a base.
+            share: Of the base's speeds and accelerations.
+        """
+        floor, wheels = world.floor, wheels_of(world)
+        pace = wheels.limits
+        limits = DrivingLimits(
+            share * pace.speed,
+            share * pace.acceleration,
+            share * pace.turning,
+            share * pace.turning_acceleration,
+        )
+        occupancy = Occupancy(floor.cells, floor.origin, floor.resolution)
+        planner = PathPlanner.of(occupancy, limits)
+        return cls(occupancy, planner, FloorRectangle(*wheels.size), limits)
+
+    def path(self, start: FloatArray, goal: FloatArray) -> Path:
+        """Return the path from a point to another, both of shape (2,) [m], world frame.
+
+        It is planned for the paper's disc, or for one that is as much narrower as the base has
+        stopped short of where that has room.
+        """
+        room = float(self.planner.clearance.at(start[None])[0])
+        narrower = replace(self.planner.clearance, radius=min(RADIUS, room))
+        return replace(self.planner, clearance=narrower).plan(start, goal)
+
+
+def wheels_of(world: World) -> Wheels:
+    """Return the base of the robot.
+
+    Raises:
+        PhaseError: If it has none.
+    """
+    if world.robot.base is None:
+        raise PhaseError("A skill drives, but the robot has no base: choose one that has")
+    return world.robot.base
+
+
+def base_at(world: World) -> tuple[FloatArray, float]:
+    """Return where the middle of the base is, shape (2,) [m], and its heading [rad], world."""
+    base = world.mobile_base
+    assert base is not None
+    return base.position_w[:2], math.atan2(base.x_axis[1], base.x_axis[0])
+
+
+def dock_for(world: World, thing: Thing) -> Dock:
+    """Return the place at a bench from which the arm reaches a thing best.
+
+    Raises:
+        PhaseError: If there is none: nobody can drive there.
+    """
+    point = world.pose(thing).position_w[:2]
+    wheels_of(world)
+    base = world.mobile_base
+    assert base is not None
+    arm, _, _ = (base.inverse() @ world.robot_base).position_w
+    best, least = None, math.inf
+    for dock in world.floor.docks:
+        c, s = math.cos(dock.yaw), math.sin(dock.yaw)
+        x, y = point - dock.position
+        ahead, left = c * x + s * y - arm, c * y - s * x
+        if _REACHED[0] <= ahead <= _REACHED[1] and abs(left) < least:
+            best, least = dock, abs(left)
+    if best is None or least > 0.15:
+        raise PhaseError(
+            f"No place at a bench of the room from which '{thing.name}' is within reach can be "
+            "driven to"
+        )
+    return best
+
+
+def stowed(world: World) -> Pose:
+    """Return where the hand is while the robot drives."""
+    return world.robot_base @ world.stowed_hand
+
+
+class InHand(TypedDict):
+    """What phases say of the hand while the robot drives."""
+
+    opening: float
+    touches: frozenset[str]
+    holds: Thing | None
+
+
+def in_hand(world: World, thing: Thing | None) -> InHand:
+    """Return what phases say of the hand that holds a thing, or nothing."""
+    if thing is None:
+        return InHand(opening=world.robot.max_opening, touches=frozenset(), holds=None)
+    return InHand(opening=world.commanded_opening, touches=frozenset({thing.name}), holds=thing)
+
+
+def parking(name: str, way: Parking, hand: InHand) -> Phase:
+    """Return the phase in which the base goes straight to a place and stops there, arm stowed."""
+
+    def there(world: World, target: Pose, elapsed: float) -> bool:
+        still = bool(np.abs(world.base_velocity).max() < AT_REST)
+        return still and way.arrived(*base_at(world), within=0.01, within_rad=0.015)
+
+    return Phase(
+        name,
+        stowed,
+        done=there,
+        drive=lambda world: way.velocity(*base_at(world)),
+        timeout_s=15.0,
+        **hand,
+    )

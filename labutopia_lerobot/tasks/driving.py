@@ -1,0 +1,93 @@
+"""What a robot does that drives, as steps of level 5 (paper, appendix, "Level 5").
+
+The paper gives no number for it: heading, distance and lift are ours.
+"""
+
+from labutopia_lerobot.predicates import (
+    Predicate,
+    beside,
+    carried_into,
+    facing,
+    gripped,
+    halted,
+    raised,
+)
+from labutopia_lerobot.skills import DriveTo, Face, Pick
+from labutopia_lerobot.task import Step, Substep
+from labutopia_lerobot.world import Graspable, Thing
+
+NEAR = 1.5
+"""Greatest distance of the base from a thing that it has driven to [m]; ours: from there it goes
+straight in (paper: "a position near the target beaker")."""
+AT_HAND = 1.1
+"""The same where it has halted at the bench [m]; ours: 0.80 m from the arm, which reaches 0.855."""
+FACING = 10.0
+"""Greatest angle of its heading from the direction to the thing [deg]; ours (paper: "face the
+object")."""
+HALTED = 0.02
+"""Speed below which it has halted [m/s and rad/s]; ours (paper: "halts navigation")."""
+LIFT = 0.20
+"""Least lift from where a thing stood [m]; ours here: the paper's of levels 1 to 3."""
+
+
+def navigate(to: Thing, *, carrying: Graspable | None = None) -> Step:
+    """Navigate: drive to near a thing and halt (paper: "steadily at a position near").
+
+    Args:
+        to: What to drive to.
+        carrying: Thing in the hand, if any.
+    """
+    there = (beside(to, within=NEAR), halted(than=HALTED))
+    return Step(
+        "navigate",
+        (DriveTo(to, carrying),),
+        (Substep("arrived", (*there, *_held(carrying))),),
+        _touched(carrying),
+    )
+
+
+def face(thing: Thing, *, carrying: Graspable | None = None) -> Step:
+    """Face: turn to a thing and go in to where the arm reaches it (paper: "controlled turn").
+
+    Args:
+        thing: What to face.
+        carrying: Thing in the hand, if any.
+    """
+    faced = (facing(thing, within_deg=FACING), halted(than=HALTED), *_held(carrying))
+    return Step(
+        "face",
+        (Face(thing, carrying),),
+        (Substep("faced", faced), Substep("at_hand", (*faced, beside(thing, within=AT_HAND)))),
+        _touched(carrying),
+    )
+
+
+def pick(thing: Graspable) -> Step:
+    """Pick: grasp a thing from whatever it stands on and lift it (paper: "securely grasp")."""
+    held = gripped(thing)
+    return Step(
+        "pick",
+        (Pick(thing, lift=LIFT + 0.05, support=None),),
+        (Substep("gripped", (held,)), Substep("lifted", (held, raised(thing, by=LIFT)))),
+        (thing,),
+    )
+
+
+def collisions(load: Graspable, *others: Thing) -> dict[str, Predicate]:
+    """Return what must not happen to what is carried (paper: "no collisions").
+
+    Those of the robot itself no task forgives.
+
+    Args:
+        load: Thing that is carried.
+        *others: What it may touch.
+    """
+    return {"load_collided": carried_into(load, *others)}
+
+
+def _held(thing: Graspable | None) -> tuple[Predicate, ...]:
+    return () if thing is None else (gripped(thing),)
+
+
+def _touched(thing: Graspable | None) -> tuple[Graspable, ...]:
+    return () if thing is None else (thing,)

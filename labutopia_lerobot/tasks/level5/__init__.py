@@ -1,0 +1,1 @@
+"""Level 5: mobile manipulation (paper, "Level 5: Mobile Manipulation Tasks")."""

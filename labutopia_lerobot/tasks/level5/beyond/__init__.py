@@ -1,0 +1,1 @@
+"""Level 5, beyond the paper: further tasks in which a robot drives."""

@@ -1,0 +1,167 @@
+"""Tasks in which one drives: what an episode draws, and what is refused before one begins."""
+
+import math
+
+import numpy as np
+import pytest
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.layout import OnSomeBench, sample_base, sample_layout
+from labutopia_lerobot.navigation.occupancy import Occupancy
+from labutopia_lerobot.navigation.parking import Parking
+from labutopia_lerobot.navigation.path_planner import PathPlanner
+from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.robots.ridgeback import RIDGEBACK
+from labutopia_lerobot.scenario import NeedsBaseError, canonical_task, draw_scenario
+from labutopia_lerobot.scenes import NowhereToDriveError, load_room, rooms_to_drive_in
+from labutopia_lerobot.scenes.ground import Ground
+from labutopia_lerobot.scenes.plans import load_plan, plan_names
+from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.skills.way import Way, base_at, dock_for
+from labutopia_lerobot.world import BENCH, CONTROL_HZ
+
+PICK, TRANSPORT = "level5/navigation_and_manipulation", "level5/transport_between_areas"
+DRIVING = [task for task in task_files() if canonical_task(Setting(task)).drives]
+
+
+@pytest.fixture(scope="module")
+def ground() -> Ground:
+    return load_room("organic_7").ground(RIDGEBACK)
+
+
+@pytest.fixture(scope="module")
+def env() -> LabEnv:
+    return LabEnv(Setting(PICK, obs="state", room="organic_7"))
+
+
+def test_the_tasks_of_level_5_drive_with_the_robot_of_the_paper():
+    assert set(DRIVING) >= {PICK, TRANSPORT}
+    for task in task_files():
+        drives = task in DRIVING
+        assert Setting(task).robot == ("ridgeback_panda" if drives else "panda")
+    assert Setting("level1/pick", robot="ridgeback_panda").robot == "ridgeback_panda"
+
+
+@pytest.mark.parametrize("robot", ["panda", "iiwa"])
+def test_an_arm_on_a_stand_is_refused_where_one_drives(robot):
+    with pytest.raises(NeedsBaseError, match=f"robot={robot} .* Choose from: ridgeback_panda"):
+        canonical_task(Setting(PICK, robot=robot))
+
+
+def test_a_room_without_enough_benches_is_refused_by_name():
+    with pytest.raises(NowhereToDriveError, match="'biology_9' has 0 of the 1 benches"):
+        canonical_task(Setting(PICK, room="biology_9"))
+    with pytest.raises(NowhereToDriveError, match=r"'biology_5' has 1 of the 2 .* organic_7"):
+        canonical_task(Setting(TRANSPORT, room="biology_5"))
+    assert canonical_task(Setting(PICK, room="biology_5")).drives
+
+
+def test_every_episode_draws_a_room_and_tests_are_in_families_of_their_own():
+    train, test = rooms_to_drive_in()
+    assert len(train) + len(test) >= 40
+    families = [{name.rpartition("_")[0] for name in names} for names in (train, test)]
+    assert not families[0] & families[1]
+    for split, names in (("train", train), ("id", train), ("ood", test)):
+        setting = Setting(PICK, split=split)
+        rooms = {draw_scenario(setting, seed).variation.room for seed in range(30)}
+        assert rooms <= set(names)
+        assert len(rooms) > 5
+    assert draw_scenario(Setting(PICK, room="organic_7"), 0).variation.room is None
+
+
+@pytest.mark.slow
+def test_the_rooms_to_drive_in_are_those_with_two_benches():
+    fit = [
+        name
+        for name in plan_names()
+        if load_plan(name).work_places and len(load_room(name).ground(RIDGEBACK).benches) >= 2
+    ]
+    assert sorted(fit) == sorted((*rooms_to_drive_in()[0], *rooms_to_drive_in()[1]))
+
+
+def test_things_stand_on_benches_of_their_own_and_the_base_where_it_gets_to_all(ground):
+    one, other = glassware("beaker", "250 ml", "one"), glassware("beaker", "250 ml", "other")
+    floor = ground.floor
+    occupancy = Occupancy(floor.cells, floor.origin, floor.resolution)
+    planner = PathPlanner.of(occupancy, RIDGEBACK.limits)
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        layout = sample_layout({one: OnSomeBench(), other: OnSomeBench()}, rng, ground)
+        assert len({placement.bench for placement in layout.values()}) == 2
+        assert all((placement.height == 0.0) == (placement.bench == BENCH)
+                   for placement in layout.values())  # fmt: skip
+        start = sample_base(ground, layout, rng)[:2]
+        for placement in layout.values():
+            there = (placement.x, placement.y)
+            assert math.dist(start, there) > 2.0
+            docks = [dock for dock in floor.docks if dock.bench == placement.bench]
+            dock = min(docks, key=lambda dock: math.dist(dock.position, there))
+            assert math.dist(dock.position, there) < 1.1
+            assert planner.plan(start, dock.before).length > 0.5
+
+
+def test_an_episode_begins_with_the_arm_stowed_and_the_base_where_it_was_drawn(env):
+    places = []
+    for seed in range(3):
+        env.reset(seed=seed)
+        world = env.workcell.world
+        away = world.gripper.distance_to(world.robot_base @ world.stowed_hand)
+        assert away < 0.002
+        places.append(base_at(world)[0])
+        (beaker,) = env.workcell.task.start
+        assert dock_for(world, beaker).bench in world.touched_by(beaker.name)
+    assert math.dist(places[0], places[1]) > 0.1
+
+
+def test_the_stowed_arm_is_over_the_disc_that_plans_are_for(env):
+    env.reset(seed=0)
+    simulation, (here, _) = env.workcell.simulation, base_at(env.workcell.world)
+    scene, data = simulation.scene, simulation.data
+    parts = [scene.groups.index(name) for name in ("arm", "hand", "left_pad", "right_pad")]
+    geoms = [g for g in np.flatnonzero(scene.model.geom_contype)
+             if scene.group_of_geom[g] in parts]  # fmt: skip
+    signs = np.array(np.meshgrid(*([-1.0, 1.0],) * 3)).reshape(3, -1).T
+    for geom in geoms:
+        box = scene.model.geom_aabb[geom]
+        corners = (box[:3] + signs * box[3:]) @ data.geom_xmat[geom].reshape(3, 3).T
+        assert np.hypot(*((corners + data.geom_xpos[geom])[:, :2] - here).T).max() < 0.6
+
+
+def test_the_hand_keeps_its_place_on_the_base_while_that_drives(env):
+    env.reset(seed=0)
+    world, script = env.workcell.world, env.expert()
+    script.start()
+    off, fast = 0.0, 0.0
+    while script.label != "face/dock":
+        env.step(script.act())
+        off = max(off, world.gripper.distance_to(world.robot_base @ world.stowed_hand))
+        fast = max(fast, float(np.abs(world.base_velocity[:2]).max()))
+    assert fast > 0.4
+    assert off < 0.01
+    assert not script.unexpected
+
+
+def test_parking_ends_at_rest_where_it_was_bidden():
+    goal, yaw = np.array([1.0, -0.5]), 2.0
+    way = Parking(goal, yaw, RIDGEBACK.limits)
+    position, heading, last = np.zeros(2), 0.0, np.zeros(2)
+    most = RIDGEBACK.limits.acceleration / CONTROL_HZ
+    for _ in range(10 * CONTROL_HZ):
+        velocity = way.velocity(position, heading)
+        c, s = math.cos(heading), math.sin(heading)
+        over_floor = np.array([[c, -s], [s, c]]) @ velocity[:2]
+        assert np.hypot(*(over_floor - last)) <= most + 1e-9
+        position = position + over_floor / CONTROL_HZ
+        heading, last = heading + velocity[2] / CONTROL_HZ, over_floor
+    assert way.arrived(position, heading, within=0.005, within_rad=0.01)
+    assert np.abs(last).max() < 0.01
+
+
+def test_a_way_begins_where_the_base_stopped_short_of_its_room(env):
+    env.reset(seed=0)
+    way, (dock, *_, last) = Way.of(env.workcell.world), env.workcell.world.floor.docks
+    ahead = np.array([math.cos(dock.yaw), math.sin(dock.yaw)])
+    short = dock.before + 0.01 * ahead
+    assert not way.planner.free(short)
+    assert way.path(short, last.before).length > 0.2
