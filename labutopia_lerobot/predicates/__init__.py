@@ -17,6 +17,7 @@ from labutopia_lerobot.predicates.damage import (
     pressed_out_of_turn,
 )
 from labutopia_lerobot.predicates.dissolved import (
+    clouded,
     colour_turned,
     concentration,
     dissolved,
@@ -77,6 +78,7 @@ __all__ = [
     "broken",
     "clear_of",
     "closed",
+    "clouded",
     "collided",
     "colour_turned",
     "concentration",

@@ -19,6 +19,7 @@ from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 from labutopia_lerobot.skills.take_pipette import TakePipette
 from labutopia_lerobot.skills.titrate import Titrate
+from labutopia_lerobot.skills.try_each import TryEach
 from labutopia_lerobot.skills.turn_knob import TurnKnob
 from labutopia_lerobot.skills.wait import WaitUntil, WaitUntilDue, WaitUntilReads
 
@@ -42,6 +43,7 @@ __all__ = [
     "Stir",
     "TakePipette",
     "Titrate",
+    "TryEach",
     "TurnKnob",
     "WaitUntil",
     "WaitUntilDue",
