@@ -24,7 +24,7 @@ from labutopia_lerobot.predicates import (
     struck,
 )
 from labutopia_lerobot.scenario import Draw
-from labutopia_lerobot.scenes.views import BURETTE_VIEW
+from labutopia_lerobot.scenes.views import TITRATION_VIEW
 from labutopia_lerobot.skills import Titrate
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Step, Substep, Task
@@ -117,5 +117,5 @@ def titrate(draw: Draw) -> Task:
         },
         needs_liquid=True,
         time_limit_s=150.0,  # ours
-        view=BURETTE_VIEW,
+        view=TITRATION_VIEW,
     )
