@@ -198,7 +198,7 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
             *([f"{vessel.name}.fill" for vessel in _vessels(piece)] if task.contents else []),
             *(
                 [f"{v.name}.{part}" for v in _vessels(piece) for part in SOLUTION_NAMES]
-                if any(filling.dissolved for filling in task.contents.values())
+                if any(filling.reacts for filling in task.contents.values())
                 else []
             ),
         )

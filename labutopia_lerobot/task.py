@@ -271,7 +271,7 @@ class Task:
         Raises:
             NeedsLiquidError: If the task needs its liquid.
         """
-        dissolving = [vessel.name for vessel, held in self.contents.items() if held.dissolved]
+        dissolving = [vessel.name for vessel, held in self.contents.items() if held.reacts]
         if dissolving:
             raise NeedsLiquidError(
                 f"liquid=off: the task '{self.instruction}' has solutions in "

@@ -82,3 +82,28 @@ def energy(simulation: Simulation) -> float:
     heat = capacities(what.amounts, liquid.substances, liquid.volume) @ what.temperatures
     formed = (what.contents.sum(axis=0) + liquid.solutions.given_off.sum(axis=0)) @ enthalpies
     return float(heat + formed)
+
+
+def bring(simulation: Simulation, origin: str, into: str | None, ml: float) -> None:
+    """Put some of what a vessel holds into another one, or away, and let it mix for a minute.
+
+    Args:
+        simulation: What it is in.
+        origin: The vessel it is taken from; a burette too.
+        into: The vessel it is put into; None for away.
+        ml: How much, at most.
+    """
+    liquid, handling = liquid_of(simulation), simulation.apparatus.liquid
+    assert handling is not None
+    holder, count = liquid.names.index(origin), round(1e-6 * ml / liquid.volume)
+    if liquid.kept.count(holder):
+        portion = liquid.kept.take(holder, count, last=False)
+    else:
+        portion = liquid.take(np.flatnonzero(liquid.origins == holder)[:count])
+    if into is not None:
+        grid = np.arange(len(portion.origins))
+        places = np.column_stack([grid % 5 - 2, grid // 5 % 5 - 2, 10 + grid // 25])
+        positions = simulation.data.body(into).xpos + 0.004 * places
+        liquid.add(positions, np.zeros_like(positions), portion)
+    simulation.account = liquid.take_account()
+    mix(simulation, 60.0)

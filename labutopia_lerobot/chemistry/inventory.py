@@ -105,17 +105,18 @@ class Inventory:
         self._settled = lru_cache(maxsize=64)(self._settle)
 
     @classmethod
-    def of(cls, solutions: Iterable[Sequence[Solute]]) -> "Inventory":
+    def of(cls, solutions: Iterable[Sequence[Solute]], solids: Iterable[str] = ()) -> "Inventory":
         """Return the inventory of solutions that may be poured together.
 
         Args:
             solutions: The solutes of each vessel.
+            solids: Keys of the species that lie in them beside.
 
         Raises:
             NotDissolvedError: A compound does not dissolve, or not as much of it.
         """
         keys = {key for solutes in solutions for key in made_up(solutes)}
-        return cls(_reachable(keys | {WATER, PROTON}))
+        return cls(_reachable(keys | {WATER, PROTON, *solids}))
 
     def row(self, amounts: Mapping[str, float]) -> Floats:
         """Return amounts as a row, shape (species,).

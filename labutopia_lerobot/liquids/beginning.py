@@ -24,14 +24,14 @@ class Beginning:
     Attributes:
         fillings: All of them.
         substances: All that there are, each once.
-        solutions: All that is dissolved in them; None where nothing is.
+        solutions: All that is dissolved in them, or will be; None where nothing is.
         room: How warm the room is [K].
     """
 
     def __init__(self, fillings: Sequence[Filling], names: Sequence[str], particle: float) -> None:
         self.fillings = tuple(fillings)
         self.substances = tuple(dict.fromkeys(filling.substance for filling in fillings))
-        chemical = any(filling.dissolved for filling in fillings)
+        chemical = any(filling.reacts for filling in fillings)
         self.solutions = Solutions(fillings, names, particle) if chemical else None
         self.room = AMBIENT
         self._own = np.full(len(names), np.nan)
@@ -58,6 +58,23 @@ class Beginning:
         if self.solutions is not None:
             contents = self.solutions.contents([filling for _, filling in held])
         return Portion(origins, origins.copy(), self.temperatures(origins), amounts, contents)
+
+    def strew(
+        self, what: Portion, heights: FloatArray, held: Sequence[tuple[int, Filling]]
+    ) -> None:
+        """Put crystals on the bottom of the vessels that have some, in place.
+
+        Args:
+            what: The particles, as `fresh` returned them.
+            heights: Where they have come to rest, shape (n,) [m].
+            held: As of `fresh`.
+        """
+        for origin, filling in dict.fromkeys(held):
+            if self.solutions is not None and filling.crystals:
+                there = np.flatnonzero(what.origins == origin)
+                contents = what.contents[there]
+                self.solutions.strew(contents, heights[there], filling)
+                what.contents[there] = contents
 
     def temperatures(self, origins: NDArray[np.int64]) -> FloatArray:
         """Return how warm particles begin: as their filling says, or else as the room [K]."""

@@ -11,11 +11,15 @@ from labutopia_lerobot.liquids.temperature import capacities, mix, warmth
 from labutopia_lerobot.liquids.vortex import stir
 from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
 from labutopia_lerobot.substances.filling import Dispenser
-from labutopia_lerobot.world import FloatArray, Pose
+from labutopia_lerobot.world import FloatArray, Pose, Solution
 
 _REACH = 1.0
 """How far from the next particle a point still lies in the liquid, in spacings; ours: in a lattice
 it is 0.87 at most, and above a level surface it ends half a spacing over it."""
+
+_AROUND = 2.0
+"""How far around a point its liquid reaches, in spacings; ours: some 30 particles, a drop of 2 ml
+in a scene of 60 ml."""
 
 
 class Handling(LiquidHandling):
@@ -53,6 +57,18 @@ class Handling(LiquidHandling):
     def near(self, point_w: FloatArray) -> Stock | None:
         near = self._within_reach(point_w)
         return self._of(self._liquid.amounts[near[0]], len(near)) if len(near) else None
+
+    @override
+    def solution_at(self, point_w: FloatArray) -> Solution | None:
+        liquid, near = self._liquid, self._within_reach(point_w, _AROUND)
+        if liquid.solutions is None or not len(self._within_reach(point_w)):
+            return None
+        vessel = int(liquid.accounted[near[0]])
+        if vessel < 0:
+            return None
+        near = near[liquid.accounted[near] == vessel]
+        weights = self._capacities()[near]
+        return liquid.solutions.solution(vessel, liquid.what.part(near), weights)
 
     @override
     def gather(self, vessel: str) -> None:

@@ -153,8 +153,7 @@ class Liquid:
     ) -> None:
         """Fill vessels, where they are and as they stand, and let the liquid come to rest in them.
 
-        What there was before is taken away. What is in a squeeze bottle waits there until it is
-        dispensed, what is in a burette until it is let out.
+        What there was before is taken away. Squeeze bottles and burettes keep theirs until let out.
 
         Args:
             contents: What each vessel holds; together they are all the liquid there is.
@@ -185,6 +184,7 @@ class Liquid:
         for _ in range(_SETTLE_STEPS if len(self.positions) else 0):
             self._advance()
             self.velocities *= _SETTLE_DAMPING
+        self._beginning.strew(self._what, self.positions[:, 2], held)
 
     def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
         """Let out of a bottle what its wall displaces, as fast as the spout lets it through.

@@ -14,6 +14,7 @@ from labutopia_lerobot.chemistry.inventory import Inventory
 from labutopia_lerobot.chemistry.network import PROTON
 from labutopia_lerobot.chemistry.palette import Palette
 from labutopia_lerobot.chemistry.speciation import ph_of
+from labutopia_lerobot.liquids.dissolving import Dissolving
 from labutopia_lerobot.liquids.mixing import mixed_share
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.settling import let_sink, sinking_speeds
@@ -39,11 +40,14 @@ class Solutions:
     """
 
     def __init__(self, fillings: Sequence[Filling], names: Sequence[str], particle: float) -> None:
-        self.inventory = Inventory.of([filling.dissolved for filling in fillings])
+        crystals = [one for filling in fillings for one in filling.crystals]
+        solids = [one.species for one in crystals]
+        self.inventory = Inventory.of([filling.dissolved for filling in fillings], solids)
+        self._dissolving = Dissolving(crystals, self.inventory)
         self._particle = particle
         self._layer = particle ** (1 / 3)
         self._palette = Palette(self.inventory.species)
-        self._sinking = sinking_speeds(self.inventory.species)
+        self._sinking = sinking_speeds(self.inventory.species, self._dissolving.grains)
         self._floats = np.array([key.endswith("(s)") for key in self.inventory.species])
         self._filled = {
             filling.dissolved: self.inventory.filled(filling.dissolved, particle)
@@ -61,6 +65,16 @@ class Solutions:
         """Return what particles hold that come from fillings, shape (m, species) [mol]."""
         rows = [self._filled[filling.dissolved] for filling in fillings]
         return np.array(rows).reshape(-1, self._shape[1])
+
+    def strew(self, contents: FloatArray, heights: FloatArray, filling: Filling) -> None:
+        """Put the crystals of a filling on the bottom of its vessel, in place.
+
+        Args:
+            contents: Amounts of each species that its particles hold, shape (m, species) [mol].
+            heights: Of the particles, shape (m,) [m].
+            filling: What the vessel holds.
+        """
+        self._dissolving.strew(contents, heights, self._layer, filling.crystals)
 
     def restore(self, state: FloatArray) -> FloatArray:
         """Go back to what had left as gas, as `Liquid.state` begins; return what follows it."""
@@ -96,8 +110,14 @@ class Solutions:
             held = np.flatnonzero(inside == vessel)
             own, weights, speed = contents[held], capacities[held], float(speeds[vessel])
             warm = float(weights @ what.temperatures[held] / weights.sum())
+            if self._dissolving.columns.any() and own[:, self._dissolving.columns].any():
+                heat = self._dissolving.dissolve(
+                    own, contents.sum(axis=0), self._particle, warm, speed, period
+                )
+                contents[held] = own
+                what.temperatures[held] += heat / weights.sum()
             mean = _mean(own)
-            goal, why = inventory.settled(mean, self._particle, warm)
+            goal, why = self._settled(mean, warm)
             self.unreacted = tuple(dict.fromkeys([*self.unreacted, *([why] if why else [])]))
             if mean[self._floats].any():
                 solids = own[:, self._floats]
@@ -131,7 +151,7 @@ class Solutions:
             return Solution.nothing(gas)
         warm = float(capacities @ what.temperatures / capacities.sum())
         mean = _mean(contents)
-        goal, _ = inventory.settled(mean, self._particle, warm)
+        goal, _ = self._settled(mean, warm)
         end, everything = _where_it_is(contents, mean, goal, self._floats), ~inventory.watery
         apart = np.abs(contents - end)[:, everything].sum()
         total = (contents + end)[:, everything].sum()
@@ -147,6 +167,12 @@ class Solutions:
             mixed=1.0 - float(apart / total) if total else 1.0,
             colour=self._palette.colour(mean / self._particle),
         )
+
+    def _settled(self, mean: FloatArray, temperature: float) -> tuple[FloatArray, str]:
+        """Return what becomes of a particle, shape (species,) [mol], and why not; crystals stay."""
+        crystals = np.where(self._dissolving.columns, mean, 0.0)
+        goal, why = self.inventory.settled(mean - crystals, self._particle, temperature)
+        return goal + crystals, why
 
     def looks(self, contents: FloatArray) -> FloatArray:
         """Return colour and opacity of particles, shape (n, 4), each in [0, 1]."""

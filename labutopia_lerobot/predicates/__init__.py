@@ -18,6 +18,7 @@ from labutopia_lerobot.predicates.damage import (
     pressed_out_of_turn,
 )
 from labutopia_lerobot.predicates.dissolved import (
+    clouded,
     colour_turned,
     concentration,
     dissolved,
@@ -80,6 +81,7 @@ __all__ = [
     "carried_into",
     "clear_of",
     "closed",
+    "clouded",
     "collided",
     "colour_turned",
     "concentration",

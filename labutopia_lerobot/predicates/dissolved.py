@@ -87,3 +87,10 @@ def dissolved(world: World, vessel: Thing) -> bool:
     """What a vessel holds has mixed and is clear: no solid is left, and none has formed."""
     solution = _mixed(world, vessel)
     return solution is not None and sum(solution.solids.values()) < _CLOUDY * solution.volume
+
+
+@predicate("{vessel} clouded")
+def clouded(world: World, vessel: Thing) -> bool:
+    """What a vessel holds has mixed, and a solid floats in it or lies on its bottom."""
+    solution = _mixed(world, vessel)
+    return solution is not None and sum(solution.solids.values()) >= _CLOUDY * solution.volume

@@ -76,6 +76,10 @@ class Predicate:
         """Return the fact that this one does not hold: `~gripped(flask)`."""
         return Predicate(f"not ({self.name})", _neither, ((self,), {}))
 
+    def __and__(self, other: "Predicate") -> "Predicate":
+        """Return the fact that both hold."""
+        return Predicate(f"{self.name} and {other.name}", _both, ((self, other), {}))
+
     def __or__(self, other: "Predicate") -> "Predicate":
         """Return the fact that this one holds, or the other, or both."""
         return Predicate(f"{self.name} or {other.name}", _either, ((self, other), {}))
@@ -83,6 +87,10 @@ class Predicate:
 
 def _neither(world: World, fact: Predicate) -> bool:
     return not fact.holds(world)
+
+
+def _both(world: World, first: Predicate, second: Predicate) -> bool:
+    return first.holds(world) and second.holds(world)
 
 
 def _either(world: World, first: Predicate, second: Predicate) -> bool:

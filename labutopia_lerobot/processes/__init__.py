@@ -1,5 +1,6 @@
 """Processes: things that pieces do by themselves, and the readings that they give."""
 
+from labutopia_lerobot.processes.electrode import PhElectrode
 from labutopia_lerobot.processes.energy_regulator import EnergyRegulator
 from labutopia_lerobot.processes.heat import DoorGap, HeatZone, ThermalMass
 from labutopia_lerobot.processes.heat_exchange import HeatExchange
@@ -24,6 +25,7 @@ __all__ = [
     "HeatExchange",
     "HeatZone",
     "LiquidHandling",
+    "PhElectrode",
     "Probe",
     "Process",
     "ProcessError",

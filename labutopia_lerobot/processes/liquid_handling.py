@@ -3,7 +3,7 @@
 from typing import NamedTuple, Protocol
 
 from labutopia_lerobot.substances.filling import Dispenser
-from labutopia_lerobot.world import FloatArray, Pose
+from labutopia_lerobot.world import FloatArray, Pose, Solution
 
 
 class Stock(NamedTuple):
@@ -52,6 +52,13 @@ class LiquidHandling(Protocol):
 
     def near(self, point_w: FloatArray) -> Stock | None:
         """Return the liquid that a point lies in, if it lies in any that is in motion."""
+        ...
+
+    def solution_at(self, point_w: FloatArray) -> Solution | None:
+        """Return what is dissolved around a point in a vessel, as if that alone had mixed.
+
+        None where it lies in no vessel's liquid, or nothing is dissolved in the scene.
+        """
         ...
 
     def gather(self, vessel: str) -> None:

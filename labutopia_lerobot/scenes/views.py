@@ -123,6 +123,13 @@ BURETTE_VIEW = View(
 """From the left, past the arm, where a burette is in view from its mouth to the flask below it; and
 overhead."""
 
+TITRATION_VIEW = View(
+    front=CameraPose((-0.20, 0.95, 1.85), (0.66, -1.03, -0.93), _UP, 27.0),
+    top=CameraPose((0.42, 0.0, 2.3), (0.0, 0.0, -1.0), _FORWARD, 25.0),
+)
+"""Over the hand at a burette's wing, near enough for the display of the pH meter behind it; and
+overhead."""
+
 PIPETTE_VIEW = View(
     front=CameraPose((1.10, -0.75, 1.45), (-0.88, 0.80, -0.50), _UP, 27.0),
     top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 31.0),

@@ -81,7 +81,7 @@ def compile_scene(
     standing = (*pieces, *room.pieces)
     processes = tuple(process for piece in standing for process in piece.processes)
     contents = contents or {}
-    reacts = any(filling.dissolved for filling in contents.values())
+    reacts = any(filling.reacts for filling in contents.values())
     processes += warm_processes(pieces, processes, robot.gripper.body, reacts=reacts)
     # MuJoCo keeps what it is given here with its state: the commands that act, then the processes.
     spec.nuserdata = SPAN * len(robot.elements) + slots_of(processes)
@@ -178,7 +178,7 @@ def _drawing(
     volume = sum(filling.volume for filling in contents.values()) / particles
     colors = {filling.of: filling.substance.rgba for filling in contents.values()}
     name, spacing = " and ".join(colors), volume ** (1 / 3)
-    painted = any(filling.dissolved for filling in contents.values())
+    painted = any(filling.reacts for filling in contents.values())
     return LiquidDrawing.add_to(
         spec, name, list(colors.values()), spacing, particles, skin, painted
     )

@@ -20,6 +20,8 @@ from labutopia_lerobot.skills.shake import Shake
 from labutopia_lerobot.skills.squeeze import Squeeze
 from labutopia_lerobot.skills.stir import Stir
 from labutopia_lerobot.skills.take_pipette import TakePipette
+from labutopia_lerobot.skills.titrate import Titrate
+from labutopia_lerobot.skills.try_each import TryEach
 from labutopia_lerobot.skills.turn_knob import TurnKnob
 from labutopia_lerobot.skills.wait import WaitUntil, WaitUntilDue, WaitUntilReads
 
@@ -44,6 +46,8 @@ __all__ = [
     "Squeeze",
     "Stir",
     "TakePipette",
+    "Titrate",
+    "TryEach",
     "TurnKnob",
     "WaitUntil",
     "WaitUntilDue",

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.skills.posture import UP, upright_in_hand
 from labutopia_lerobot.skills.skill import Phase, Target, arrived, carrier, waited
 from labutopia_lerobot.world import OpenVessel, Pose, Thing, World
@@ -18,12 +19,13 @@ class Stir:
     Attributes:
         rod: The rod in the hand; the origin of its frame is its tip.
         vessel: Where to stir.
-        turns: How often the tip goes round.
+        turns: How often the tip goes round, at most where something is waited for.
         radius: Radius of the circle as a share of the mouth's (original: 9 mm of 28 mm).
         turn_s: How long one turn takes [s] (original: 3.5).
         bottom_gap: Height of the tip above the base of the vessel while stirring [m].
         rise: How far the rod is lifted at first [m].
         clearance: Height of the tip above the mouth at the end [m].
+        until: What is waited for, if anything.
     """
 
     rod: Thing
@@ -34,6 +36,7 @@ class Stir:
     bottom_gap: float = 0.012
     rise: float = 0.02
     clearance: float = 0.10
+    until: Predicate | None = None
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield lift, over, insert, circle, retract and hold."""
@@ -50,12 +53,15 @@ class Stir:
         deep = mouth - self.vessel.height + self.bottom_gap
         yield Phase("insert", self._tip_at(world, deep), shut, there, inside, rod, speed=0.12)
         circling = self._tip_circling(world, deep)
-        done = waited(self.turns * self.turn_s)
         timeout_s = 2 * self.turns * self.turn_s
-        yield Phase("circle", circling, shut, done, inside, rod, timeout_s=timeout_s)
+        yield Phase("circle", circling, shut, self._stirred, inside, rod, timeout_s=timeout_s)
         out = self._tip_at(world, mouth + self.clearance)
         yield Phase("retract", out, shut, there, inside, rod, speed=0.12)
         yield Phase("hold", out, shut, waited(0.1), own, rod)
+
+    def _stirred(self, world: World, target: Pose, elapsed: float) -> bool:
+        until = self.until
+        return elapsed >= self.turns * self.turn_s or (until is not None and until.holds(world))
 
     def _tip_at(self, world: World, height: float) -> Target:
         """Return the gripper pose with the tip on the vessel's axis, `height` [m] up the world."""

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
+from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.inventory import Solute
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.substances.substance import ZERO_C, Substance, substance
@@ -89,12 +90,14 @@ class Filling:
             as the room.
         dissolved: Its solutes. Where any filling of a task has something, all that its
             vessels hold can react.
+        crystals: What lies on the bottom, not dissolved yet; with it too all can react.
     """
 
     ml: float
     of: str = "water"
     celsius: float | None = None
     dissolved: tuple[Solute, ...] = ()
+    crystals: tuple[Crystals, ...] = ()
 
     @property
     def substance(self) -> Substance:
@@ -104,6 +107,11 @@ class Filling:
             UnknownSubstanceError: There is none of that name.
         """
         return substance(self.of)
+
+    @property
+    def reacts(self) -> bool:
+        """Whether something is dissolved in it, or will be."""
+        return bool(self.dissolved or self.crystals)
 
     @property
     def volume(self) -> float:

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import combinations
 
 from labutopia_lerobot.chemistry.course import ReactionVessel, charge_of
+from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.hazards import refuse
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute, made_up
 from labutopia_lerobot.chemistry.refusals import ChemistryError
@@ -28,7 +29,7 @@ def require_possible_solutions[Present: Thing](
         ImpossibleFillingError: Something does not dissolve, or not as much of it; another solvent
             than water is in the scene; solutions of two vessels are dangerous together or boil.
     """
-    if not any(filling.dissolved for filling in contents.values()):
+    if not any(filling.reacts for filling in contents.values()):
         return
     for vessel, filling in contents.items():
         if filling.substance != WATER:
@@ -37,6 +38,11 @@ def require_possible_solutions[Present: Thing](
                 "vessel of this task, and water is the only solvent that the chemistry knows. Fill "
                 "it with water, or dissolve nothing"
             )
+        for crystals in filling.crystals:
+            try:
+                crystals.require_known()
+            except ChemistryError as error:
+                raise ImpossibleFillingError(f"{task}, {vessel.name}: {error}") from error
         _require(task, [vessel], {filling: filling.volume}, "Dissolve less of it, or another")
     for both in combinations(contents, 2):
         volumes: dict[Filling, float] = {}
@@ -58,15 +64,19 @@ def _require(
 
 def _faults(volumes: Mapping[Filling, float]) -> Iterator[str]:
     """Yield what is wrong with solutions that are poured together, by their volumes [m^3]."""
-    solutes: dict[Solute, None] = {s: None for filling in volumes for s in filling.dissolved}
+    solutes: dict[Solute | Crystals, None] = {}
     total = sum(volumes.values())
     amounts: dict[str, float] = {}
     for filling, volume in volumes.items():
+        solutes |= dict.fromkeys(filling.dissolved) | dict.fromkeys(filling.crystals)
         for key, mol in made_up(filling.dissolved).items():
             amounts[key] = amounts.get(key, 0.0) + mol * volume
+        for one in filling.crystals:
+            amounts[one.species] = amounts.get(one.species, 0.0) + one.mol
     vessel = ReactionVessel(total, _ROOM, slow=False)
     refuse(charge_of([solute.compound for solute in solutes], amounts, vessel))
-    inventory = Inventory.of([filling.dissolved for filling in volumes])
+    solids = [one.species for filling in volumes for one in filling.crystals]
+    inventory = Inventory.of([filling.dissolved for filling in volumes], solids)
     before = inventory.row(amounts)
     after, why = inventory.settled(before, total, _ROOM)
     if why:

@@ -81,12 +81,15 @@ def add_moving(
         friction: Dry friction [N m or N].
         damping: Of its grease [N m s/rad or N s/m].
         balanced: Whether a counterweight or a gas spring carries it.
-        begins: Angle of a hinge at which an episode begins [rad].
+        begins: Position at which an episode begins [rad or m].
 
     Returns:
         The body.
     """
-    if begins:
+    if begins and slides:
+        x, y, z = (place + begins * part for place, part in zip(pos, axis, strict=True))
+        pos = (x, y, z)
+    elif begins:
         turn = Rotation.from_quat(quat, scalar_first=True)
         turn *= Rotation.from_rotvec([begins * part for part in axis])
         w, x, y, z = (float(part) for part in turn.as_quat(scalar_first=True))

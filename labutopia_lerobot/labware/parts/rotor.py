@@ -55,6 +55,7 @@ class Rotor:
         axis: Vector = (0, 0, 1),
         *,
         balanced: bool = False,
+        begins: float = 0.0,
     ) -> mujoco.MjsBody:
         """Hang its body, still without forms, into its bearings.
 
@@ -64,6 +65,7 @@ class Rotor:
             pos: Where its origin is [m].
             axis: About which it turns, a unit vector.
             balanced: Whether a spring carries it.
+            begins: Angle at which an episode begins [rad].
 
         Returns:
             The body, turned as the box is.
@@ -76,6 +78,7 @@ class Rotor:
             pos,
             axis,
             balanced=balanced,
+            begins=begins,
             endless=self.widest == 2 * math.pi,
             friction=friction,
             damping=0.0 if self.stall else 0.1 * self.effort,

@@ -63,6 +63,7 @@ class Slide:
         along: Vector,
         *,
         balanced: bool = False,
+        begins: float = 0.0,
     ) -> mujoco.MjsBody:
         """Hang its body, still without forms, into its guides.
 
@@ -72,6 +73,7 @@ class Slide:
             pos: Where its origin starts [m].
             along: The way it goes, a unit vector.
             balanced: Whether a counterweight or a spring carries it.
+            begins: Travel at which an episode begins [m].
 
         Returns:
             The body, turned as the box is.
@@ -86,6 +88,7 @@ class Slide:
             friction=self.friction,
             damping=4.0 * self.friction,
             balanced=balanced,
+            begins=begins,
         )
         if self.stall:
             self.motor.add_to(spec)
@@ -109,6 +112,7 @@ class Sash(Slide):
         along: Vector = (0.0, 0.0, 1.0),
         *,
         balanced: bool = True,
+        begins: float = 0.0,
     ) -> mujoco.MjsBody:
         """Hang its body into its guides; see `Slide.add_to`."""
-        return super().add_to(spec, box, pos, along, balanced=balanced)
+        return super().add_to(spec, box, pos, along, balanced=balanced, begins=begins)

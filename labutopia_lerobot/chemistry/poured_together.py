@@ -1,0 +1,28 @@
+"""What solutions are once they have been poured together: what a task is judged by, beforehand."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from labutopia_lerobot.chemistry.inventory import Inventory, Solute
+from labutopia_lerobot.chemistry.speciation import ph_of
+
+_ROOM = 293.15
+"""Temperature of the room [K]."""
+
+
+def ph_together(parts: Iterable[tuple[Sequence[Solute], float]]) -> float:
+    """Return the pH of solutions in water that have been poured together and stirred.
+
+    Args:
+        parts: Of each its solutes and its volume [ml].
+
+    Raises:
+        NotDissolvedError: A compound does not dissolve, or not as much of it.
+    """
+    held = [(solutes, 1e-6 * ml) for solutes, ml in parts]
+    inventory = Inventory.of([solutes for solutes, _ in held])
+    rows = [inventory.filled(solutes, volume) for solutes, volume in held]
+    total = sum(volume for _, volume in held)
+    settled, _ = inventory.settled(np.sum(rows, axis=0), total, _ROOM)
+    return ph_of(inventory.amounts(settled), total)

@@ -1,0 +1,96 @@
+"""Crystals on the bottom of vessels: where they lie at first, and how they go into solution."""
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labutopia_lerobot.chemistry.crystals import Crystals
+from labutopia_lerobot.chemistry.inventory import Inventory
+from labutopia_lerobot.world import FloatArray
+
+_TREMBLE = 0.006
+"""Mean speed up to which a vessel is at rest [m/s]; ours: its particles have 0.005 then."""
+
+
+class Dissolving:
+    """The crystals of a scene.
+
+    Args:
+        crystals: All that are filled in; of one salt they are of one size.
+        inventory: The species.
+
+    Attributes:
+        columns: Which species they are, shape (species,).
+    """
+
+    def __init__(self, crystals: Iterable[Crystals], inventory: Inventory) -> None:
+        self._crystals: dict[int, Crystals] = {}
+        self._filled: dict[int, float] = {}
+        self._made: dict[int, FloatArray] = {}
+        for one in crystals:
+            column = inventory.species.index(one.species)
+            self._crystals[column] = one
+            self._filled[column] = self._filled.get(column, 0.0) + one.mol
+            self._made[column] = inventory.row(one.dissolves_into)
+        self.columns: NDArray[np.bool_] = np.zeros(len(inventory.species), dtype=bool)
+        self.columns[list(self._crystals)] = True
+        self._inventory = inventory
+
+    @property
+    def grains(self) -> dict[str, float]:
+        """Diameter of a grain by species [m]."""
+        return {one.species: 1e-3 * one.grain_mm for one in self._crystals.values()}
+
+    def strew(
+        self, contents: FloatArray, heights: FloatArray, layer: float, crystals: Iterable[Crystals]
+    ) -> None:
+        """Put crystals into what is lowest in a vessel, in place.
+
+        Args:
+            contents: Amounts of each species that its particles hold, shape (m, species) [mol].
+            heights: Of the particles, shape (m,) [m].
+            layer: Height of a layer [m].
+            crystals: What is put in.
+        """
+        lowest = np.flatnonzero(heights < heights.min() + layer)
+        for one in crystals:
+            contents[lowest, self._inventory.species.index(one.species)] += one.mol / len(lowest)
+
+    def dissolve(
+        self,
+        own: FloatArray,
+        everything: FloatArray,
+        volume: float,
+        temperature: float,
+        speed: float,
+        period: float,
+    ) -> float:
+        """Let crystals of a vessel go into solution where they are, in place; return the heat [J].
+
+        As fast as `Crystals.rate` has it, less as the solution comes near to saturation.
+
+        Args:
+            own: Amounts that its particles hold, shape (m, species) [mol].
+            everything: Amounts that all particles of the scene hold, shape (species,) [mol].
+            volume: Of a particle [m^3].
+            temperature: Of the vessel's liquid [K].
+            speed: Mean speed in the vessel [m/s].
+            period: Time [s].
+        """
+        mean: FloatArray = own.mean(axis=0)
+        heat = 0.0
+        for column, one in self._crystals.items():
+            if not mean[column]:
+                continue
+            goal, _ = self._inventory.settled(mean, volume, temperature)
+            soluble = max(0.0, 1.0 - float(goal[column] / mean[column]))
+            left = float(everything[column]) / self._filled[column]
+            rate = one.rate(left, max(0.0, speed - _TREMBLE))
+            going = -soluble * math.expm1(-rate * period) * own[:, column]
+            own += np.outer(going, self._made[column])
+            own[:, column] -= going
+            enthalpies = self._inventory.enthalpies
+            heat += float(going.sum() * (enthalpies[column] - self._made[column] @ enthalpies))
+        return heat
