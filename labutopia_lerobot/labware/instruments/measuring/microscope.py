@@ -31,6 +31,7 @@ class Microscope(Instrument):
     size = (0.313, 0.179, 0.432)
     mass = 6.5
     source = "230 x 330 x 420 mm, stage of 140 mm, travel 75 x 50 mm, as usual; from memory"
+    left_out = "no light, no image"
 
     @property
     def focus(self) -> Rotor:

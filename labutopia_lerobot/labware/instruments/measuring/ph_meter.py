@@ -33,6 +33,7 @@ class PhMeter(Instrument):
     size = (0.200, 0.392, 0.396)
     mass = 1.6
     source = "180 x 200 x 80 mm, electrode of 12 x 150 mm, as usual; from memory"
+    left_out = "it measures nothing"
 
     @property
     def arm(self) -> Rotor:

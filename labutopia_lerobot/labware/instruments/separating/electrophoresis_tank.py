@@ -30,6 +30,7 @@ class ElectrophoresisTank(Instrument):
     size = (0.263, 0.313, 0.103)
     mass = 3.2
     source = "tank of 150 x 250 x 90 mm, supply of 120 x 230 x 100 mm, as usual; from memory"
+    left_out = "no current flows, no band moves"
 
     @property
     def lid(self) -> Slide:
