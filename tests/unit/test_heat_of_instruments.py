@@ -266,3 +266,46 @@ def test_an_ultrasonic_bath_is_heated_by_its_heater_and_by_its_sound():
     warm_up(simulation, 300.0)
     by_both = celsius(simulation, "it_water") - ROOM - by_sound
     assert by_both == pytest.approx(200.0 * 300.0 / water, rel=0.05)
+
+
+def test_a_current_follows_ohm_heats_the_buffer_and_stops_when_the_lid_is_lifted():
+    tank, simulation = (
+        instrument("electrophoresis_tank", "it"),
+        alone(instrument("electrophoresis_tank", "it")),
+    )
+    turn(simulation, tank.voltage.joint, 0.5 * tank.voltage.widest)
+    assert celsius(simulation, "it_current") == 0.0
+    turn(simulation, tank.power.joint, tank.power.widest)
+    assert celsius(simulation, "it_current") == pytest.approx(125.0)  # 150 V over 1200 ohm
+    warm_up(simulation, 600.0)
+    capacity, watt = 1.2 * 0.997 * 4182.0, 150.0**2 / 1200.0
+    rise = celsius(simulation, "it_buffer") - ROOM
+    assert rise == pytest.approx(watt * 600.0 / capacity, rel=0.05)
+    turn(simulation, tank.lid.joint, 0.02)
+    assert celsius(simulation, "it_current") == 0.0
+
+
+def test_a_freezer_is_cold_below_a_refrigerator_and_only_its_own_door_warms_it():
+    piece = instrument("refrigerator", "it")
+    simulation = alone(piece)
+    warm_up(simulation, 60.0)
+    assert celsius(simulation, "it_freezer_thermometer") == pytest.approx(-18.0, abs=2.0)
+    turn(simulation, piece.lower.joint, math.radians(80.0))
+    warm_up(simulation, 60.0)
+    assert celsius(simulation, "it_freezer_thermometer") > -15.0
+    assert celsius(simulation, "it_thermometer") == pytest.approx(4.0, abs=2.0)
+
+
+@pytest.mark.parametrize(
+    ("kind", "part"), [("microscope", "light"), ("laminar_flow_bench", "light")]
+)
+def test_a_lamp_shines_as_its_knob_or_its_switch_says(kind, part):
+    piece = instrument(kind, "it")
+    simulation = alone(piece)
+    lamp, control = simulation.scene.model.geom("it_lamp"), getattr(piece, part)
+    simulation.apparatus.show()
+    dark = lamp.rgba[:3].sum()
+    turn(simulation, control.joint, control.widest)
+    simulation.apparatus.show()
+    assert celsius(simulation, "it_lamp") == 1.0
+    assert lamp.rgba[:3].sum() > 1.5 * dark
