@@ -1,5 +1,6 @@
 """`python scripts/make_instruments.py`: `docs/instruments.md`, every instrument shut and open."""
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -48,12 +49,14 @@ def _lines() -> Iterator[str]:
     yield "Made by `python scripts/make_instruments.py` from `labware/instruments`; do not edit."
     yield "Left: shut; right: all that moves opened. The bar on the floor is 100 mm long. Size is"
     yield 'depth x width x height with all that stands out. "From memory" means that no'
-    yield "catalogue was at hand."
+    yield 'catalogue was at hand. "Works" names the processes that remember something, buttons'
+    yield "excepted; what is passive does nothing in reality either. In *italics*: what a real one"
+    yield "does besides and this one does not."
     yield ""
     yield f"{len(catalogue())} kinds. `labware.instrument_catalogue.instrument(kind)` makes one."
     yield ""
-    yield "| | kind | what it is | size [mm], mass [kg] | moves | source |"
-    yield "| --- | --- | --- | --- | --- | --- |"
+    yield "| | kind | what it is | size [mm], mass [kg] | moves | works | source |"
+    yield "| --- | --- | --- | --- | --- | --- | --- |"
     for kind in catalogue():
         piece = instrument(kind)
         assert isinstance(piece, Equipment)
@@ -66,9 +69,19 @@ def _lines() -> Iterator[str]:
             summary(type(piece)),
             f"{size}, {piece.mass:g}{'' if piece.movable else ' (fixed)'}",
             ", ".join(moves),
+            _works(piece),
             piece.source,
         )
         yield f"| {' | '.join(cell(column) for column in columns)} |"
+
+
+def _works(piece: Equipment) -> str:
+    if piece.passive:
+        return "passive"
+    read = (*piece.works, *(display.of for display in piece.displays))
+    kinds = dict.fromkeys(type(process).__name__ for process in read if process.slots)
+    words = ", ".join(re.sub(r"(?<!^)(?=[A-Z])", " ", kind).lower() for kind in kinds)
+    return "; ".join(filter(None, (words, piece.left_out and f"*{piece.left_out}*")))
 
 
 def _part(kind: str, name: str) -> str:
@@ -100,6 +113,7 @@ def picture(kind: str) -> Image.Image:
                 model.jnt_qposadr[j[gear]] for j in (model.eq_obj1id, model.eq_obj2id)
             )
             data.qpos[follower] = np.polyval(model.eq_data[gear, 4::-1], data.qpos[leader])
+        apparatus.show()
         points = np.vstack([shut, *_visible_points(model, data), [[low[0] - 0.035, 0.0, low[2]]]])
         _aim(model, points.min(axis=0), points.max(axis=0))
         mujoco.mj_forward(model, data)
@@ -131,7 +145,8 @@ def _visible_points(model: mujoco.MjModel, data: mujoco.MjData) -> list[NDArray[
     mujoco.mj_kinematics(model, data)
     clouds = []
     for geom in range(model.ngeom):
-        if model.geom_bodyid[geom] and model.geom_group[geom] <= 2:
+        seen = model.geom_group[geom] <= 2 and model.geom_rgba[geom, 3] > 0.0
+        if model.geom_bodyid[geom] and seen:
             if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_MESH:
                 mesh = model.geom_dataid[geom]
                 start = model.mesh_vertadr[mesh]

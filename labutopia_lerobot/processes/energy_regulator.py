@@ -18,15 +18,16 @@ class EnergyRegulator(Process):
         name: What its reading is called.
         heats: Name of the thermal mass that its heater is in.
         watt: Power of the heater [W].
-        share: Name of the reading, from 0 to 1, that says which share of it is wanted.
-        switch: Name of the reading that is 1 while it is on.
+        switch: Name of the reading that is 1 while it is on, or the time [s] that it stays on.
+        share: Name of the reading, from 0 to 1, that says which share of it is wanted; all of it
+            if none is named.
     """
 
     name: str
     heats: str
     watt: float
-    share: str
     switch: str
+    share: str = ""
 
     @override
     def step(self, apparatus: Apparatus) -> None:
@@ -38,4 +39,5 @@ class EnergyRegulator(Process):
     @override
     def reading(self, apparatus: Apparatus) -> Reading:
         on = apparatus.reading(self.switch).value > 0.5
-        return Reading(self.watt * apparatus.reading(self.share).value if on else 0.0, "W")
+        share = apparatus.reading(self.share).value if self.share else 1.0
+        return Reading(self.watt * share if on else 0.0, "W")

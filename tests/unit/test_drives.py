@@ -28,6 +28,7 @@ RAMPS = {
     "rocking_shaker": (60, 20),
     "rotary_evaporator": (280, 56),
     "stirring_hot_plate": (1500, 250),
+    "transfer_pump": (300, 300),
     "tube_roller": (80, 40),
     "viscometer": (200, 100),
     "vortex_mixer": (3000, 3000),

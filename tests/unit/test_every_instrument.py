@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from labutopia_lerobot.labware.instrument_catalogue import catalogue, instrument
+from labutopia_lerobot.labware.parts.dials import Unmeasured
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
@@ -61,7 +62,8 @@ def corners(model: mujoco.MjModel) -> NDArray[np.float64]:
     """Return points around all that is seen, shape (n, 3), world frame [m]."""
     data, points = mujoco.MjData(model), []
     mujoco.mj_forward(model, data)
-    for geom in np.flatnonzero((model.geom_group == VISUAL_GROUP) & (model.geom_bodyid > 0)):
+    seen = (model.geom_group == VISUAL_GROUP) & (model.geom_bodyid > 0)
+    for geom in np.flatnonzero(seen & (model.geom_rgba[:, 3] > 0)):  # no flame that is not lit
         if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_MESH:
             mesh = model.geom_dataid[geom]
             start = model.mesh_vertadr[mesh]
@@ -97,6 +99,19 @@ def test_it_says_what_it_is_and_where_its_sizes_are_from(kind):
     assert piece.mass > 0
     assert piece == instrument(kind)
     assert hash(piece) == hash(instrument(kind))
+
+
+@every
+def test_it_does_something_by_itself_or_says_that_it_does_not(kind):
+    piece = instrument(kind)
+    remembers = any(process.slots for process in piece.processes)
+    if piece.passive:
+        assert not piece.processes
+        assert not piece.left_out
+    else:
+        assert remembers or piece.left_out
+    if any(isinstance(display.of, Unmeasured) for display in piece.displays):
+        assert piece.left_out
 
 
 @every

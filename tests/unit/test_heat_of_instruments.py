@@ -2,16 +2,25 @@
 
 import math
 
+import mujoco
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 from heat_bench import alone, celsius, turn, warm_up
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.labware.instruments.muffle_furnace import MuffleFurnace
+from labutopia_lerobot.layout import Placement
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import DOOR_VIEW
+from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
+from labutopia_lerobot.substances.filling import Filling
 
 ROOM = 20.0
+BEAKER = glassware("beaker", "150 ml")
 
 
 def switched_on(kind: str, share: float) -> Simulation:
@@ -173,3 +182,130 @@ def test_a_cold_furnace_has_neither_switch_nor_temperature():
     piece = MuffleFurnace("it", set_to=None)
     assert piece.processes == ()
     assert piece.joints == (piece.door.joint,)
+
+
+def flame_under_a_beaker(kind: str) -> Simulation:
+    """Return 100 ml of water in a beaker on a tripod, a burner below it that burns fully."""
+    burner, tripod = instrument(kind, "burner"), instrument("tripod", "tripod")
+    pieces = [burner, tripod, BEAKER]
+    scene = compile_scene(pieces, PANDA, LABORATORY, DOOR_VIEW, {BEAKER: Filling(100.0)}, 200)
+    simulation = Simulation(scene)
+    gauze = tripod.gauze.at[2] + 0.0005
+    simulation.reset(
+        {
+            burner: Placement(0.4, 0.0, 0.0),
+            tripod: Placement(0.4, 0.0, 0.0),
+            BEAKER: Placement(0.4, 0.0, 0.0, height=gauze),
+        }
+    )
+    simulation.fill(np.random.default_rng(0))
+    for part in burner.mechanisms:
+        turn(simulation, part.joint, part.widest)
+    mujoco.mj_kinematics(simulation.scene.model, simulation.data)
+    return simulation
+
+
+@pytest.mark.parametrize(("kind", "watt"), [("bunsen_burner", 1200.0), ("alcohol_lamp", 250.0)])
+def test_a_flame_heats_what_stands_above_it_as_its_power_and_its_gases_have_it(kind, watt):
+    simulation = flame_under_a_beaker(kind)
+    warm_up(simulation, 60.0)
+    assert celsius(simulation, "burner_flame") == watt
+    foot = math.pi * BEAKER.profile.outer[0][0] ** 2
+    inner = BEAKER.profile.inner_radius(BEAKER.profile.fill_height(100e-6))
+    wetted = math.pi * inner**2 + 2 * 100e-6 / inner
+    outside = 2 * math.pi * BEAKER.profile.outer[0][0] * BEAKER.height
+
+    def rates(_: float, y: np.ndarray) -> list[float]:
+        gases, glass, water = y
+        onto, into = 80.0 * foot * (gases - glass), 500.0 * wetted * (glass - water)
+        lost = 10.0 * outside * (glass - ROOM)  # a wall that is a little warm
+        return [
+            (watt - watt / 1930.0 * (gases - ROOM) - onto) / 5.0,
+            (onto - into - lost) / (BEAKER.mass * 830.0),
+            into / (100e-6 * 997.0 * 4182.0),
+        ]
+
+    expected = solve_ivp(rates, (0.0, 60.0), [ROOM] * 3, rtol=1e-6, max_step=0.5).y[2, -1]
+    now = celsius(simulation, f"{BEAKER.name}_temperature")
+    assert now - ROOM == pytest.approx(expected - ROOM, rel=0.03)
+    assert 0.10 < (now - ROOM) * 417.0 / (60.0 * watt) < 0.35  # a burner heats the room as well
+
+
+def test_a_flame_is_seen_where_it_burns_and_its_colour_tells_whether_it_gets_air():
+    simulation, burner = alone(instrument("bunsen_burner", "it")), instrument("bunsen_burner", "it")
+    flame = simulation.scene.model.geom("it_flame")
+    simulation.apparatus.show()
+    assert flame.rgba[3] == 0.0
+    turn(simulation, burner.gas.joint, burner.gas.widest)
+    simulation.apparatus.show()
+    assert flame.rgba[3] > 0.3
+    assert flame.rgba[0] > flame.rgba[2]
+    turn(simulation, burner.air.joint, burner.air.widest)
+    simulation.apparatus.show()
+    assert flame.rgba[2] > flame.rgba[0]
+
+
+def test_the_cap_puts_an_alcohol_lamp_out():
+    simulation, lamp = alone(instrument("alcohol_lamp", "it")), instrument("alcohol_lamp", "it")
+    assert celsius(simulation, "it_flame") == 0.0
+    turn(simulation, lamp.cap.joint, lamp.cap.widest)
+    assert celsius(simulation, "it_flame") == pytest.approx(0.3 * 250.0)
+    turn(simulation, lamp.cap.joint, 0.0)
+    assert celsius(simulation, "it_flame") == 0.0
+
+
+def test_an_ultrasonic_bath_is_heated_by_its_heater_and_by_its_sound():
+    simulation, bath = alone(instrument("ultrasonic_bath", "it")), instrument("ultrasonic_bath")
+    water = 0.158 * 0.278 * 0.080 * 997.0 * 4182.0
+    running = simulation.apparatus.processes["it_left"]
+    simulation.apparatus.memory(running)[0] = 300.0
+    warm_up(simulation, 300.0)
+    by_sound = celsius(simulation, "it_water") - ROOM
+    assert by_sound == pytest.approx(80.0 * 300.0 / water, rel=0.03)
+    turn(simulation, f"it_{bath.heat.joint.removeprefix('ultrasonic_bath_')}", bath.heat.widest)
+    warm_up(simulation, 300.0)
+    by_both = celsius(simulation, "it_water") - ROOM - by_sound
+    assert by_both == pytest.approx(200.0 * 300.0 / water, rel=0.05)
+
+
+def test_a_current_follows_ohm_heats_the_buffer_and_stops_when_the_lid_is_lifted():
+    tank, simulation = (
+        instrument("electrophoresis_tank", "it"),
+        alone(instrument("electrophoresis_tank", "it")),
+    )
+    turn(simulation, tank.voltage.joint, 0.5 * tank.voltage.widest)
+    assert celsius(simulation, "it_current") == 0.0
+    turn(simulation, tank.power.joint, tank.power.widest)
+    assert celsius(simulation, "it_current") == pytest.approx(125.0)  # 150 V over 1200 ohm
+    warm_up(simulation, 600.0)
+    capacity, watt = 1.2 * 0.997 * 4182.0, 150.0**2 / 1200.0
+    rise = celsius(simulation, "it_buffer") - ROOM
+    assert rise == pytest.approx(watt * 600.0 / capacity, rel=0.05)
+    turn(simulation, tank.lid.joint, 0.02)
+    assert celsius(simulation, "it_current") == 0.0
+
+
+def test_a_freezer_is_cold_below_a_refrigerator_and_only_its_own_door_warms_it():
+    piece = instrument("refrigerator", "it")
+    simulation = alone(piece)
+    warm_up(simulation, 60.0)
+    assert celsius(simulation, "it_freezer_thermometer") == pytest.approx(-18.0, abs=2.0)
+    turn(simulation, piece.lower.joint, math.radians(80.0))
+    warm_up(simulation, 60.0)
+    assert celsius(simulation, "it_freezer_thermometer") > -15.0
+    assert celsius(simulation, "it_thermometer") == pytest.approx(4.0, abs=2.0)
+
+
+@pytest.mark.parametrize(
+    ("kind", "part"), [("microscope", "light"), ("laminar_flow_bench", "light")]
+)
+def test_a_lamp_shines_as_its_knob_or_its_switch_says(kind, part):
+    piece = instrument(kind, "it")
+    simulation = alone(piece)
+    lamp, control = simulation.scene.model.geom("it_lamp"), getattr(piece, part)
+    simulation.apparatus.show()
+    dark = lamp.rgba[:3].sum()
+    turn(simulation, control.joint, control.widest)
+    simulation.apparatus.show()
+    assert celsius(simulation, "it_lamp") == 1.0
+    assert lamp.rgba[:3].sum() > 1.5 * dark

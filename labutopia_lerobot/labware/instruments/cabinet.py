@@ -51,6 +51,7 @@ class Cabinet(Equipment):
     size = (0.629, 0.420, 0.480)
     mass = 25.0
     source = "ours; handle as high as the original's"
+    passive = True
 
     @property
     def drawers(self) -> tuple[Drawer, ...]:

@@ -86,6 +86,7 @@ class DryingOven(Equipment):
     size = (0.67, 0.741, 0.630)
     mass = 50.0
     source = "original (DryingBox_01); mass ours"
+    left_out = "it heats where it has a `button_color`"
 
     @property
     def door(self) -> Door[Handle]:

@@ -45,6 +45,7 @@ class TargetPlate(Equipment):
     mass = 0.27
     source = "original (target_plat), of porcelain"
     movable = True
+    passive = True
 
     @property
     def top_height(self) -> float:

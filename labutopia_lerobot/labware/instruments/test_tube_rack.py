@@ -39,6 +39,7 @@ class TestTubeRack(Equipment):
     size = (0.085, 0.286, 0.193)
     mass = 0.4
     source = "original"
+    passive = True
 
     @property
     def middle(self) -> Vector:

@@ -53,6 +53,7 @@ class VacuumOven(Equipment):
     size = (0.68, 0.620, 0.700)
     mass = 60.0
     source = "ours"
+    left_out = "it neither heats nor is evacuated"
 
     @property
     def door(self) -> Door[Lever]:

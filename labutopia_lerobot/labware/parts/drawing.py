@@ -36,6 +36,7 @@ class Drawing(Process):
         tip: Name of the frame at the end of the tip, z the way that liquid leaves.
         radius: Inside of the tip [m].
         section: Mean cross-section of the column [m^2].
+        gives: By how much what encloses the cushion grows with its pressure [m^3/Pa]: a bulb.
     """
 
     name: str
@@ -46,6 +47,7 @@ class Drawing(Process):
     tip: str
     radius: float
     section: float
+    gives: float = 0.0
 
     @property
     @override
@@ -113,8 +115,8 @@ class Drawing(Process):
             head = held.density * _GRAVITY * inside / self.section * -float(tip.z_axis[2])
             if near is None:
                 meniscus = 2 * held.surface_tension / self.radius
-        least = room - energy / (_PRESSURE - head - meniscus)
-        most = room - energy / (_PRESSURE - head + meniscus)
+        least = room - energy / (_PRESSURE - head - meniscus) - self.gives * (head + meniscus)
+        most = room - energy / (_PRESSURE - head + meniscus) - self.gives * (head - meniscus)
         return min(max(below, least), most) - below
 
     def _move(self, liquid: LiquidHandling, inside: float, tip: Pose) -> float:

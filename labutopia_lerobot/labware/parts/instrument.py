@@ -31,6 +31,8 @@ class Equipment(Still):
         mass: What it weighs [kg].
         source: Where both are from.
         movable: Whether it stands free; else it is screwed to something, or too heavy.
+        passive: Whether it does nothing by itself in reality either: racks, stands, furniture.
+        left_out: What it does in reality and not here.
     """
 
     name: str
@@ -38,6 +40,8 @@ class Equipment(Still):
     mass: ClassVar[float]
     source: ClassVar[str]
     movable: ClassVar[bool] = False
+    passive: ClassVar[bool] = False
+    left_out: ClassVar[str] = ""
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:

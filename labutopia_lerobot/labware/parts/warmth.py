@@ -46,7 +46,13 @@ def thermometer(piece: str) -> str:
 
 
 def chamber(
-    piece: str, low: Vector, high: Vector, leak: float, gap: DoorGap, by: Regulated
+    piece: str,
+    low: Vector,
+    high: Vector,
+    leak: float,
+    gap: DoorGap,
+    by: Regulated,
+    called: str = "",
 ) -> tuple[Process, ...]:
     """Return a chamber: a liner that is heated, its air, which an open door lets out, a thermostat.
 
@@ -57,17 +63,19 @@ def chamber(
         leak: Through the insulation [W/K].
         gap: What an open door lets through.
         by: How it is regulated.
+        called: What the names of its processes begin with; with that of the device if not said.
     """
+    called = called or piece
     wide, deep, tall = (b - a for a, b in zip(low, high, strict=True))
     inside = 2.0 * (wide * deep + deep * tall + tall * wide)
-    air, liner = f"{piece}_air", f"{piece}_liner"
+    air, liner = f"{called}_air", f"{called}_liner"
     zone = HeatZone(low, high, IN_AIR)
     volume = wide * deep * tall * AIR
     links = ((liner, IN_AIR * inside),)
     return (
         ThermalMass(air, piece, volume, links=links, zone=zone, gap=gap, begins=by.begins),
         ThermalMass(liner, piece, inside * _AT_A_DOOR, leak=leak, begins=by.begins),
-        _thermostat(piece, liner, by, air, gap.joint),
+        _thermostat(called, liner, by, air, gap.joint),
     )
 
 

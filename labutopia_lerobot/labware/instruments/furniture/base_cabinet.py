@@ -25,6 +25,7 @@ class BaseCabinet(Fitted):
     size = (0.600, 0.900, 0.900)
     mass = 55.0
     source = "900 x 600 x 900 mm (EN 14727 storage units are alike); from memory"
+    passive = True
 
     def _units(self) -> Sequence[Unit]:
         size = (0.55, 0.90, _TOP - _SLAB)

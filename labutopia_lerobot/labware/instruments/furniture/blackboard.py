@@ -26,6 +26,7 @@ class Blackboard(Instrument):
     size = (0.130, 2.520, 2.100)
     mass = 75.0
     source = "two boards of 2400 x 1000 mm on columns, as usual in classrooms; from memory"
+    passive = True
 
     @property
     def board(self) -> Sash:

@@ -25,6 +25,7 @@ class Bookcase(Instrument):
     size = (0.300, 0.900, 1.850)
     mass = 60.0
     source = "900 x 300 x 1850 mm, five levels for folders of A4, as usual; from memory"
+    passive = True
 
     @property
     def places(self) -> tuple[Seat, ...]:

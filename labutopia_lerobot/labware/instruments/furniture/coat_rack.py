@@ -20,6 +20,7 @@ class CoatRack(Instrument):
     mass = 9.0
     source = "a pole of 1800 mm on a plate of 400 mm with two coats, as usual; from memory"
     movable = True
+    passive = True
 
     def _forms(self) -> list[Form]:
         hooks: list[Form] = []

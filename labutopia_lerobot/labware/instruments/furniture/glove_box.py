@@ -37,6 +37,7 @@ class GloveBox(Instrument):
     size = (0.780, 1.900, 1.900)
     mass = 300.0
     source = "chamber 1400 x 780 x 900 mm with a lock of 400 mm, as usual; from memory"
+    left_out = "its gas is not measured"
 
     @property
     def lock(self) -> Rotor:

@@ -28,6 +28,7 @@ class IslandBench(Fitted):
     size = (1.500, 3.000, 1.650)
     mass = 380.0
     source = "3000 x 1500 x 900 mm, two benches of EN 13150 back to back, shelves up to 1.6 m; ours"
+    passive = True
 
     def _units(self) -> Sequence[Unit]:
         tall, x = _TOP - _SLAB, _X - 0.040 - 0.26

@@ -23,6 +23,7 @@ class LaboratoryChair(Swivel):
     size = (0.510, 0.520, 0.925)
     mass = 11.0
     source = "seat from 460 mm up, back to 930 mm (EN 1335-1 office chairs are alike); from memory"
+    passive = True
     rise = 0.120
 
     @property

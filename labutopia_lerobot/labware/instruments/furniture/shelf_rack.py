@@ -25,6 +25,7 @@ class ShelfRack(Instrument):
     size = (0.500, 1.000, 2.000)
     mass = 32.0
     source = "1000 x 500 x 2000 mm, five shelves, a usual boltless rack; from memory"
+    passive = True
 
     @property
     def tops(self) -> tuple[Top, ...]:

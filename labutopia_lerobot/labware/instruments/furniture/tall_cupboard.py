@@ -20,6 +20,7 @@ class TallCupboard(Fitted):
     size = (0.500, 0.900, 1.920)
     mass = 90.0
     source = "900 x 500 x 1920 mm (EN 14727 storage units are alike); from memory"
+    passive = True
 
     def _units(self) -> Sequence[Unit]:
         deep = 0.466

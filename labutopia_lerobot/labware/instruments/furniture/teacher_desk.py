@@ -25,6 +25,7 @@ class TeacherDesk(Fitted):
     size = (0.750, 2.100, 0.900)
     mass = 140.0
     source = "2100 x 750 x 900 mm, a demonstration desk of schools, as usual; from memory"
+    passive = True
 
     def _units(self) -> Sequence[Unit]:
         tall, x = _TOP - _SLAB, -_X + 0.040 + 0.26

@@ -24,6 +24,7 @@ class WallBench(Fitted):
     size = (0.750, 1.500, 0.900)
     mass = 110.0
     source = "1500 x 750 x 900 mm, for standing work (EN 13150: depths 600, 750, 900 mm)"
+    passive = True
 
     def _units(self) -> Sequence[Unit]:
         tall = _TOP - _SLAB

@@ -20,6 +20,7 @@ class WallCupboard(Fitted):
     size = (0.384, 0.900, 0.700)
     mass = 30.0
     source = "900 x 350 x 700 mm without its grips, as usual over benches; from memory"
+    passive = True
 
     def _units(self) -> Sequence[Unit]:
         cupboard = Cupboard(

@@ -24,6 +24,7 @@ class WorkBench(Instrument):
     size = (1.400, 1.800, 0.775)
     mass = 120.0
     source = "1400 x 1800 mm, ours; height: original, lab_001: 0.773 to 0.78"
+    passive = True
 
     @property
     def places(self) -> tuple[Seat, ...]:

@@ -25,6 +25,7 @@ class WritingDesk(Fitted):
     size = (0.700, 1.200, 0.740)
     mass = 38.0
     source = "1200 x 700 x 740 mm (EN 527-1: fixed height 740 mm)"
+    passive = True
 
     def _units(self) -> Sequence[Unit]:
         chest = Chest(f"{self.name}_chest", (0.58, 0.40, 0.715), 3, plinth=0.05, front="wood")

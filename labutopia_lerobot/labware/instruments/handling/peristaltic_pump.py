@@ -23,10 +23,6 @@ from labutopia_lerobot.processes import Process
 _AXIS = (0.042, 0.088)
 """Axis of the head, y and z [m]."""
 
-_PER_TURN = 2.0
-"""What one turn of its head delivers [ml]; ours: the heads of makers deliver 0.4 to 3 ml with
-tubes of 3 to 8 mm."""
-
 
 @dataclass(frozen=True)
 class PeristalticPump(Instrument):
@@ -40,6 +36,7 @@ class PeristalticPump(Instrument):
     size = (0.248, 0.201, 0.150)
     mass = 3.5
     source = "200 x 220 x 150 mm, head of 100 mm, as usual; from memory"
+    left_out = "no liquid moves: it has no hose"
 
     @property
     def head(self) -> Rotor:
@@ -86,9 +83,17 @@ class PeristalticPump(Instrument):
         return Shut(self.shoe, "HEAD OPEN")
 
     @property
+    def per_turn(self) -> float:
+        """Volume that a turn of its head delivers [ml].
+
+        Ours: the heads of makers deliver 0.4 to 3 ml with tubes of 3 to 8 mm.
+        """
+        return 2.0
+
+    @property
     def flow(self) -> Pumping:
         """What it delivers."""
-        return Pumping(f"{self.name}_flow", self.drive, _PER_TURN)
+        return Pumping(f"{self.name}_flow", self.drive, self.per_turn)
 
     @property
     def works(self) -> tuple[Process, ...]:

@@ -6,12 +6,22 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
+from labutopia_lerobot.labware.parts.flame import Flame, hot_gases
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.processes import Process
+
+_TIP = (0.0, 0.0, 0.090)
+"""Where the wick burns [m]."""
+_WATT, _LOW, _REACH = 250.0, 0.3, 0.14
+"""Power with the wick all out [W], its share with the wick all in, and how high above the wick it
+heats [m]; ours: some 0.6 g of ethanol a minute, of 26.8 kJ/g (CRC Handbook), and up to the gauze of
+a tripod."""
 
 
 @dataclass(frozen=True)
@@ -27,6 +37,7 @@ class AlcoholLamp(Instrument):
     mass = 0.25
     source = "85 mm across, 105 mm high, 150 ml, as usual; from memory"
     movable = True
+    left_out = "no alcohol is used up; it lights itself"
 
     @property
     def cap(self) -> Rotor:
@@ -41,6 +52,18 @@ class AlcoholLamp(Instrument):
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
         return self.cap, self.wick
+
+    @property
+    def flame(self) -> Flame:
+        """The flame; the cap over it puts it out."""
+        gases = hot_gases(self.name, _WATT, _TIP, _REACH)
+        fuel, uncovered = Scale(self.wick, _LOW, 1, "1", 0.01), Scale(self.cap, 0, 1, "1", 0.01)
+        return Flame(f"{self.name}_flame", gases, _WATT, fuel, open=uncovered)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its flame and the gases of it."""
+        return self.flame.gases, self.flame
 
     def _forms(self) -> list[Form]:
         glass = (
@@ -72,6 +95,7 @@ class AlcoholLamp(Instrument):
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         axis = (0.0, 1.0, 0.0)
         self.wick.add_to(spec, self.name, body, (-0.022, 0.0, 0.066), ON_FRONT)
+        self.flame.add_to(spec, body, _TIP, (0.007, 0.007, 0.020))
         cap = self.cap.add_to(spec, body, (0.0225, 0.0, 0.0765), axis, balanced=True)
         bell = ((0.0125, 0.0), (0.0125, 0.016), (0.008, 0.024), (0.0, 0.026))
         forms: list[Form] = [

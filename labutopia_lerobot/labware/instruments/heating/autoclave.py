@@ -49,6 +49,7 @@ class Autoclave(Instrument):
     size = (0.501, 0.450, 1.001)
     mass = 55.0
     source = "450 mm across, 950 mm high without its wheel, as usual; from memory"
+    left_out = "no pressure: water boils at 100 degrees"
 
     @property
     def wheel(self) -> HandWheel:

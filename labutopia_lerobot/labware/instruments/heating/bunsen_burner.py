@@ -6,11 +6,20 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
+from labutopia_lerobot.labware.parts.flame import Flame, hot_gases
 from labutopia_lerobot.labware.parts.form import Form, Ring, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.valve import Tap
+from labutopia_lerobot.processes import Process
+
+_MOUTH = (0.0, 0.0, 0.150)
+"""Where the gas burns [m]."""
+_WATT, _REACH = 1200.0, 0.10
+"""Power with the tap open [W]; ours: makers state 1 to 1.5 kW. How high above its mouth it heats
+[m]; ours: up to the gauze of a tripod and a little more."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +35,7 @@ class BunsenBurner(Instrument):
     mass = 0.45
     source = "base of 90 mm, tube of 13 mm, 150 mm high (DIN 30665 burners are alike); from memory"
     movable = True
+    left_out = "it needs no line and lights itself"
 
     @property
     def air(self) -> Rotor:
@@ -40,6 +50,18 @@ class BunsenBurner(Instrument):
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
         return self.air, self.gas
+
+    @property
+    def flame(self) -> Flame:
+        """The flame: luminous with the holes shut, blue with them open."""
+        gases = hot_gases(self.name, _WATT, _MOUTH, _REACH)
+        fuel, air = Scale(self.gas, 0, 1, "1", 0.01), Scale(self.air, 0, 1, "1", 0.01)
+        return Flame(f"{self.name}_flame", gases, _WATT, fuel, air=air)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its flame and the gases of it."""
+        return self.flame.gases, self.flame
 
     def _forms(self) -> list[Form]:
         foot = ((0, 0), (0.045, 0), (0.045, 0.007), (0.030, 0.013), (0.012, 0.020), (0.010, 0.034))
@@ -75,6 +97,7 @@ class BunsenBurner(Instrument):
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         half = math.sqrt(0.5)  # z down onto the inlet, the shut wing across it
         self.gas.add_to(spec, self.name, body, (-0.030, 0, 0.034), (0.0, half, half, 0.0))
+        self.flame.add_to(spec, body, _MOUTH, (0.011, 0.011, 0.033))
         collar = self.air.add_to(spec, body, (0.0, 0.0, 0.050))
         forms: list[Form] = [
             Ring(0.0152, 0.021, (-0.012, 0.012), "chrome"),

@@ -84,7 +84,7 @@ class HeatingMantle(Instrument):
             zone=HeatZone(low, high, _IN_CLOTH),
         )
         regulator = EnergyRegulator(
-            f"{self.name}_power_now", cloth.name, _WATT, knob.name, power.name
+            f"{self.name}_power_now", cloth.name, _WATT, power.name, knob.name
         )
         return knob, power, cloth, regulator
 

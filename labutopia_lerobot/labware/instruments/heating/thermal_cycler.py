@@ -45,6 +45,7 @@ class ThermalCycler(Instrument):
     size = (0.450, 0.250, 0.239)
     mass = 9.5
     source = "250 x 450 x 220 mm, 96 wells at 9 mm (ANSI SLAS 4), as usual; from memory"
+    left_out = "its lid is not heated"
 
     @property
     def lid(self) -> Lid:

@@ -34,6 +34,7 @@ class GasChromatograph(Instrument):
     size = (0.585, 0.600, 0.548)
     mass = 49.0
     source = "600 x 550 x 500 mm, as usual; from memory"
+    left_out = "nothing is injected or measured"
 
     @property
     def door(self) -> Door[Handle]:

@@ -31,6 +31,7 @@ class LiquidChromatograph(Instrument):
     size = (0.508, 0.360, 0.905)
     mass = 60.0
     source = "360 x 480 x 900 mm, four modules, as usual; from memory"
+    left_out = "it pumps and measures nothing"
 
     @property
     def drawer(self) -> Slide:

@@ -33,6 +33,7 @@ class MeltingPointApparatus(Instrument):
     size = (0.250, 0.180, 0.225)
     mass = 2.4
     source = "180 x 250 x 180 mm, as usual; from memory"
+    left_out = "nothing melts"
 
     @property
     def lens(self) -> Slide:

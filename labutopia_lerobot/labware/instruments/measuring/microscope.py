@@ -6,14 +6,17 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod, Turned
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
+from labutopia_lerobot.labware.parts.lamp import Lamp
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.processes import Process
 
 _TUBE = 0.030
 """Position of the optical axis, before the middle of the base [m]."""
@@ -31,6 +34,7 @@ class Microscope(Instrument):
     size = (0.313, 0.179, 0.432)
     mass = 6.5
     source = "230 x 330 x 420 mm, stage of 140 mm, travel 75 x 50 mm, as usual; from memory"
+    left_out = "no image"
 
     @property
     def focus(self) -> Rotor:
@@ -54,6 +58,16 @@ class Microscope(Instrument):
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
         return self.turret, self.table, self.focus, self.light
+
+    @property
+    def lamp(self) -> Lamp:
+        """The lamp below the stage."""
+        return Lamp(f"{self.name}_lamp", Scale(self.light, 0, 1, "1", 0.01))
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its knob and its lamp."""
+        return self.lamp.level, self.lamp
 
     @property
     def stage(self) -> Seat:
@@ -83,7 +97,6 @@ class Microscope(Instrument):
                 edge=0.010,
             ),
             Rod((x, 0, 0.036), (x, 0, 0.058), 0.060, "anthracite"),
-            Rod((x, 0, 0.058), (x, 0, 0.0585), 0.044, "glass", touch=False),
             Rod((x, 0, 0.276), (x, 0, 0.290), 0.052, "anthracite"),
             Rod((x, 0, 0.325), (x, 0, 0.345), 0.060, "anthracite"),
             Block((-0.085, 0.010), (-0.050, 0.050), (0.340, 0.378), "cream", edge=0.010),
@@ -96,6 +109,7 @@ class Microscope(Instrument):
         ]
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        self.lamp.add_to(spec, body, (-_TUBE, 0.0, 0.0585), (0.022, 0.0005, 0.0))
         turret = self.turret.add_to(spec, body, (-_TUBE + 0.012, 0.0, 0.268), (0.0, 0.0, 1.0))
         lenses: list[Form] = [
             Turned(

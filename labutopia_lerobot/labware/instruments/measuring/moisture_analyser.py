@@ -34,6 +34,7 @@ class MoistureAnalyser(Instrument):
     size = (0.340, 0.210, 0.170)
     mass = 4.9
     source = "210 x 340 x 170 mm, pan of 90 mm, usual for 60 g; from memory"
+    left_out = "its lamps do not heat"
 
     @property
     def pan(self) -> Pan:

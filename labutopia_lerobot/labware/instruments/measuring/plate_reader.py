@@ -31,6 +31,7 @@ class PlateReader(Instrument):
     size = (0.463, 0.400, 0.220)
     mass = 12.0
     source = "400 x 450 x 220 mm, drawer of 120 mm, as usual; from memory"
+    left_out = "it measures nothing"
 
     @property
     def drawer(self) -> Slide:

@@ -29,6 +29,7 @@ class Polarimeter(Instrument):
     size = (0.233, 0.600, 0.295)
     mass = 8.0
     source = "600 x 200 x 300 mm, for tubes of 200 mm, as usual; from memory"
+    left_out = "no light is turned: the scale shows where the analyser stands"
 
     @property
     def lid(self) -> Rotor:

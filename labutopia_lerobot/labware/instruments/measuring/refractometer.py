@@ -29,6 +29,7 @@ class Refractometer(Instrument):
     size = (0.186, 0.140, 0.301)
     mass = 2.8
     source = "180 x 140 x 260 mm, as usual; from memory"
+    left_out = "no light is bent: the scale shows where its knob stands"
 
     @property
     def prism(self) -> Rotor:

@@ -31,6 +31,7 @@ class Spectrophotometer(Instrument):
     size = (0.410, 0.480, 0.220)
     mass = 14.0
     source = "480 x 400 x 220 mm, usual for 325 to 1000 nm; from memory"
+    left_out = "it measures nothing: the display shows the wavelength"
 
     @property
     def lid(self) -> Lid:

@@ -31,6 +31,7 @@ class Titrator(Instrument):
     size = (0.300, 0.200, 0.420)
     mass = 4.0
     source = "200 x 300 x 420 mm, burette of 20 ml, as usual; from memory"
+    left_out = "its motor burette doses nothing"
 
     @property
     def arm(self) -> Slide:

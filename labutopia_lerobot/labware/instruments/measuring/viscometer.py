@@ -32,6 +32,7 @@ class Viscometer(Instrument):
     size = (0.300, 0.200, 0.500)
     mass = 6.5
     source = "200 x 290 x 500 mm, spindle of 19 mm, as usual; from memory"
+    left_out = "it turns and measures nothing"
 
     @property
     def head(self) -> Slide:

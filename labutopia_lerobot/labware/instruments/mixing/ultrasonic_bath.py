@@ -17,7 +17,15 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.timer import Countdown
-from labutopia_lerobot.processes import Process
+from labutopia_lerobot.labware.parts.warmth import Regulated, bath
+from labutopia_lerobot.processes import EnergyRegulator, Process
+
+_WATER = (-0.079, -0.139, 0.110), (0.079, 0.139, 0.190)
+"""Corners of its water [m]."""
+_WATT, _SOUND, _LEAK = 200.0, 80.0, 0.8
+"""Power of its heater, and that of its sound, all of which ends as heat [W]: a maker's bath of 3 l
+has these, from memory. What goes through its walls [W/K]; ours: steel without insulation, but air
+stands in the case."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +40,7 @@ class UltrasonicBath(Instrument):
     size = (0.202, 0.300, 0.240)
     mass = 3.4
     source = "300 x 180 x 240 mm, 3 l, as usual; from memory"
+    left_out = "its sound cleans and dissolves nothing"
 
     @property
     def lid(self) -> Lid:
@@ -67,8 +76,12 @@ class UltrasonicBath(Instrument):
 
     @property
     def works(self) -> tuple[Process, ...]:
-        """Its knob and its timer."""
-        return Scale(self.minutes, 0, 30, "min", resolution=5), self.timer
+        """Its knobs and its timer, its water with the thermostat, and the heat of its sound."""
+        heat = Scale(self.heat, 20, 80, "\u00b0C", resolution=5)
+        water, thermostat = bath(self.name, *_WATER, _LEAK, Regulated(_WATT, heat.name))
+        sound = EnergyRegulator(f"{self.name}_sound", water.name, _SOUND, switch=self.timer.name)
+        minutes = Scale(self.minutes, 0, 30, "min", resolution=5)
+        return minutes, self.timer, heat, water, thermostat, sound
 
     @property
     def displays(self) -> tuple[Display, ...]:

@@ -30,6 +30,7 @@ class Eyewash(Instrument):
     size = (0.316, 0.341, 0.250)
     mass = 4.0
     source = "bowl of 250 mm (EN 15154-1 eyewashes are alike); from memory"
+    left_out = "no water comes"
 
     @property
     def lever(self) -> Rotor:

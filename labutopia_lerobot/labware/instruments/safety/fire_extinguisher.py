@@ -31,6 +31,7 @@ class FireExtinguisher(Instrument):
     size = (0.185, 0.193, 0.551)
     mass = 6.5
     source = "2 kg of CO2, 117 mm across, 540 mm high (EN 3 hand extinguishers); from memory"
+    left_out = "nothing comes out"
 
     @property
     def horn(self) -> Rotor:

@@ -43,6 +43,7 @@ class FumeHood(Instrument):
     size = (0.874, 1.500, 2.350)
     mass = 250.0
     source = "1500 x 850 x 2350 mm, sash of 700 mm (EN 14175 hoods are alike); from memory"
+    left_out = "gas, water and vacuum do not flow"
 
     @property
     def sash(self) -> Sash:

@@ -34,6 +34,7 @@ class GasCylinder(Instrument):
     size = (0.290, 0.300, 1.540)
     mass = 75.0
     source = "230 mm across, 1.5 m, 50 l; shoulder black for nitrogen (EN 1089-3); from memory"
+    left_out = "no gas flows, the gauges stand still"
 
     @property
     def valve(self) -> HandWheel:

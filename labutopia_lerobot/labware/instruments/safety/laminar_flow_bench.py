@@ -10,6 +10,7 @@ from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism
 from labutopia_lerobot.labware.parts.guard import Flipped
 from labutopia_lerobot.labware.parts.instrument import Instrument
+from labutopia_lerobot.labware.parts.lamp import Lamp
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rocker import Rocker
@@ -69,8 +70,13 @@ class LaminarFlowBench(Instrument):
 
     @property
     def works(self) -> tuple[Process, ...]:
-        """The switches of its fan and of its light, and its air."""
-        return Flipped(self.fan), Flipped(self.light), self.air
+        """The switches of its fan and of its light, its air and its lamp."""
+        return Flipped(self.fan), self.lamp.level, self.air, self.lamp
+
+    @property
+    def lamp(self) -> Lamp:
+        """The lamp in its roof."""
+        return Lamp(f"{self.name}_lamp", Flipped(self.light))
 
     @property
     def displays(self) -> tuple[Display, ...]:
@@ -117,10 +123,10 @@ class LaminarFlowBench(Instrument):
             Block((-x + 0.14, x), (-y, y), (_ROOF, _HEIGHT), "white", edge=0.008),
             Block((-x + 0.04, -x + 0.100), (-y, y), (_ROOF + 0.06, _HEIGHT), "white", edge=0.008),
             Block((-x + 0.038, -x + 0.05), (-0.60, 0.60), (1.98, 2.09), "petrol", touch=False),
-            Block((-0.10, 0.25), (-0.50, 0.50), (_ROOF - 0.004, _ROOF), "glow", 0.0, touch=False),
         ]
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        self.lamp.add_to(spec, body, (0.075, 0.0, _ROOF - 0.002), (0.175, 0.50, 0.002))
         x, wide = -_DEPTH / 2, _WIDTH / 2 - 0.056
         sash = self.sash.add_to(spec, body, (x + 0.120, 0.0, _TOP + 0.004))
         high = 0.700

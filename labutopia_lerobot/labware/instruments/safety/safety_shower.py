@@ -26,6 +26,7 @@ class SafetyShower(Instrument):
     size = (0.625, 0.356, 2.254)
     mass = 30.0
     source = "2250 mm high, head of 210 mm (EN 15154-1 and -5 are alike); from memory"
+    left_out = "no water comes"
 
     @property
     def pull(self) -> Slide:

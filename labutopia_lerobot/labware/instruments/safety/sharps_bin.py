@@ -27,6 +27,7 @@ class SharpsBin(Instrument):
     mass = 0.5
     source = "200 x 220 x 230 mm, 7 l (ISO 23907 bins are alike); from memory"
     movable = True
+    passive = True
 
     @property
     def flap(self) -> Lid:

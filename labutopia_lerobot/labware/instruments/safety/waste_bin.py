@@ -32,6 +32,7 @@ class WasteBin(Instrument):
     mass = 3.0
     source = "250 mm across, 12 l, 380 mm high, as usual; from memory"
     movable = True
+    passive = True
 
     @property
     def lid(self) -> Lid:

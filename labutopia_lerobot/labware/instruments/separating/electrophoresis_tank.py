@@ -9,13 +9,26 @@ from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet, tub
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod
+from labutopia_lerobot.labware.parts.guard import Flipped, Shut
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
+from labutopia_lerobot.labware.parts.power_supply import PowerSupply
 from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.processes import Process, ThermalMass
+from labutopia_lerobot.processes.heat import UPWARDS
+
+_BUFFER = 1.2e-3 * 997.0 * 4182.0
+"""Heat that warms its 1.2 l of buffer by 1 K [J/K]."""
+_SURFACE, _LEAK = 0.24 * 0.14, 0.3
+"""Surface of the buffer [m^2], and what its walls let through [W/K]; ours."""
+_RESISTANCE = 1200.0
+"""Of gel and buffer [ohm]; ours: 100 V drive some 80 mA through a gel of this size."""
+_PLUGGED = 0.005
+"""How far the lid may be lifted before its plugs are out [m]; ours."""
 
 
 @dataclass(frozen=True)
@@ -30,6 +43,7 @@ class ElectrophoresisTank(Instrument):
     size = (0.263, 0.313, 0.103)
     mass = 3.2
     source = "tank of 150 x 250 x 90 mm, supply of 120 x 230 x 100 mm, as usual; from memory"
+    left_out = "no band moves"
 
     @property
     def lid(self) -> Slide:
@@ -54,9 +68,35 @@ class ElectrophoresisTank(Instrument):
         return (Seat(f"{self.name}_table", self.name, (0.0, 0.075, 0.041), width=0.085),)
 
     @property
+    def set_voltage(self) -> Scale:
+        return Scale(self.voltage, 0, 300, "V", resolution=5)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its knob and its switch, the plugs of its lid, its buffer and its supply."""
+        on, plugs = Flipped(self.power), Shut(self.lid, within=_PLUGGED)
+        buffer = ThermalMass(
+            f"{self.name}_buffer",
+            self.name,
+            _BUFFER,
+            area=_SURFACE,
+            length=_SURFACE / (2 * (0.24 + 0.14)),  # area over circumference
+            convection=UPWARDS,
+            leak=_LEAK,
+        )
+        supply = PowerSupply(
+            f"{self.name}_current",
+            self.set_voltage,
+            _RESISTANCE,
+            buffer,
+            (on.name, plugs.name),
+        )
+        return self.set_voltage, on, plugs, buffer, supply
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        voltage = Scale(self.voltage, 0, 300, "V", resolution=5)
-        return (Display(f"{self.name}_display", (0.080, 0.032), voltage, ink=(255, 90, 60)),)
+        size, red = (0.080, 0.032), (255, 90, 60)
+        return (Display(f"{self.name}_display", size, self.set_voltage, ink=red),)
 
     def _forms(self) -> list[Form]:
         y = 0.075

@@ -40,6 +40,7 @@ class RotaryEvaporator(Instrument):
     source = (
         "640 x 470 x 840 mm with its head up, flask of 1 l, lift of 160 mm, as usual; from memory"
     )
+    left_out = "nothing is distilled"
 
     @property
     def lift(self) -> Slide:

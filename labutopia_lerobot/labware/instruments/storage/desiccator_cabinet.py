@@ -32,6 +32,7 @@ class DesiccatorCabinet(Instrument):
     size = (0.391, 0.340, 0.480)
     mass = 9.0
     source = "340 x 340 x 480 mm, as usual; from memory"
+    left_out = "its silica gel does not dry the air"
 
     @property
     def door(self) -> Door[Handle]:

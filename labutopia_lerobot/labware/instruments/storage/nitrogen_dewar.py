@@ -23,6 +23,7 @@ class NitrogenDewar(Instrument):
     size = (0.463, 0.460, 0.775)
     mass = 14.0
     source = "460 mm across, 670 mm high, neck of 90 mm, 35 l, as usual; from memory"
+    left_out = "it cools nothing, no nitrogen boils off"
 
     @property
     def stopper(self) -> Slide:

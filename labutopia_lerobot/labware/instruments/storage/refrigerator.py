@@ -75,13 +75,21 @@ class Refrigerator(Instrument):
 
     @property
     def works(self) -> tuple[Process, ...]:
-        """Its upper room at 4 degrees: 150 W of cold, usual; leak ours. The freezer is cold too,
-        but its temperature is not simulated."""
+        """Its freezer at -18 degrees, and its upper room at 4, each with 150 W of cold, usual.
+
+        Their leaks are ours.
+        """
         x, y = _DEPTH / 2, _WIDTH / 2 - _WALL
-        low, high = (-x + _LEAF, -y, _SPLIT + 0.06), (x - _WALL, y, _HEIGHT - _WALL)
-        gap = DoorGap(self.upper.joint, 2 * y * (high[2] - low[2]), high[2] - low[2])
-        by = Regulated(-150.0, 4.0, begins=4.0, resolution=0.1, warning="DOOR OPEN")
-        return chamber(self.name, low, high, 1.5, gap, by)
+        rooms: list[Process] = []
+        for door, bottom, top, celsius, called in (
+            (self.lower, _FOOT + _WALL, _SPLIT, -18.0, f"{self.name}_freezer"),
+            (self.upper, _SPLIT + 0.06, _HEIGHT - _WALL, 4.0, self.name),
+        ):
+            low, high = (-x + _LEAF, -y, bottom), (x - _WALL, y, top)
+            gap = DoorGap(door.joint, 2 * y * (top - bottom), top - bottom)
+            by = Regulated(-150.0, celsius, begins=celsius, resolution=0.1, warning="DOOR OPEN")
+            rooms += chamber(self.name, low, high, 1.5, gap, by, called)
+        return tuple(rooms)
 
     @property
     def displays(self) -> tuple[Display, ...]:

@@ -33,6 +33,7 @@ class SafetyCabinet(Instrument):
     size = (0.597, 0.900, 1.950)
     mass = 120.0
     source = "900 x 550 x 1950 mm without its handles (EN 14470-1 cabinets are alike); from memory"
+    passive = True
 
     @property
     def wings(self) -> tuple[Door[Handle], Door[Handle]]:

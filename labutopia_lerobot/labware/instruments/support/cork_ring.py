@@ -23,6 +23,7 @@ class CorkRing(Instrument):
     mass = 0.06
     source = "110 x 60 x 30 mm for flasks of 250 to 500 ml, as usual; from memory"
     movable = True
+    passive = True
 
     @property
     def hole(self) -> float:

@@ -24,6 +24,7 @@ class DryingRack(Instrument):
     size = (0.123, 0.600, 0.700)
     mass = 4.5
     source = "600 x 110 x 700 mm, 48 pegs of 95 mm, as usual; from memory"
+    passive = True
 
     @property
     def tray(self) -> Slide:

@@ -30,6 +30,7 @@ class LaboratorySink(Instrument):
     size = (0.640, 0.600, 1.321)
     mass = 40.0
     source = "600 x 600 x 900 mm, basin of 250 mm depth, as usual; from memory"
+    left_out = "no water comes"
 
     @property
     def spout(self) -> Rotor:

@@ -42,6 +42,7 @@ class PipetteStand(Instrument):
     mass = 1.1
     source = "200 mm across, 330 mm high, 6 hooks, as usual; from memory"
     movable = True
+    passive = True
 
     @property
     def carousel(self) -> Rotor:

@@ -29,6 +29,7 @@ class RetortStand(Instrument):
     mass = 2.6
     source = "base of 210 x 130 mm, rod of 12 x 700 mm (DIN 12892, 12891); from memory"
     movable = True
+    passive = True
 
     @property
     def ring(self) -> Slide:

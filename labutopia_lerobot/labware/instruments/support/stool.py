@@ -23,6 +23,7 @@ class Stool(Swivel):
     size = (0.515, 0.540, 0.456)
     mass = 7.0
     source = "seat of 350 mm, 460 to 610 mm high, foot of 560 mm, as usual; from memory"
+    passive = True
     rise = 0.150
 
     @property

@@ -28,6 +28,7 @@ class Tripod(Instrument):
         "ring of 120 mm, 220 mm high, gauze of 150 mm with ceramic centre, as usual; from memory"
     )
     movable = True
+    passive = True
 
     @property
     def gauze(self) -> Seat:

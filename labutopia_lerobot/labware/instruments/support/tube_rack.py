@@ -26,6 +26,7 @@ class TubeRack(Instrument):
     mass = 0.12
     source = "60 x 165 x 78 mm with 12 openings, as usual; from memory"
     movable = True
+    passive = True
 
     @property
     def places(self) -> tuple[Seat, ...]:
