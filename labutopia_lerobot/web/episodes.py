@@ -12,7 +12,7 @@ from labutopia_lerobot.scenes import ROOMS, rooms_to_draw
 from labutopia_lerobot.setting import Setting, require_choices
 
 
-class Actor(Protocol):
+class Performer(Protocol):
     """Plays an episode that has begun."""
 
     def act(self) -> NDArray[Any] | None:
@@ -35,7 +35,7 @@ class Episodes(Protocol):
     last: int
     choices: Mapping[str, Sequence[str]]
 
-    def begin(self, number: int) -> Actor:
+    def begin(self, number: int) -> Performer:
         """Begin an episode, and return who plays it."""
         ...
 
@@ -75,7 +75,7 @@ class ExpertEpisodes:
             "room": rooms if setting.room in rooms else [setting.room, *rooms],
         }
 
-    def begin(self, number: int) -> Actor:
+    def begin(self, number: int) -> Performer:
         """Begin the episode of a seed, and return its expert."""
         self.env.reset(seed=number)
         expert = self.env.expert()

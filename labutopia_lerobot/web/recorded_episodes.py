@@ -10,7 +10,7 @@ from labutopia_lerobot.datasets.looking import drawn_with, find_episode
 from labutopia_lerobot.datasets.playback import commands_of
 from labutopia_lerobot.datasets.tables import SEED, episode_setting, read_episodes
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.web.episodes import Actor
+from labutopia_lerobot.web.episodes import Performer
 
 
 class RecordedEpisodes:
@@ -38,7 +38,7 @@ class RecordedEpisodes:
         self.last = max(row["episode_index"] for row in read_episodes(root))
         self.begin(first)
 
-    def begin(self, number: int) -> Actor:
+    def begin(self, number: int) -> Performer:
         """Begin an episode, and return who repeats its commands.
 
         Raises:

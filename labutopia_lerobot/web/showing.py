@@ -21,7 +21,7 @@ from labutopia_lerobot.setting import CAMERAS
 from labutopia_lerobot.sim.beauty_camera import beauty_camera
 from labutopia_lerobot.sim.eye import eye_at
 from labutopia_lerobot.skills.expert import Expert
-from labutopia_lerobot.web.episodes import Actor, Episodes
+from labutopia_lerobot.web.episodes import Episodes, Performer
 from labutopia_lerobot.web.orbit import Orbit
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -89,7 +89,7 @@ class Showing:
         self._playing = False
         self._note = ""
         self._drawn = 0
-        self._actor: Actor
+        self._performer: Performer
         self._orbit: Orbit
         self._home: Orbit
         self._begin(number)
@@ -170,7 +170,7 @@ class Showing:
         self._note = ""
 
     def _begin(self, number: int) -> None:
-        self._actor = self._episodes.begin(number)
+        self._performer = self._episodes.begin(number)
         self._number, self._is_played = number, False
         env = self._episodes.env
         cell, setting = env.workcell, env.setting
@@ -185,7 +185,7 @@ class Showing:
     def _step(self) -> None:
         if self._is_over:
             return
-        action = self._actor.act()
+        action = self._performer.act()
         if action is None:
             self._is_played = True
         else:
@@ -248,9 +248,9 @@ class Showing:
     def _why(self) -> list[str]:
         """Return why an expert's episode failed, if it is over and did."""
         cell = self._episodes.env.workcell
-        if not (cell.progress.over and isinstance(self._actor, Expert)):
+        if not (cell.progress.over and isinstance(self._performer, Expert)):
             return []
-        return why_failed(cell.task, cell.progress, self._actor, cell.world)
+        return why_failed(cell.task, cell.progress, self._performer, cell.world)
 
 
 def _number(value: Any, most: float) -> float:
