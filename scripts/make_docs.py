@@ -26,7 +26,7 @@ ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 BEGIN, END = "<!-- tasks -->", "<!-- end of tasks -->"
 _SHORT = 3
-"""Steps of a task whose pictures at the start and at the end say enough."""
+"""Steps of a task whose pictures at the start and at the end say enough, unless one drives."""
 _COLUMNS = 5
 """Most pictures in a row of steps."""
 
@@ -72,7 +72,7 @@ def write_gallery(drawn: Sequence[str]) -> None:
     for task_id in task_files():
         task, name = canonical_task(Setting(task_id)), task_id.replace("/", "-")
         gallery += [f"## {task_id}", "", task.instruction, "", f"![{task_id}](gallery/{name}.png)"]
-        long = len(task.steps) > _SHORT
+        long = len(task.steps) > _SHORT or task.drives
         if long:
             gallery += ["", f"![{task_id}, step by step](gallery/{name}-steps.png)"]
         gallery += [""]

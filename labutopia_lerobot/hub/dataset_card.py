@@ -15,7 +15,7 @@ from labutopia_lerobot.evaluation.uncertainty.intervals import wilson
 from labutopia_lerobot.hub.card import TAGS, dataset_card, rate, summary_row
 from labutopia_lerobot.hub.dataset_facts import DatasetFacts
 from labutopia_lerobot.hub.feature_meanings import meaning
-from labutopia_lerobot.setting import options_of
+from labutopia_lerobot.setting import DEFAULT_ROOM, MOBILE_ROBOT, options_of, robot_of_level
 from labutopia_lerobot.task import SUCCESS
 
 LOCAL = "local/"
@@ -75,6 +75,7 @@ def card_of_dataset(
         columns=facts.columns,
         instructions=sorted({task for row in facts.episodes for task in row["tasks"]}),
         config=config,
+        room=_room(facts),
         info=info,
         minutes=info["total_frames"] / info["fps"] / 60,
         megabytes=facts.size_bytes / 1e6,
@@ -104,6 +105,13 @@ def size_category(frames: int) -> str:
     return f"{names[power]}<n<{names[power + 1]}"
 
 
+def _room(facts: DatasetFacts) -> str:
+    """Return where the episodes were played, in Markdown."""
+    room = facts.config["room"]
+    drawn = room == DEFAULT_ROOM and robot_of_level(facts.tasks[0]) == MOBILE_ROBOT
+    return "drawn for each episode" if drawn else f"`{room}`"
+
+
 def _command(facts: DatasetFacts) -> str:
     """Return what makes the dataset again: every option that is not the default."""
     config = facts.config
@@ -112,6 +120,8 @@ def _command(facts: DatasetFacts) -> str:
         for option in options_of(RecordingConfig)
         if option.default is not MISSING and option.name not in _NOT_TYPED
     }
+    if config.get("robot") == robot_of_level(facts.tasks[0]):  # earlier versions wrote it so
+        del defaults["robot"]
     chosen = [
         f"{name}={_typed(config[name])}"
         for name, default in defaults.items()

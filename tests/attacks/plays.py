@@ -186,7 +186,7 @@ def shake_while_holding(env: LabEnv) -> Actions:
     arm, began = Arm(env), env.workcell.world.time
     last = roles(env).joints.stop - 1
     level = arm.command[last]
-    for action in arm.stay(60.0):
+    for action in arm.stay(env.workcell.task.time_limit_s):
         action[last] = level + 0.2 * np.sin(4 * np.pi * (env.workcell.world.time - began))
         yield action
 
