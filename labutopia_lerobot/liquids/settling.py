@@ -75,5 +75,7 @@ def let_sink(
     _, rank, count = np.unique(levels, return_inverse=True, return_counts=True)
     leaving = -np.expm1(-sinking * period / layer) * contents * (rank > 0)[:, None]
     arriving = np.zeros((len(count) + 1, contents.shape[1]))
-    np.add.at(arriving, rank - 1, leaving)  # what is lowest adds nothing to the last row
+    for column, amounts in enumerate(leaving.T):  # what is lowest adds nothing to the last row
+        into = np.where(rank > 0, rank - 1, len(count))
+        arriving[:, column] = np.bincount(into, weights=amounts, minlength=len(count) + 1)
     contents += (arriving[:-1] / count[:, None])[rank] - leaving

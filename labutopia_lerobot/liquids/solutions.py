@@ -48,6 +48,7 @@ class Solutions:
         self._layer = particle ** (1 / 3)
         self._palette = Palette(self.inventory.species)
         self._sinking = sinking_speeds(self.inventory.species, self._dissolving.grains)
+        self._gases = np.flatnonzero(self.inventory.gaseous)
         self._floats = np.array([key.endswith("(s)") for key in self.inventory.species])
         self._filled = {
             filling.dissolved: self.inventory.filled(filling.dissolved, particle)
@@ -119,11 +120,11 @@ class Solutions:
             mean = _mean(own)
             goal, why = self._settled(mean, warm)
             self.unreacted = tuple(dict.fromkeys([*self.unreacted, *([why] if why else [])]))
-            if mean[self._floats].any():
-                solids = own[:, self._floats]
-                sinking = self._sinking[self._floats]
+            floating = np.flatnonzero(self._floats & (mean > 0.0))
+            if len(floating):
+                solids, sinking = own[:, floating], self._sinking[floating]
                 let_sink(solids, heights[held], sinking, self._layer, speed, period)
-                own[:, self._floats] = contents[np.ix_(held, self._floats)] = solids
+                own[:, floating] = contents[np.ix_(held, floating)] = solids
             end = _where_it_is(own, mean, goal, self._floats)
             apart = np.abs(own - end).max()
             if apart == 0.0:
@@ -133,8 +134,10 @@ class Solutions:
                 share = 1.0
             new = own + share * (end - own)
             heat = float((own - new).sum(axis=0) @ inventory.enthalpies)
-            self.given_off[vessel] += np.where(inventory.gaseous, new.sum(axis=0), 0.0)
-            contents[held] = np.where(inventory.gaseous, 0.0, new)
+            if new[:, self._gases].any():
+                self.given_off[vessel, self._gases] += new[:, self._gases].sum(axis=0)
+                new[:, self._gases] = 0.0
+            contents[held] = new
             what.temperatures[held] += heat / weights.sum()
 
     def solution(self, vessel: int, what: Portion, capacities: FloatArray) -> Solution:
@@ -192,9 +195,12 @@ def _where_it_is(
         goal: That mean at equilibrium, shape (species,).
         floats: Which species are solids, shape (species,).
     """
-    formed = own + np.maximum(goal - mean, 0.0)
+    end = np.tile(goal, (len(own), 1))
+    solid = np.flatnonzero(floats & ((mean > 0.0) | (goal > 0.0)))
+    mean, goal = mean[solid], goal[solid]
     left = np.divide(np.minimum(goal, mean), mean, out=np.ones_like(mean), where=mean > 0.0)
-    return np.where(floats, formed * left, goal)
+    end[:, solid] = (own[:, solid] + np.maximum(goal - mean, 0.0)) * left
+    return end
 
 
 def _mean(contents: FloatArray) -> FloatArray:

@@ -31,6 +31,7 @@ def require_possible_solutions[Present: Thing](
     """
     if not any(filling.reacts for filling in contents.values()):
         return
+    grains: dict[str, float] = {}
     for vessel, filling in contents.items():
         if filling.substance != WATER:
             raise ImpossibleFillingError(
@@ -43,6 +44,11 @@ def require_possible_solutions[Present: Thing](
                 crystals.require_known()
             except ChemistryError as error:
                 raise ImpossibleFillingError(f"{task}, {vessel.name}: {error}") from error
+            if grains.setdefault(crystals.species, crystals.grain_mm) != crystals.grain_mm:
+                raise ImpossibleFillingError(
+                    f"{task}, {vessel.name}: crystals of {crystals.of} of two sizes cannot be in "
+                    "one task: give them one grain_mm"
+                )
         _require(task, [vessel], {filling: filling.volume}, "Dissolve less of it, or another")
     for both in combinations(contents, 2):
         volumes: dict[Filling, float] = {}

@@ -114,3 +114,12 @@ def test_crystals_that_cannot_be_are_refused(crystals: Crystals, reason: str) ->
     beaker = glassware("beaker", "150 ml")
     with pytest.raises(ImpossibleFillingError, match=reason):
         require_possible_solutions("my_task", {beaker: Filling(60.0, crystals=(crystals,))})
+
+
+def test_grains_of_two_sizes_are_refused() -> None:
+    held = {
+        glassware("beaker", "150 ml", name): Filling(60.0, crystals=(Crystals("KCl", 1.0, mm),))
+        for name, mm in (("first", 0.5), ("second", 1.0))
+    }
+    with pytest.raises(ImpossibleFillingError, match=r"my_task, second: crystals of KCl of two"):
+        require_possible_solutions("my_task", held)
