@@ -33,6 +33,15 @@ _ROOM = 6.4e-6
 _TIP, _COLUMN = 5e-4, 1.2e-5
 """Radius of the mouth [m], and mean cross-section of what is drawn in [m^2]: 1 ml stands 84 mm
 high, 50 mm of that in the drawn tip."""
+_BULGE = (
+    (0.0, -0.020),
+    (0.003, -0.018),
+    (0.0045, -0.012),
+    (0.0045, 0.012),
+    (0.003, 0.017),
+    (0, 0.019),
+)
+"""Outline of half the bulb, about the middle of the grasp [m]."""
 _GRIP, _NECK, _TOP = 0.155, 0.130, 0.175
 """Heights of the middle of the bulb, of its neck and of its end above the tip [m]."""
 
@@ -114,7 +123,7 @@ class BulbPipette(Instrument):
                 (-0.0035, 0.0035),
                 (_NECK + 0.006, _TOP),
                 "red_rubber",
-                0.002,
+                0.003,
                 touch=False,
             ),
         ]
@@ -126,8 +135,11 @@ class BulbPipette(Instrument):
         for grip, side in zip(self.grips, (1, -1), strict=True):
             part = grip.add_to(spec, body, (0.0, side * half, _GRIP), (0.0, -side, 0.0))
             inner, outer = (-0.003, 0.0) if side > 0 else (0.0, 0.003)
-            form = Block((-0.006, 0.006), (inner, outer), (-0.015, 0.018), "red_rubber", 0.0012)
-            assemble(spec, part, self.name, [form], mass=0.002)
+            forms: list[Form] = [
+                Block((-0.006, 0.006), (inner, outer), (-0.013, 0.014), "red_rubber", 0.0014),
+                Turned(_BULGE, "red_rubber", (0.0, -side * 0.0045, 0.0), touch=False),
+            ]
+            assemble(spec, part, self.name, forms, mass=0.002)
             joint = part.joints[0]
             joint.stiffness, joint.springref = [_RUBBER, 0.0, 0.0], 0.0
             joint.solimp_limit = _STOP
