@@ -9,9 +9,10 @@ import expert_rows
 from expert_rows import OtherRowsError
 from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.registry import is_beyond_paper, task_files
+from labutopia_lerobot.setting import robot_of_level
 from make_docs import failure_table, metres, start_table, task_table
 
-CONFIG = {"episodes": 3, "seed": 100_000, "robot": "panda", "room": "laboratory"}
+CONFIG = {"episodes": 3, "seed": 100_000, "room": "laboratory"}
 
 
 PLACES = ("total", "poured", "retained", "spilled", "clinging", "in_flight")
@@ -26,6 +27,7 @@ def row(task: str, seed: int, **columns: object) -> dict:
         "play": "single",
         "obs": "state",
         "policy": "expert",
+        "robot": robot_of_level(task),
         "seed": seed,
         "success": True,
         "ever_success": True,
@@ -101,7 +103,8 @@ def test_rows_that_are_not_the_expert_as_published_are_refused(kept, tmp_path, c
 
 
 def test_another_robot_is_refused(tmp_path):
-    other = result(tmp_path / "other", rows_of("level1/pick"), robot="iiwa")
+    rows = [line | {"robot": "iiwa"} for line in rows_of("level1/pick")]
+    other = result(tmp_path / "other", rows)
     with pytest.raises(OtherRowsError, match="robot=iiwa"):
         expert_rows.keep(other, tmp_path / "kept")
 
