@@ -11,7 +11,7 @@ from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.registry import is_beyond_paper, task_files
 from make_docs import failure_table, metres, start_table, task_table
 
-CONFIG = {"episodes": 3, "seed": 100_000, "robot": "panda", "room": "laboratory"}
+CONFIG = {"episodes": 3, "seed": 100_000, "robot": "default", "room": "laboratory"}
 
 
 PLACES = ("total", "poured", "retained", "spilled", "clinging", "in_flight")
