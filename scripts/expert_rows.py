@@ -25,7 +25,7 @@ from labutopia_lerobot.evaluation.rows import Row, from_columns
 from labutopia_lerobot.evaluation.submission import PUBLISHED
 from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.registry import task_files
-from labutopia_lerobot.setting import robot_of_level
+from labutopia_lerobot.setting import OF_THE_LEVEL, robot_of_level
 
 RESULTS = Path(__file__).parents[1] / "eval" / "results"
 
@@ -109,7 +109,7 @@ def _require_expert(
 ) -> None:
     config = provenance["config"]
     for row in rows:
-        wanted = {"task": task, "robot": robot_of_level(task)} | _WANTED
+        wanted = {"task": task} | _WANTED
         other = {name: row[name] for name, value in wanted.items() if row[name] != value}
         if row["liquid"] == "off":
             other["liquid"] = "off"
@@ -119,6 +119,9 @@ def _require_expert(
                 f"{file} holds a row of {differing} (seed {row['seed']}); {task} is published with "
                 "policy=expert split=id liquid=on and no axes"
             )
+    robot = robot_of_level(task)
+    if config.get("robot", robot) not in (robot, OF_THE_LEVEL):
+        raise OtherRowsError(f"{file} was played with robot={config['robot']}, not {robot}")
     for name, value in PUBLISHED.items():
         if config.get(name, value) != value:
             raise OtherRowsError(f"{file} was played with {name}={config[name]}, not {value}")
