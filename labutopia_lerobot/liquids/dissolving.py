@@ -52,7 +52,7 @@ class Dissolving:
             contents: Amounts of each species that its particles hold, shape (m, species) [mol].
             heights: Of the particles, shape (m,) [m].
             layer: Height of a layer [m].
-            crystals: What is put in.
+            crystals: Those that are put in.
         """
         lowest = np.flatnonzero(heights < heights.min() + layer)
         for one in crystals:

@@ -25,7 +25,7 @@ class Stir:
         bottom_gap: Height of the tip above the base of the vessel while stirring [m].
         rise: How far the rod is lifted at first [m].
         clearance: Height of the tip above the mouth at the end [m].
-        until: What is waited for, if anything.
+        until: Fact that is waited for, if any.
     """
 
     rod: Thing

@@ -77,7 +77,7 @@ class Showing:
     All is done in the thread that made it: OpenGL wants that.
 
     Args:
-        episodes: What is shown; pictures are as large as their setting says.
+        episodes: Those that are shown; pictures are as large as their setting says.
         number: Of the first one.
         stage: Where moments go to and commands come from.
     """
@@ -155,7 +155,7 @@ class Showing:
                 self._wants_insets, self._insets = bool(command.get("on")), {}
 
     def _try(self, do: Callable[[], None]) -> None:
-        """Do what may be refused; those who look are told why."""
+        """Do what may be refused; those who look see why."""
         self._note = ""
         try:
             do()

@@ -35,8 +35,8 @@ def reagent_in(env: LabEnv, *vessels: str, ml: float = 3.0) -> dict[str, Any]:
     return info
 
 
-def told(info: dict[str, Any]) -> bool:
-    """Return whether the test has told which one it is."""
+def identified(info: dict[str, Any]) -> bool:
+    """Return whether the test has identified which one it is."""
     (so,) = (so for name, so in info["facts"].items() if " clouded or " in name)
     return bool(so)
 
@@ -67,7 +67,7 @@ def test_only_the_one_that_is_asked_for_clouds_however_much_reagent_there_is(env
     for vessel in ROW:
         info = reagent_in(env, vessel, ml=45.0)
         solid = info["solutions"][vessel]["mol_solid"]
-        assert (solid > 1e-5) == told(info) == (vessel == right_of(env))
+        assert (solid > 1e-5) == identified(info) == (vessel == right_of(env))
 
 
 @pytest.mark.parametrize("split", ["id", "ood"])
@@ -84,16 +84,16 @@ def test_in_every_draw_exactly_one_clouds(split: str) -> None:
 
 def test_who_has_seen_both_others_stay_clear_knows_it_too(env: LabEnv) -> None:
     wrong = [vessel for vessel in ROW if vessel != right_of(env)]
-    assert told(reagent_in(env, *wrong))
-    assert not told(reagent_in(env, wrong[0]))
-    assert not told(reagent_in(env))
+    assert identified(reagent_in(env, *wrong))
+    assert not identified(reagent_in(env, wrong[0]))
+    assert not identified(reagent_in(env))
 
 
 def test_to_guess_right_without_a_test_is_no_success(env: LabEnv) -> None:
     reagent_in(env)
     info = put_on_the_plate(env, right_of(env))
     assert info["facts"][f"{right_of(env)} standing on {PLATE}"]
-    assert not told(info)
+    assert not identified(info)
     assert not info["is_success"]
 
 

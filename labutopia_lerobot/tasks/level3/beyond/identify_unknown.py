@@ -67,18 +67,18 @@ def identify_unknown(draw: Draw) -> Task:
 
     tried = [received(bottle, v, low_ml=_TRIED_ML, high_ml=_REAGENT_ML) for v in wrong]
     # Who has tried both others, and seen that they stay clear, knows it too.
-    told = clouded(right) | reduce(and_, tried)
+    identified = clouded(right) | reduce(and_, tried)
     test = Step(
         "test",
         (TryEach(bottle, tuple((v, clouded(v)) for v in row), ml=3.0, within_ml=1.5),),
         (
-            Substep("told", (told,)),
-            Substep("righted", (told, gripped(bottle), upright(bottle, within_deg=10))),
+            Substep("identified", (identified,)),
+            Substep("righted", (identified, gripped(bottle), upright(bottle, within_deg=10))),
         ),
         (bottle,),
         transfers=tuple(Transfer(bottle, v) for v in row),
     )
-    # The hand may take the wrong one too: only then can it be told apart from a knock.
+    # The hand may take the wrong one too: only then can it be distinguished from a knock.
     choose = replace(actions.pick(right, by=actions.OFF_THE_BENCH).named("choose"), touches=row)
     present = actions.place(right, OnTop(plate), within=_PLATE).named("present")
     return Task(
@@ -105,7 +105,7 @@ def identify_unknown(draw: Draw) -> Task:
             choose,
             replace(present, touches=row),
         ),
-        goal=(told, *actions.left_standing(right, OnTop(plate), within=_PLATE)),
+        goal=(identified, *actions.left_standing(right, OnTop(plate), within=_PLATE)),
         contents={
             bottle: Filling(_REAGENT_ML, dissolved=(Solute(reagent, _REAGENT),)),
             **{
