@@ -32,7 +32,14 @@ from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences, write_whole
-from labutopia_lerobot.setting import CLASSIC, DEFAULT_ROOM, PARTICLES, Setting
+from labutopia_lerobot.setting import (
+    CLASSIC,
+    DEFAULT_ROOM,
+    OF_THE_LEVEL,
+    PARTICLES,
+    Setting,
+    robot_of_level,
+)
 
 FIRST_SEED = 100_000
 """First seed of every published evaluation."""
@@ -48,7 +55,7 @@ PUBLISHED: Mapping[str, object] = {
     "tasks_dir": None,
 }
 """Option -> its value in every published evaluation; an earlier version may not have had it. The
-robot is that of the level, which conditions know."""
+robot is that of the level."""
 
 _SPLITS = ("id", "ood")
 
@@ -122,6 +129,11 @@ def require_published(result: LoadedResult) -> None:
             raise SubmissionError(
                 f"{result.place} was played with {name}={value}; published is {name}={usual}"
             )
+    robot = result.config.get("robot", OF_THE_LEVEL)
+    if robot != OF_THE_LEVEL and {robot} != {robot_of_level(row.task) for row in result.rows}:
+        raise SubmissionError(
+            f"{result.place} was played with robot={robot}; published is robot={OF_THE_LEVEL}"
+        )
     played = by_condition(result.rows)
     scenes = [condition.scene for condition, _ in played]
     for (condition, policy), rows in played.items():

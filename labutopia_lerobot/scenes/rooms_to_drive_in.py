@@ -5,13 +5,13 @@ at least, and docks where its arm reaches a place that nothing stands on.
 """
 
 _ROOMS = {
-    "analytical": (0, 1, 3, 4, 6, 7, 8, 10),
+    "analytical": (0, 1, 2, 3, 4, 6, 7, 8),
     "biology": (0, 4, 7, 8),
     "corridor": (1, 2, 9),
     "glove_box": (2, 3, 4, 5, 6, 9),
     "organic": (1, 2, 4, 7, 8, 9),
     "physics": (0, 1, 2, 3, 5, 9, 10),
-    "preparation": (6, 8),
+    "preparation": (2, 6, 8),
     "teaching": (0, 1, 4, 5, 6, 9),
     "weighing_room": (0, 1, 2, 3, 5),
 }

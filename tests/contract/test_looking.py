@@ -40,7 +40,7 @@ def test_an_episode_is_shown_as_a_film(picked: Path, tmp_path: Path, monkeypatch
     [
         (["--episode", "3"], "has 0 to 2"),
         (["--episode", "0", "--out", "film.gif"], "neither FILE.mp4 nor FILE.rrd"),
-        (["--episode", "0"], "no display here: give --out"),
+        (["--episode", "0"], "no display here: give --web, or --out"),
         (["--episode", "0", "--out", "a.mp4", "--cameras", "side"], "front, top, wrist"),
     ],
 )

@@ -162,7 +162,7 @@ def test_a_damaged_row_is_reported_by_its_line(unfinished: Path) -> None:
         ({"episodes": 3}, "config.episodes: 2 there, 3 here"),
         ({"seed": 5}, "config.seed: 100000 there, 5 here"),
         ({"policy": PolicyConfig("random")}, "config.policy.name: 'still' there, 'random' here"),
-        ({"robot": "iiwa"}, "config.robot: 'panda' there, 'iiwa' here"),
+        ({"robot": "iiwa"}, "config.robot: 'default' there, 'iiwa' here"),
     ],
 )
 def test_another_evaluation_does_not_go_on_with_it(

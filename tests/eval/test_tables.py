@@ -373,7 +373,7 @@ def test_precision_is_reported_for_successes_and_for_all() -> None:
 
 def test_the_command_of_an_entry_plays_its_rows(tmp_path: Path) -> None:
     rows = written("level3/pick", "act", 0.9, n=7, split="ood", axes=["all"], seed=100_010)
-    folder = keep(tmp_path / "out", rows, particles=200, videos=0, robot="panda")
+    folder = keep(tmp_path / "out", rows, particles=200, videos=0, robot="default")
     (entry,) = report_entries(load_results(folder))
     assert command(entry) == (
         "python eval/run.py task=level3/pick policy=act split=ood 'axes=[all]' obs=pixels "

@@ -59,12 +59,8 @@ def identify_unknown(draw: Draw) -> Task:
     unknown = {p: glassware("beaker", "150 ml", f"{p}_beaker") for p in places}
     right, row = unknown[place], tuple(unknown.values())
     wrong = [vessel for p, vessel in unknown.items() if p != place]
-    bottle, plate = (
-        glassware("beaker_tall", "150 ml", "reagent_beaker"),
-        TargetPlate("target_plate"),
-    )
-    back = WhereItStood(bottle)
-
+    bottle = glassware("beaker_tall", "150 ml", "reagent_beaker")
+    plate = TargetPlate("target_plate")
     tried = [received(bottle, v, low_ml=_TRIED_ML, high_ml=_REAGENT_ML) for v in wrong]
     # Who has tried both others, and seen that they stay clear, knows it too.
     identified = clouded(right) | reduce(and_, tried)
@@ -101,7 +97,7 @@ def identify_unknown(draw: Draw) -> Task:
         steps=(
             actions.pick(bottle, by=actions.OFF_THE_BENCH),
             test,
-            actions.place(bottle, back, within=_BACK),
+            actions.place(bottle, WhereItStood(bottle), within=_BACK),
             choose,
             replace(present, touches=row),
         ),
