@@ -75,8 +75,7 @@ def titrate(draw: Draw) -> Task:
             f"Find the end point of the {acid} in the beaker: run the burette, drop by drop at "
             "last, watch the pH meter, and shut it as soon as the pH has leapt.",
         ),
-        start={
-            # The wing faces the hand.
+        start={  # the wing faces the hand
             stand: OnBench((0.28, 0.36), (-0.12, 0.06), (-math.radians(145), -math.radians(125))),
             beaker: Inside(stand, at=stand.under.at),
             meter: Inside(stand, at=(-0.169, 0.232, 0.0), yaw=math.radians(45)),
