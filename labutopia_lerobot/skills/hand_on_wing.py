@@ -75,6 +75,23 @@ class HandOnWing:
         widest = self.wing.widest
         return self.turn("open", widest + _BEYOND, self.wing_beyond(widest - _BEYOND))
 
+    def run_out(
+        self, world: World, delivered: Readable, ml: float, last_ml: float
+    ) -> Iterator[Phase]:
+        """Yield open, run, narrow and trickle, after which a volume has run out; it runs on.
+
+        Args:
+            world: Where it runs.
+            delivered: What reads how much has run out [ml].
+            ml: How much is to run out.
+            last_ml: How much is left to run when the hand begins to narrow it.
+        """
+        yield self.open()
+        yield self.turn("run", self.wing.widest, has_run(delivered, ml - last_ml))
+        yield self.turn("narrow", 0.0, self.wing_beyond(SLIT, back=True), EASING)
+        here = world.joint(self.wing.joint)
+        yield self.turn("trickle", here, has_run(delivered, ml), EASING)
+
     def let_go(self) -> Iterator[Phase]:
         """Yield shut, release and leave."""
         shut = self.wing_beyond(self.wing.closed_within / 5, back=True)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from labutopia_lerobot.predicates.readings import Readable
-from labutopia_lerobot.skills.hand_on_wing import EASING, SLIT, HandOnWing, Wing, has_run
+from labutopia_lerobot.skills.hand_on_wing import HandOnWing, Wing
 from labutopia_lerobot.skills.skill import Phase
 from labutopia_lerobot.world import World
 
@@ -31,10 +31,5 @@ class RunOut:
         """Yield approach, reach, grip, open, run, narrow, trickle, shut, release and leave."""
         hand = HandOnWing.before(world, self.wing, self.standoff)
         yield from hand.take()
-        yield hand.open()
-        coarse = has_run(self.delivered, self.ml - self.last_ml)
-        yield hand.turn("run", self.wing.widest, coarse)
-        yield hand.turn("narrow", 0.0, hand.wing_beyond(SLIT, back=True), EASING)
-        here = world.joint(self.wing.joint)
-        yield hand.turn("trickle", here, has_run(self.delivered, self.ml), EASING)
+        yield from hand.run_out(world, self.delivered, self.ml, self.last_ml)
         yield from hand.let_go()

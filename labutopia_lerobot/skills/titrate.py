@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from labutopia_lerobot.predicates.readings import Readable
-from labutopia_lerobot.skills.hand_on_wing import EASING, SLIT, HandOnWing, Wing, has_run
+from labutopia_lerobot.skills.hand_on_wing import SLIT, HandOnWing, Wing, has_run
 from labutopia_lerobot.skills.skill import Condition, Phase
 from labutopia_lerobot.world import World
 
@@ -49,12 +49,7 @@ class Titrate:
         """Yield approach, reach, grip, open, run and narrow; watch and drip; shut and let go."""
         hand = HandOnWing.before(world, self.wing, self.standoff)
         yield from hand.take()
-        yield hand.open()
-        coarse = has_run(self.delivered, self.first_ml - self.last_ml)
-        yield hand.turn("run", self.wing.widest, coarse)
-        yield hand.turn("narrow", 0.0, hand.wing_beyond(SLIT, back=True), EASING)
-        here = world.joint(self.wing.joint)
-        yield hand.turn("trickle", here, has_run(self.delivered, self.first_ml), EASING)
+        yield from hand.run_out(world, self.delivered, self.first_ml, self.last_ml)
         yield hand.turn("pinch", _PINCHED - _AIM, hand.wing_beyond(_PINCHED, back=True))
         for _ in range(_DROPS):
             yield hand.turn("watch", _PINCHED, self._says)
