@@ -1,9 +1,10 @@
-"""A viewer in the browser: what the server draws, it shows; nothing is loaded from elsewhere.
+"""What a browser shows: what the server draws, it shows; nothing is loaded from elsewhere.
 
 episodes           what can be shown: an expert's episodes, by seed
 recorded_episodes  or those of a dataset
 orbit              a camera that turns about a point
 showing            plays episodes and publishes moments: picture, steps, facts, readings
-server             hands them out on loopback, and takes what the page's buttons say
-page.html          the page
+viewer             the site that shows them: `page.html`, and what its buttons say
+report             the site of an evaluation's results and films
+server             serves a site on loopback, and takes its commands
 """

@@ -1,25 +1,23 @@
-"""Serves a viewer to browsers on this machine: its page, moments, and what buttons say."""
+"""Serves a site to browsers on this machine, and to nobody else."""
 
 import errno
 import json
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from pathlib import Path
-from urllib.parse import parse_qs, urlsplit
+from typing import Any, Protocol
+from urllib.parse import urlsplit
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.web.showing import Stage
 
 LOOPBACK = "127.0.0.1"
 """The only address that it listens on: nobody else's machine can reach it."""
 _NAMES = (LOOPBACK, "localhost")
 """What a browser may call this machine; another name would be a stranger's page that was let to
 point here."""
-_WAIT_S = 10.0
-"""Longest time that a browser waits for the next moment before it asks again [s]."""
 _LONGEST = 1000
 """Bytes of a command at most."""
 
@@ -28,23 +26,54 @@ class PortError(UserError, OSError):
     """A port that cannot be had; the message says the cure."""
 
 
+@dataclass(frozen=True)
+class Answer:
+    """What a browser gets.
+
+    Attributes:
+        kind: As MIME has it, such as `text/html`.
+        content: Empty if there is nothing yet.
+    """
+
+    kind: str
+    content: bytes
+
+
+class Site(Protocol):
+    """What is served.
+
+    Attributes:
+        may_load: What its pages may load beside themselves, as directives of a
+            Content-Security-Policy.
+    """
+
+    may_load: str
+
+    def get(self, path: str, query: str) -> Answer | None:
+        """Return what lies at a path; None if nothing does."""
+        ...
+
+    def take(self, command: Mapping[str, Any]) -> bool:
+        """Take what a button of the page says; false if the site has no buttons."""
+        ...
+
+
 class _Server(ThreadingHTTPServer):
     daemon_threads = True
     allow_reuse_address = True
 
-    def __init__(self, port: int, stage: Stage) -> None:
-        self.stage = stage
-        self.page = (Path(__file__).parent / "page.html").read_bytes()
+    def __init__(self, port: int, site: Site) -> None:
+        self.site = site
         super().__init__((LOOPBACK, port), _Handler)
 
 
 @contextmanager
-def served(port: int, stage: Stage) -> Iterator[str]:
-    """Serve a stage while the body runs.
+def served(port: int, site: Site) -> Iterator[str]:
+    """Serve a site while the body runs.
 
     Args:
         port: Where; 0 for any that is free.
-        stage: Who has the moments and takes the commands.
+        site: What.
 
     Yields:
         The address, such as `http://127.0.0.1:8080`.
@@ -53,7 +82,7 @@ def served(port: int, stage: Stage) -> Iterator[str]:
         PortError: If the port cannot be had.
     """
     try:
-        server = _Server(port, stage)
+        server = _Server(port, site)
     except OSError as error:
         reason = "in use" if error.errno == errno.EADDRINUSE else f"refused ({error.strerror})"
         raise PortError(
@@ -75,23 +104,17 @@ class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
 
     def do_GET(self) -> None:
-        """Answer with the page, with what can be chosen, or with the next moment."""
+        """Answer with what lies at the address."""
         address = urlsplit(self.path)
         if not self._is_of_this_machine():
             self._answer(HTTPStatus.FORBIDDEN, "text/plain", b"only for this machine")
-        elif address.path == "/":
-            self._answer(HTTPStatus.OK, "text/html; charset=utf-8", self.server.page)
-        elif address.path == "/choices":
-            choices = json.dumps(self.server.stage.choices).encode()
-            self._answer(HTTPStatus.OK, "application/json", choices)
-        elif address.path == "/moment":
-            number = parse_qs(address.query).get("after", [""])[0]
-            known = int(number) if number.isdecimal() and len(number) < 18 else -1
-            moment = self.server.stage.after(known, _WAIT_S)
-            status = HTTPStatus.NO_CONTENT if moment is None else HTTPStatus.OK
-            self._answer(status, "application/json", moment or b"")
-        else:
+            return
+        found = self.server.site.get(address.path, address.query)
+        if found is None:
             self._answer(HTTPStatus.NOT_FOUND, "text/plain", b"there is only /")
+        else:
+            status = HTTPStatus.OK if found.content else HTTPStatus.NO_CONTENT
+            self._answer(status, found.kind, found.content)
 
     def do_POST(self) -> None:
         """Take a command, as JSON."""
@@ -106,11 +129,10 @@ class _Handler(BaseHTTPRequestHandler):
             command = json.loads(self.rfile.read(size))
         except (ValueError, RecursionError):
             command = None
-        if not isinstance(command, dict):
+        if isinstance(command, dict) and self.server.site.take(command):
+            self._answer(HTTPStatus.NO_CONTENT, "text/plain", b"")
+        else:
             self._answer(HTTPStatus.BAD_REQUEST, "text/plain", b"no command")
-            return
-        self.server.stage.commands.put(command)
-        self._answer(HTTPStatus.NO_CONTENT, "text/plain", b"")
 
     def _is_of_this_machine(self) -> bool:
         host = self.headers.get("Host", "").rpartition(":")
@@ -123,7 +145,8 @@ class _Handler(BaseHTTPRequestHandler):
             if status is not HTTPStatus.NO_CONTENT:
                 self.send_header("Content-Length", str(len(content)))
             self.send_header("Cache-Control", "no-store")
-            self.send_header("Content-Security-Policy", _POLICY)
+            policy = f"default-src 'none'; {self.server.site.may_load}"
+            self.send_header("Content-Security-Policy", policy)
             self.end_headers()
             self.wfile.write(content)
         except (BrokenPipeError, ConnectionResetError):
@@ -131,9 +154,3 @@ class _Handler(BaseHTTPRequestHandler):
 
     def log_message(self, format: str, *args: object) -> None:
         """Say nothing: the terminal is the user's."""
-
-
-_POLICY = "default-src 'none'; connect-src 'self'; img-src data:; " + (
-    "style-src 'unsafe-inline'; script-src 'unsafe-inline'"
-)
-"""What the page may load: nothing but what is here."""

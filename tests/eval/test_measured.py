@@ -56,7 +56,7 @@ def test_the_page_of_results_has_the_tables_and_curves_of_an_experiment(tmp_path
     rates = {"act, level1/pick": {10: Rate(1, 10, (0.0, 0.4)), 100: Rate(9, 10, (0.6, 1.0))}}
     chart = curve("Success over demonstrations", [10, 25, 100], rates)
     table = Table("All tasks", ("Task", "act"), (("level1/pick", "not measured"),))
-    shown = page(load_results(kept), tmp_path, [table], [chart])
+    shown = page(load_results(kept), {}, [table], [chart])
     assert shown.index("All tasks") < shown.index("Level 1")
     assert "not measured" in shown
     assert "act, level1/pick 90" in shown

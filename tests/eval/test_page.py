@@ -3,7 +3,6 @@
 import html
 import json
 import re
-import shutil
 import subprocess
 from dataclasses import replace
 from html.parser import HTMLParser
@@ -14,21 +13,16 @@ from urllib.parse import unquote
 import numpy as np
 import pytest
 
+from browser import BROWSER, needs_browser, opened
 from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
 from labutopia_lerobot.evaluation.reporting import page as page_module
-from labutopia_lerobot.evaluation.reporting.page import page, write_page
+from labutopia_lerobot.evaluation.reporting.page import addresses, films_of, page, write_page
 from labutopia_lerobot.evaluation.result_folder import film_of
 from labutopia_lerobot.runtime.video import write_video
+from labutopia_lerobot.web.report import Report
+from labutopia_lerobot.web.server import served
 
 from .written_rows import every_level, in_drawn_order, keep, written
-
-BROWSER = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
-)
-
-needs_browser = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium here: scripts/install_chromium.sh installs Debian's"
-)
 
 WIDTHS = (480, 1400)
 """A telephone's and a laptop's [pixels]."""
@@ -152,13 +146,17 @@ def test_the_page_shows_all_that_rows_hold(written_page: Path) -> None:
     assert "@media print" in text
 
 
+def page_in(folder: Path, results: list[LoadedResult]) -> str:
+    return page(results, addresses(films_of(results), folder))
+
+
 def test_films_that_are_too_large_to_stand_in_the_page_are_linked(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (result,) = load_results(keep(tmp_path / "an out", written("level1/pick", "act", 0.5, n=8)))
     film_first(result)
     monkeypatch.setattr(page_module, "MOST_EMBEDDED", 100)
-    text = page([result], tmp_path)
+    text = page_in(tmp_path, [result])
     tags = Tags()
     tags.feed(text)
     linked = [address for address in tags.addresses if address[0] != "#"]
@@ -176,20 +174,20 @@ def test_no_file_outside_the_films_of_a_result_is_shown(tmp_path: Path) -> None:
     keep(folder, [replace(rows[0], outcome="/../../../private"), rows[1]])
     (folder / "videos" / "level1-pick_id_seed100000_").mkdir(parents=True)
     film_of(folder, rows[1]).symlink_to(tmp_path / "private.mp4")
-    text = page(load_results(folder), tmp_path)
+    text = page_in(tmp_path, load_results(folder))
     assert "<video" not in text
     assert "c2VjcmV0" not in text
 
 
 def test_what_users_name_is_escaped(tmp_path: Path) -> None:
     rows = written("level1/pick", "<script>alert(1)</script>", 0.5, n=8)
-    text = page(load_results(keep(tmp_path / "out", rows)), tmp_path)
+    text = page_in(tmp_path, load_results(keep(tmp_path / "out", rows)))
     assert "<script" not in text
 
 
 def test_the_same_results_give_the_same_page(tmp_path: Path) -> None:
     results = load_results(keep(tmp_path / "out", written("level1/pick", "act", 0.5, n=8)))
-    assert page(results, tmp_path) == page(load_results(tmp_path / "out"), tmp_path)
+    assert page_in(tmp_path, results) == page_in(tmp_path, load_results(tmp_path / "out"))
 
 
 @needs_browser
@@ -217,3 +215,34 @@ def test_a_browser_plays_the_films_in_the_page_and_beside_it(
     films = measured(tmp_path / "report.html", tmp_path, 480)["films"]
     assert len(films) == 2
     assert all(ready >= 1 and duration == pytest.approx(1.0, abs=0.1) for ready, duration in films)
+
+
+@needs_browser
+def test_a_report_is_served_with_its_films_and_as_the_results_are_now(tmp_path: Path) -> None:
+    rows = written("level1/pick", "act", 0.5, n=8)
+    place = keep(tmp_path / "out", rows)
+    film_first(load_results(place)[0])
+    report = Report(lambda: load_results(place))
+    with served(0, report) as address, opened(tmp_path) as browser:
+        browser.go(address)
+        films = "[...document.querySelectorAll('video')]"
+        browser.wait_for(f"{films}.length == 2 && {films}.every(film => film.readyState >= 1)")
+        assert browser.value(f"{films}.every(film => Math.abs(film.duration - 1) < 0.1)")
+        episodes = "parseInt(document.querySelector('.figures')?.innerText)"
+        browser.wait_for(f"{episodes} == 8")
+        assert all(each.startswith(f"{address}/") for each in browser.addresses)
+        place = keep(tmp_path / "later", rows[:5])
+        browser.go(address)
+        browser.wait_for(f"{episodes} == 5")
+    assert report.get("/films/../../etc/passwd", "") is None
+    assert not report.take({"do": "anything"})
+
+
+def test_a_served_report_of_damaged_results_says_so(tmp_path: Path) -> None:
+    folder = keep(tmp_path / "out", written("level1/pick", "act", 0.5, n=8))
+    (folder / "rows.jsonl").unlink(missing_ok=True)
+    (folder / "result.json").write_text("{")
+    said = Report(lambda: load_results(folder)).get("/", "")
+    assert said is not None
+    assert said.kind.startswith("text/plain")
+    assert b"result.json" in said.content

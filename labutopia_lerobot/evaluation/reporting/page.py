@@ -145,14 +145,19 @@ def filmed_episodes(entries: Sequence[ReportEntry]) -> list[FilmedEpisode]:
     return filmed
 
 
-def addresses(episodes: Sequence[FilmedEpisode], folder: Path) -> dict[Path, str]:
+def films_of(results: Sequence[LoadedResult]) -> list[Path]:
+    """Return the films that a page of these results shows, each once."""
+    clips = (clip for each in filmed_episodes(report_entries(results)) for clip in each.films)
+    return list(dict.fromkeys(film for _, film in clips if film is not None))
+
+
+def addresses(films: Sequence[Path], folder: Path) -> dict[Path, str]:
     """Return film -> its address in a page: the film itself if all are small, or else a link.
 
     Args:
-        episodes: What the page shows.
+        films: What the page shows.
         folder: Where the page lies; links are relative to it.
     """
-    films = {film for episode in episodes for _, film in episode.films if film is not None}
     if sum(film.stat().st_size for film in films) > MOST_EMBEDDED:
         return {film: quote(os.path.relpath(film, folder)) for film in films}
     return {
@@ -190,13 +195,14 @@ def write_page(
     """
     file.parent.mkdir(parents=True, exist_ok=True)
     written = file.with_name(f"{file.name}.tmp")
-    written.write_text(page(results, file.parent, tables, curves))
+    address_of = addresses(films_of(results), file.parent)
+    written.write_text(page(results, address_of, tables, curves))
     written.replace(file)  # where a link lies, it is replaced and not followed
 
 
 def page(
     results: Sequence[LoadedResult],
-    folder: Path,
+    address_of: Mapping[Path, str],
     tables: Sequence[Table] = (),
     curves: Sequence[Mapping[str, Any]] = (),
 ) -> str:
@@ -204,7 +210,7 @@ def page(
 
     Args:
         results: What it shows; at least one of them has a row.
-        folder: Where it will lie.
+        address_of: Film -> its address, for all of `films_of(results)`.
         tables: Further tables, which come first.
         curves: Charts, as `charts.curve` makes them.
     """
@@ -217,13 +223,13 @@ def page(
     )
     style = environment.get_template("style.css").render()
     template = environment.get_template("page.html.j2")
-    content = _content(results, folder, tables, curves)
+    content = _content(results, address_of, tables, curves)
     return template.render(content, style=environment.filters["safe"](style))
 
 
 def _content(
     results: Sequence[LoadedResult],
-    folder: Path,
+    address_of: Mapping[Path, str],
     further: Sequence[Table],
     curves: Sequence[Mapping[str, Any]],
 ) -> dict[str, Any]:
@@ -231,7 +237,6 @@ def _content(
     shown = (*further, *level_tables(entries))
     tables = [(f"table{index}", table) for index, table in enumerate(shown)]
     films = filmed_episodes(entries)
-    address_of = addresses(films, folder)
     precision = precision_table(entries)
     shifted = slopes(entries)
     with_failures = [entry for entry in entries if failures(entry)]
