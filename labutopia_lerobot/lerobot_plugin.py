@@ -102,13 +102,13 @@ class LabUtopiaEnvConfig(SettingOptions, EnvConfig):
         self, n_envs: int, use_async_envs: bool = False
     ) -> dict[str, dict[str, VectorEnv[Any, Any, Any]]]:
         """Return level -> task name -> environments; nothing starts before its first reset."""
-        from labutopia_lerobot.vector import LabVectorEnv  # here: it imports mujoco
+        from labutopia_lerobot.logged_vector import LoggedVectorEnv  # here: it imports mujoco
 
         asynchronous = use_async_envs and n_envs > 1
         suites: dict[str, dict[str, VectorEnv[Any, Any, Any]]] = {}
         for setting in self.settings:
             level, name = setting.task.split("/")
-            envs = LabVectorEnv(setting, n_envs, asynchronous)
+            envs = LoggedVectorEnv(setting, n_envs, asynchronous)
             suites.setdefault(level, {})[name] = envs
         return suites
 

@@ -16,6 +16,7 @@ from lerobot.scripts.lerobot_eval import rollout
 from numpy.typing import NDArray
 
 import lerobot_env_labutopia  # noqa: F401 (registers the type, as LeRobot's programs do)
+from labutopia_lerobot.checks.playing import expert, still
 from labutopia_lerobot.datasets.declaration import dataset_features
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
@@ -185,3 +186,29 @@ def test_lerobot_eval_ends_with_the_message_of_a_wrong_flag(tmp_path: Path) -> N
     assert done.returncode != 0
     assert "error: Unknown task 'level1/pik'. Did you mean 'level1/pick'" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+def test_successes_per_task_stand_in_a_run_of_weights_and_biases(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import wandb  # here: only a training that logs imports it
+
+    monkeypatch.setenv("WANDB_SILENT", "true")
+    config = make_env_config("labutopia", obs="state", liquid="off")
+    envs = config.create_envs(n_envs=2)["level1"]["pick"]
+    with wandb.init(mode="offline", dir=tmp_path) as run:
+        envs.reset(seed=[0, 1])
+        picking, waiting = (member.unwrapped for member in envs._ensure().envs)
+        script = expert(picking)
+        actions = np.stack([still(waiting).act()] * 2)
+        over = np.zeros(2, dtype=bool)
+        while not over.all():
+            if not over[0]:
+                actions[0] = script.act()
+            _, _, terminated, truncated, _ = envs.step(actions)
+            over = terminated | truncated
+        envs.close()
+        run.log({"eval/pc_success": 50.0}, step=1)  # as LeRobot does
+        logged = dict(run.summary)
+    assert logged["eval/level1/pick/pc_success"] == 50.0
+    assert logged["eval/level1/pick/episodes"] == 2
