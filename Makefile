@@ -19,11 +19,13 @@ demo: export HF_HUB_OFFLINE := 1
 # On a busy machine, threads that spin while they wait for each other take most of the time.
 demo test test-slow: export OMP_NUM_THREADS := 1
 demo test test-slow: export OMP_WAIT_POLICY := PASSIVE
+# Tests start many programs: Python compiles ours for each of them where it may not keep the result.
+test test-slow: export PYTHONDONTWRITEBYTECODE :=
 
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo results-cpu results-gpu test test-slow docs lint format clean
+.PHONY: help setup demo results-cpu results-gpu test test-slow docs lint kernels format clean
 
 help:  ## List the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -51,7 +53,8 @@ demo: setup  ## Record, train and evaluate a small policy on a CPU, and print it
 	$(BIN)/python eval/report.py $(DEMO)/eval
 	@echo "Expert: $(DEMO)/level1-pick.png and .mp4. Policies: $(DEMO)/eval/*/videos"
 
-test: lint $(TESTED_WITH)  ## Check style and types, then run every test but the sweeps
+test: $(TESTED_WITH)  ## Check style and types, then run every test but the sweeps
+	@$(MAKE) --no-print-directory --jobs=2 --output-sync=target lint kernels
 	$(PYTEST) -m "not slow"
 
 test-slow: setup $(TESTED_WITH)  ## Run the sweeps: ten episodes of every expert, more attacks, trainings, kills, leaks
@@ -64,6 +67,9 @@ lint: setup  ## Check style, format and types
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
+
+kernels: setup
+	$(BIN)/python scripts/compile_kernels.py
 
 format: setup  ## Mend style and format
 	$(BIN)/ruff check --fix

@@ -102,7 +102,9 @@ class LabUtopiaEnvConfig(SettingOptions, EnvConfig):
         self, n_envs: int, use_async_envs: bool = False
     ) -> dict[str, dict[str, VectorEnv[Any, Any, Any]]]:
         """Return level -> task name -> environments; nothing starts before its first reset."""
-        from labutopia_lerobot.logged_vector import LoggedVectorEnv  # here: it imports mujoco
+        from labutopia_lerobot.evaluation.logged_vector import (
+            LoggedVectorEnv,  # here: it imports mujoco
+        )
 
         asynchronous = use_async_envs and n_envs > 1
         suites: dict[str, dict[str, VectorEnv[Any, Any, Any]]] = {}

@@ -14,6 +14,7 @@ import importlib.metadata
 import importlib.util
 import warnings
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -168,9 +169,14 @@ def _nearest(task_id: str, tasks: list[str]) -> list[str]:
 
 
 def _folders(tasks_dir: str | Path | None) -> list[Path]:
-    entries = importlib.metadata.entry_points(group=ENTRY_POINT_GROUP)
-    installed = [folder for entry in entries for folder in _installed(entry)]
+    installed = [folder for entry in entry_points() for folder in _installed(entry)]
     return [PACKAGED, *installed, *([Path(tasks_dir).resolve()] if tasks_dir else [])]
+
+
+@cache
+def entry_points() -> tuple[importlib.metadata.EntryPoint, ...]:
+    """Return what installed distributions name; to look through all of them takes 20 ms."""
+    return tuple(importlib.metadata.entry_points(group=ENTRY_POINT_GROUP))
 
 
 def _installed(entry: importlib.metadata.EntryPoint) -> list[Path]:

@@ -59,7 +59,7 @@ class Watch:
             raise StoppedError
 
 
-def recording(root: Path, *overrides: str, workers: int = 2, watch: Watch | None = None) -> Path:
+def recording(root: Path, *overrides: str, workers: int = 1, watch: Watch | None = None) -> Path:
     """Record one dataset."""
     (config,) = parse([*overrides, f"root={root}", f"workers={workers}"]).datasets()
     record(config, watch or Watch())

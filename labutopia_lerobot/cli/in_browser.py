@@ -10,9 +10,9 @@ from rich.console import Console
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.setting import require_between
 from labutopia_lerobot.web.episodes import Episodes
+from labutopia_lerobot.web.episodes_site import EpisodesSite
 from labutopia_lerobot.web.server import Site, served
 from labutopia_lerobot.web.showing import Showing, Stage
-from labutopia_lerobot.web.viewer import Viewer
 
 WEB_SIZE = 960, 540
 """Width and height of the picture in a browser by default [pixels]."""
@@ -42,7 +42,7 @@ def show_in_browser(episodes: Callable[[], Episodes], number: int, port: int, wh
         UserError: If the port cannot be had, or the first episode cannot be played.
     """
     stage = Stage()
-    with _announced(Viewer(stage), port) as announce:
+    with _announced(EpisodesSite(stage), port) as announce:
         with doing(Console(stderr=True), f"Setting up {what}"):
             shown = episodes()
             stage.choices = shown.choices

@@ -19,7 +19,7 @@ from labutopia_lerobot.evaluation.reporting.result_tables import (
     precision_table,
 )
 from labutopia_lerobot.evaluation.reporting.table import FORMATS
-from labutopia_lerobot.web.report import Report
+from labutopia_lerobot.web.results_site import ResultsSite
 
 
 class NothingToReportError(UserError):
@@ -49,7 +49,7 @@ def main() -> None:
             line = f"Unfinished: {result.place}, {len(result.rows)} episodes so far"
             console.print(line, markup=False)
     if arguments.web:
-        serve_to_browser(Report(lambda: _load(arguments.places)), arguments.port)
+        serve_to_browser(ResultsSite(lambda: _load(arguments.places)), arguments.port)
         return
     page = arguments.out or _beside(arguments.places[0])
     write_page(page, results)

@@ -17,6 +17,7 @@ Playing
     run                 a run: plays what is missing, writes the result, prints the tables
     rollout             one episode, and its film
     precision           errors of places and volumes at the end, beside success
+    logged_vector       environments of LeRobot's training that log each task's success
     journey             what was driven: way, shortest way, SPL
     failure_causes      why an episode failed, in one phrase
     stopping            when enough episodes are played (`until=`, `versus=`)

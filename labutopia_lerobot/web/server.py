@@ -40,7 +40,7 @@ class Answer:
 
 
 class Site(Protocol):
-    """What is served.
+    """A site: what lies where, and what its pages may say.
 
     Attributes:
         may_load: What its pages may load beside themselves, as directives of a

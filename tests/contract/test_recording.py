@@ -60,7 +60,7 @@ def test_exactly_the_wanted_successes_are_stored(picked: Path) -> None:
 
 
 def test_the_number_of_workers_changes_nothing(picked: Path, tmp_path: Path) -> None:
-    assert_same_dataset(picked, recording(tmp_path / "one", *PICK, workers=1))
+    assert_same_dataset(picked, recording(tmp_path / "two", *PICK, workers=2))
 
 
 def test_the_same_command_makes_the_same_bytes_in_whatever_order_python_keeps_its_sets(

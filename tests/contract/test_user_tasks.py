@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from labutopia_lerobot import registry
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.gymnasium_ids import register_tasks
@@ -82,7 +83,7 @@ def test_a_task_that_exists_twice_is_an_error(tasks_dir):
 
 def test_a_package_that_is_not_there_is_reported_and_the_other_tasks_stay(monkeypatch):
     broken = importlib.metadata.EntryPoint("lab", "nowhere.lab_tasks", "labutopia.tasks")
-    monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [broken])
+    monkeypatch.setattr(registry, "entry_points", lambda: [broken])
     with pytest.warns(UserWarning, match=r"'nowhere\.lab_tasks' for tasks, which cannot be found"):
         assert "level1/pick" in task_files()
 
@@ -91,7 +92,7 @@ def test_tasks_that_clash_do_not_break_the_import(tasks_dir, monkeypatch):
     (tasks_dir / "level1" / "pick.py").write_text("")
     monkeypatch.setattr("labutopia_lerobot.registry._installed", lambda entry: [tasks_dir])
     entry = importlib.metadata.EntryPoint("lab", "lab_tasks", "labutopia.tasks")
-    monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [entry])
+    monkeypatch.setattr(registry, "entry_points", lambda: [entry])
     with pytest.warns(UserWarning, match=r"No Gymnasium id is registered.*exists twice"):
         register_tasks()
 

@@ -18,10 +18,10 @@ import pytest
 from browser import Page, needs_browser, opened
 from labutopia_lerobot.datasets.tables import read_episodes
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
+from labutopia_lerobot.web.episodes_site import EpisodesSite
 from labutopia_lerobot.web.orbit import Orbit
 from labutopia_lerobot.web.server import LOOPBACK, served
 from labutopia_lerobot.web.showing import Stage
-from labutopia_lerobot.web.viewer import Viewer
 from recordings import recording
 
 SMALL = ("--web", "--width", "160", "--height", "90")
@@ -222,7 +222,7 @@ def test_a_port_in_use_is_one_line_with_the_cure():
 
 
 def test_it_listens_on_loopback_only():
-    with served(0, Viewer(Stage())) as address:
+    with served(0, EpisodesSite(Stage())) as address:
         port = int(address.rpartition(":")[2])
         with socket.create_connection((LOOPBACK, port), timeout=5):
             pass

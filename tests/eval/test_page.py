@@ -19,7 +19,7 @@ from labutopia_lerobot.evaluation.reporting import page as page_module
 from labutopia_lerobot.evaluation.reporting.page import addresses, films_of, page, write_page
 from labutopia_lerobot.evaluation.result_folder import film_of
 from labutopia_lerobot.runtime.video import write_video
-from labutopia_lerobot.web.report import Report
+from labutopia_lerobot.web.results_site import ResultsSite
 from labutopia_lerobot.web.server import served
 
 from .written_rows import every_level, in_drawn_order, keep, written
@@ -222,7 +222,7 @@ def test_a_report_is_served_with_its_films_and_as_the_results_are_now(tmp_path: 
     rows = written("level1/pick", "act", 0.5, n=8)
     place = keep(tmp_path / "out", rows)
     film_first(load_results(place)[0])
-    report = Report(lambda: load_results(place))
+    report = ResultsSite(lambda: load_results(place))
     with served(0, report) as address, opened(tmp_path) as browser:
         browser.go(address)
         films = "[...document.querySelectorAll('video')]"
@@ -242,7 +242,7 @@ def test_a_served_report_of_damaged_results_says_so(tmp_path: Path) -> None:
     folder = keep(tmp_path / "out", written("level1/pick", "act", 0.5, n=8))
     (folder / "rows.jsonl").unlink(missing_ok=True)
     (folder / "result.json").write_text("{")
-    said = Report(lambda: load_results(folder)).get("/", "")
+    said = ResultsSite(lambda: load_results(folder)).get("/", "")
     assert said is not None
     assert said.kind.startswith("text/plain")
     assert b"result.json" in said.content

@@ -1,5 +1,6 @@
 """Fixtures of the suite: every test here runs over every registered task."""
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -92,6 +93,11 @@ def env(request: pytest.FixtureRequest) -> LabEnv:
     return LabEnv(Setting(task, obs="state", particles=300, liquid=liquid, room=room))
 
 
+@cache
+def is_long(task: str) -> bool:
+    return canonical_task(Setting(task)).time_limit_s > LONG_S
+
+
 @pytest.hookimpl(tryfirst=True)  # before pytest selects by marks
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark as slow what plays more episodes in tasks that are not one of each level."""
@@ -102,8 +108,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             if played is None or "check" not in played.params:
                 continue
             (task, liquid), check = played.params["env"], played.params["check"]
-            is_long = canonical_task(Setting(task)).time_limit_s > LONG_S
             more = check in MORE_EPISODES and task not in ONE_OF_EACH_LEVEL
-            long = check in WHOLE_EPISODE | MORE_EPISODES and is_long and liquid == "on"
+            long = check in WHOLE_EPISODE | MORE_EPISODES and is_long(task) and liquid == "on"
             if check in TEN_EPISODES or more or long:
                 item.add_marker(pytest.mark.slow)

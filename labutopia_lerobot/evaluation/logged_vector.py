@@ -56,7 +56,7 @@ class LoggedVectorEnv(LabVectorEnv):
 
 def _log_of_open_run() -> Callable[..., None] | None:
     """Return `log` of the run of Weights & Biases in this process; None if there is none."""
-    wandb = sys.modules.get("wandb")  # whoever logs has imported it
+    wandb = sys.modules.get("wandb")  # imported where somebody logs
     run = getattr(wandb, "run", None)
     log: Callable[..., None] | None = getattr(run, "log", None)
     return log

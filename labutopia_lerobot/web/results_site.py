@@ -1,4 +1,4 @@
-"""The site of a report: the page of results as they are now, and the films that it shows."""
+"""The site of results: their page as they are now, and the films that it shows."""
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -10,7 +10,7 @@ from labutopia_lerobot.evaluation.reporting.page import films_of, page
 from labutopia_lerobot.web.server import Answer
 
 
-class Report:
+class ResultsSite:
     """Shows results; a browser that loads the page again sees what was played meanwhile.
 
     Args:

@@ -13,7 +13,7 @@ _WAIT_S = 10.0
 """Longest time that a browser waits for the next moment before it asks again [s]."""
 
 
-class Viewer:
+class EpisodesSite:
     """Shows a stage.
 
     Args:
