@@ -1,10 +1,11 @@
-"""`python scripts/make_films.py`: the film that the README opens with, and its strip of four rooms.
+"""`python scripts/make_films.py`: the films of the README, of its rooms, and of every task.
 
-Both are drawn with Filament, as `labutopia-film` does; beside other work the film takes half an
-hour.
+All are drawn with Filament, as `labutopia-film` does. Beside other work the README's takes half an
+hour, a task's half a minute. `make_films.py tasks level1/pick` makes those that are named.
 """
 
 import argparse
+import math
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,11 @@ from PIL import Image
 from labutopia_lerobot.cli import film
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.setting import FILAMENT, Setting
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.progress import SUCCESS
+from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import DEFAULT_ROOM, FILAMENT, Setting
 from labutopia_lerobot.sim.filming import BEAUTY, FilmCamera
 
 GALLERY = Path(__file__).parents[1] / "docs" / "gallery"
@@ -30,20 +35,71 @@ ROOMS = (
 SIZE = 480, 320
 """Width and height of each [pixels]."""
 EXPOSURES = 24
+OF_TASKS = GALLERY / "films"
+TASK_FILM = "width=480 height=270 fps=15 exposures=4"
+LONGEST_S = 8.0
+"""A task's film lasts no longer [s]: it is shown faster, by a whole number."""
+TASK_ROOMS = ("organic_7", "teaching_5", "analytical_3", "biology_5", "physics_4")
+"""Rooms that the tasks are filmed in, one after the other; a task in which one drives draws its
+own."""
 
 
 @clear_errors
 def main() -> None:
-    """Make both, or what is asked for."""
+    """Make what is asked for, or all."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", nargs="?", choices=("film", "rooms"), help="default: both")
-    what = parser.parse_args().what
-    GALLERY.mkdir(parents=True, exist_ok=True)
-    if what != "film":
+    parser.add_argument("what", nargs="?", choices=("film", "rooms", "tasks"), help="default: all")
+    parser.add_argument("tasks", nargs="*", help="default: all that have no film yet")
+    arguments = parser.parse_args()
+    wanted = [arguments.what] if arguments.what else ["rooms", "film", "tasks"]
+    OF_TASKS.mkdir(parents=True, exist_ok=True)
+    if "rooms" in wanted:
         strip = np.hstack([moment(*each) for each in ROOMS])
         Image.fromarray(strip).save(GALLERY / "rooms.webp", quality=85, method=6)
-    if what != "rooms":
+    if "film" in wanted:
         film.main([*FILM.split(), f"out={GALLERY / 'film.webp'}"])
+    if "tasks" in wanted:
+        for number, task in enumerate(task_files()):
+            if task in arguments.tasks or not (arguments.tasks or film_of(task).exists()):
+                film_task(task, number)
+
+
+def film_of(task: str) -> Path:
+    """Return where the film of a task lies."""
+    return OF_TASKS / f"{task.replace('/', '-')}.mp4"
+
+
+def film_task(task: str, number: int) -> None:
+    """Film a success of a task's expert, in the first of the rooms where there is one."""
+    first = number % len(TASK_ROOMS)
+    rooms = TASK_ROOMS[first:] + TASK_ROOMS[:first]
+    if canonical_task(Setting(task)).drives:
+        rooms = (DEFAULT_ROOM,)
+    room, seed, seconds = next(
+        (room, seed, seconds)
+        for room in rooms
+        for seed in range(3)
+        if (seconds := success_s(task, room, seed)) is not None
+    )
+    speed = math.ceil(seconds / LONGEST_S)
+    options = f"room={room} seed={seed} speed={speed}"
+    film.main([task, *TASK_FILM.split(), *options.split(), f"out={film_of(task)}"])
+
+
+def success_s(task: str, room: str, seed: int) -> float | None:
+    """Return when the expert has succeeded [s]; None if it does not, or the room does not fit."""
+    try:
+        env = LabEnv(Setting(task, obs="state", room=room))
+        env.reset(seed=seed)
+    except UserError:
+        return None
+    expert, progress = env.expert(), env.workcell.progress
+    expert.start()
+    while not progress.over:
+        env.step(expert.act())
+    seconds = env.workcell.world.time
+    env.close()
+    return seconds if progress.outcome == SUCCESS else None
 
 
 def moment(task: str, room: str, seconds: float) -> NDArray[np.uint8]:

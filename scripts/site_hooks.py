@@ -44,6 +44,10 @@ REFERENCE = (
     ("Chemistry", ("chemistry.engine", "chemistry.chem_db", "chemistry.names")),
 )
 """Heading of a page of the reference, and its modules."""
+_FILM = (
+    '<video src="../gallery/films/{name}.mp4" width="480" height="270" autoplay loop muted '
+    "playsinline controls></video>"
+)
 _LINK = re.compile(r"(?<!!)\[([^\]]+)\]\(([^)#\s]+)(#[^)\s]*)?\)")
 
 
@@ -112,6 +116,7 @@ def _task(task_id: str) -> Iterator[str]:
     setting, name = Setting(task_id, obs="state"), task_id.replace("/", "-")
     task = canonical_task(setting)
     yield from (f"# {task_id}", "", task.instruction, "")
+    yield from (_FILM.format(name=name), "")
     yield from (f"![The expert's start and end, from three cameras](../gallery/{name}.png)", "")
     rate = re.search(rf"^\| `{task_id}` \|.*$", _rates(), re.MULTILINE)
     if rate is not None:

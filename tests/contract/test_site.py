@@ -65,6 +65,15 @@ def test_every_task_has_a_page_with_its_instruction_and_the_reference_is_filled(
     assert (site / "search" / "search_index.json").stat().st_size > 100_000
 
 
+def test_every_task_has_a_film_of_its_own_that_is_small():
+    films = ROOT / "docs" / "gallery" / "films"
+    expected = {f"{task_id.replace('/', '-')}.mp4" for task_id in task_files()}
+    assert {each.name for each in films.iterdir()} == expected, "run: scripts/make_films.py tasks"
+    for film in films.iterdir():
+        assert video_size_and_frames(film)[:2] == (480, 270)
+        assert 10_000 < film.stat().st_size < 600_000
+
+
 def test_the_readme_is_a_page_that_opens_with_a_film_of_less_than_3_mb():
     lines = (ROOT / "README.md").read_text().splitlines()
     assert len(lines) <= 150
