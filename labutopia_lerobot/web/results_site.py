@@ -40,6 +40,6 @@ class ResultsSite:
         except UserError as error:
             return Answer("text/plain; charset=utf-8", str(error).encode())
         films = films_of(results)
-        address_of = {film: f"films/{number}.mp4" for number, film in enumerate(films)}
-        self._films = {f"/{address}": film for film, address in address_of.items()}
+        address_of = {film: f"/films/{number}.mp4" for number, film in enumerate(films)}
+        self._films = {address: film for film, address in address_of.items()}
         return Answer("text/html; charset=utf-8", page(results, address_of).encode())

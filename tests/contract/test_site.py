@@ -12,6 +12,7 @@ import pytest
 import yaml
 
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.runtime.video import video_size_and_frames
 
 ROOT = Path(__file__).parents[2]
 

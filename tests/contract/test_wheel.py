@@ -20,6 +20,7 @@ def site(tmp_path_factory) -> Path:
     build = ["wheel", "--no-deps", "--no-build-isolation", "-w", str(folder), str(ROOT)]
     subprocess.run([*pip, *build], check=True)
     wheel = next(folder.glob("lerobot_env_labutopia-*.whl"))
+    assert wheel.stat().st_size < 5_000_000
     target = folder / "site"
     install = ["install", "--no-deps", "--no-index", "--target", str(target), str(wheel)]
     subprocess.run([*pip, *install], check=True)

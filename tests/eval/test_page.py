@@ -231,6 +231,7 @@ def test_a_report_is_served_with_its_films_and_as_the_results_are_now(tmp_path: 
         episodes = "parseInt(document.querySelector('.figures')?.innerText)"
         browser.wait_for(f"{episodes} == 8")
         assert all(each.startswith(f"{address}/") for each in browser.addresses)
+        assert "take the folders" not in browser.value("document.body.innerText")
         place = keep(tmp_path / "later", rows[:5])
         browser.go(address)
         browser.wait_for(f"{episodes} == 5")

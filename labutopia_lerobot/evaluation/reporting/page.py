@@ -278,6 +278,7 @@ def _content(
         "failures": failed,
         "films": [_filmed(episode, address_of) for episode in films],
         "embedded": all(address.startswith("data:") for address in address_of.values()),
+        "beside": not all(address.startswith(("data:", "/")) for address in address_of.values()),
         "precision": precision,
         "commands": [
             {
