@@ -36,7 +36,7 @@ _RPM, _WITHIN = 2000.0, 50.0
 _SECONDS = 5.0
 """How long both are to be spun at that speed [s]; ours."""
 _ML = 8.0
-"""What is in each tube [ml]; ours: half of what it holds."""
+"""Water in each tube [ml]; ours: half of what it holds."""
 _SEATED = 0.006
 """How far the foot of a tube may be from where it belongs [m]; ours: a cone leans in its hole."""
 _SLAMMED = 2.0
