@@ -4,6 +4,7 @@ import mujoco
 import numpy as np
 
 from labutopia_lerobot.labware.instrument_catalogue import instrument
+from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.processes import Apparatus, slots_of
 from labutopia_lerobot.world import CONTROL_HZ, Reading
 from labutopia_lerobot.world.model import PHYSICS_HZ, SOLIMP, SOLREF
@@ -12,8 +13,8 @@ from labutopia_lerobot.world.model import PHYSICS_HZ, SOLIMP, SOLREF
 class Bench:
     """An instrument on the floor, its processes stepped as a simulation steps them."""
 
-    def __init__(self, kind: str) -> None:
-        self.kind, self.piece = kind, instrument(kind)
+    def __init__(self, of: str | Equipment) -> None:
+        self.piece = instrument(of) if isinstance(of, str) else of
         spec = mujoco.MjSpec()
         spec.compiler.degree = False
         spec.default.geom.solref[:], spec.default.geom.solimp[:] = SOLREF, SOLIMP

@@ -47,6 +47,7 @@ from labutopia_lerobot.predicates.openables import (
 )
 from labutopia_lerobot.predicates.pipette_tip import in_hand, tip_above, tip_in
 from labutopia_lerobot.predicates.placing import (
+    held_by,
     near,
     released,
     seated,
@@ -98,6 +99,7 @@ __all__ = [
     "grasped",
     "gripped",
     "halted",
+    "held_by",
     "hotter",
     "immersed",
     "in_hand",

@@ -1,7 +1,8 @@
 """Facts about setting a thing down, leaving it, and leaving others alone."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import Protocol
 
 from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates.predicate import predicate
@@ -61,6 +62,24 @@ def _seat_errors(
     world: World, thing: Thing, place: Destination, *, within: float
 ) -> Mapping[str, float]:
     return {"mm": 1e3 * _off(world, thing, place)}
+
+
+class Holder(Thing, Protocol):
+    """A rack, a rotor's centrifuge: what has many places of one kind."""
+
+    @property
+    def places(self) -> Sequence[Destination]:
+        """The places."""
+        ...
+
+
+@predicate("{thing} in {holder} within {within:g} m")
+def held_by(world: World, thing: Thing, holder: Holder, *, within: float) -> bool:
+    """The thing is seated in one of the places of a rack or a rotor, whichever: see `seated`."""
+    touched = world.touched_by(thing.name)
+    return any(
+        place.support in touched and _off(world, thing, place) < within for place in holder.places
+    )
 
 
 def _off(world: World, thing: Thing, place: Destination) -> float:

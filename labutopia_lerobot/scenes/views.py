@@ -116,6 +116,12 @@ CENTRIFUGE_VIEW = View(
 )
 """Like `DOOR_VIEW`, but so near in front that one sees which key of an instrument is pressed."""
 
+TUBES_VIEW = View(
+    front=CameraPose((-0.7, 1.4, 1.4), (0.478, -0.827, -0.294), _UP, 32.0),
+    top=WIDE_VESSEL_VIEW.top,
+)
+"""Like `CENTRIFUGE_VIEW`, with a rack beside a small centrifuge in view."""
+
 BURETTE_VIEW = View(
     front=CameraPose((0.62, 1.25, 1.42), (-0.26, -1.25, -0.14), _UP, 50.0),
     top=CameraPose((0.1, 0.0, 2.5), (0.0, 0.0, -1.0), _FORWARD, 31.0),

@@ -31,6 +31,7 @@ class Insert:
         press: How far below the bottom the foot aims, so that it surely comes [m].
         bottom: How near the bottom is near enough [m].
         retreat: How far the open hand draws back, along its own axis [m].
+        yaw: How far to the left of the bearing of the hole a hand points that points down [rad].
     """
 
     thing: Thing
@@ -40,6 +41,7 @@ class Insert:
     press: float = 0.003
     bottom: float = 0.0015
     retreat: float = 0.12
+    yaw: float = 0.0
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield above, lower, align, insert, settle, open and retract."""
@@ -48,11 +50,12 @@ class Insert:
         # The floor of a rack is thinner than what is kept clear of the bench.
         touches = own | {self.into.support, BENCH}
         point, edge = self.into.position_w(world), self.into.depth
-        end = carrier(world, thing)(upright_in_hand(world, thing, point))
+        end = carrier(world, thing)(upright_in_hand(world, thing, point, self.yaw))
         above, near = end.moved(z=edge + self.hover), end.moved(z=edge + self.align)
         yield Phase("above", lambda w: above, shut, arrived(within=0.01), own, thing)
         yield Phase("lower", lambda w: near, shut, arrived(within=0.003), touches, thing, 0.15)
-        end = carrier(world, thing)(upright_in_hand(world, thing, self.into.position_w(world)))
+        point = self.into.position_w(world)
+        end = carrier(world, thing)(upright_in_hand(world, thing, point, self.yaw))
         lined = end.moved(z=edge + self.align)
         yield Phase("align", lambda w: lined, shut, arrived(0.0015, 0.02), touches, thing, 0.05)
         down = end.moved(z=-self.press)

@@ -8,7 +8,7 @@ from typing import Literal
 from labutopia_lerobot.predicates import gripped
 from labutopia_lerobot.skills.posture import FROM_ABOVE, hand_at
 from labutopia_lerobot.skills.skill import Phase, arrived, waited
-from labutopia_lerobot.world import BENCH, Graspable, Pose, World
+from labutopia_lerobot.world import BENCH, Approach, Graspable, Pose, World
 
 _FINGER_GAP = 0.006
 """Least height of the finger tips above a thing's base in a grasp from above [m]: the planner keeps
@@ -33,7 +33,8 @@ class Pick:
         depth: How far beyond the middle of the pads its axis lies [m]; keeps the widest beaker,
             of 70 mm, off the palm; from above nothing is in its way.
         tries: How often it is grasped for.
-        approach: `side`, or `above`: the hand points down, the fingers close around the rim.
+        approach: `side`, or `above`: the hand points down, the fingers close around the rim; or
+            how the hand points while it grasps at the side.
     """
 
     thing: Graspable
@@ -44,7 +45,7 @@ class Pick:
     squeeze: float = 0.012
     depth: float = 0.004
     tries: int = 2
-    approach: Literal["side", "above"] = "side"
+    approach: Literal["side", "above"] | Approach = "side"
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield hover, lower, reach, settle and close, again after a miss, then lift and hold."""
@@ -88,7 +89,8 @@ class Pick:
             height = max(self.thing.grip_height, world.robot.finger_reach + _FINGER_GAP)
             return hand_at(world, thing.position_w + height * thing.z_axis, FROM_ABOVE)
         centre = thing.position_w + self.thing.grip_height * thing.z_axis
-        return hand_at(world, centre).advanced(-self.depth)
+        approach = self.approach if isinstance(self.approach, Approach) else None
+        return hand_at(world, centre, approach).advanced(-self.depth)
 
     def _before(self, world: World) -> Pose:
         return self._grasp(world).advanced(-self.standoff)

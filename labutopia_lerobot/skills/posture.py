@@ -50,19 +50,24 @@ def pointing(point_w: FloatArray, yaw: float, pitch: float) -> Pose:
     return Pose(point_w, np.column_stack([np.cross(side, forward), side, forward]))
 
 
-def upright_in_hand(world: World, thing: Thing, point_w: FloatArray) -> Pose:
+def upright_in_hand(
+    world: World, thing: Thing, point_w: FloatArray, yaw_above: float = 0.0
+) -> Pose:
     """Return the pose of a held thing that stands upright at a point with a comfortable hand.
 
     Args:
         world: Where the thing is in the hand now.
         thing: The held thing.
         point_w: Where the centre of its base should be, shape (3,), metres, world frame.
+        yaw_above: How far to the left of the bearing from the robot's base a hand points that
+            points down by more than 45 degrees [rad].
     """
     now = world.pose(thing)
     righted, _ = Rotation.align_vectors(UP, now.z_axis)
     # The heading of a hand is that of its forward axis, or of its back if it points down.
     down = righted.apply(world.gripper.z_axis)[2] < -math.cos(math.pi / 4)
-    axis, approach = (0, FROM_ABOVE) if down else (2, None)
+    above = Approach(yaw_above, FROM_ABOVE.pitch)
+    axis, approach = (0, above) if down else (2, None)
     heading = righted.apply(world.gripper.rotation_w[:, axis])
     wanted = hand_at(world, point_w, approach).rotation_w[:, axis]
     yaw = math.atan2(wanted[1], wanted[0]) - math.atan2(heading[1], heading[0])

@@ -35,12 +35,16 @@ class PushLid:
         thickness: How high above the frame of the lid its upper side is [m].
         inward: How far behind its front edge it is pushed [m].
         standoff: Height from which the hand comes, and to which it leaves [m].
+        posture: How the hand points.
+        finger: Half the thickness of a finger, for a lid so wide open that its side pushes [m].
     """
 
     lid: Hinged
     thickness: float
     inward: float = 0.025
     standoff: float = 0.08
+    posture: Approach = _POSTURE
+    finger: float = 0.0
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield approach, close, touch, push, hold and leave."""
@@ -69,7 +73,9 @@ class PushLid:
         """Return the pose of the hand on the lid when it has opened by another angle [rad]."""
         frame = self.lid.carried(world.frame(self.lid.name), world, by)
         point = frame.position_w + self.inward * frame.x_axis + self.thickness * frame.z_axis
-        return hand_at(world, point, _POSTURE).advanced(-world.robot.finger_reach)
+        hand = hand_at(world, point, self.posture).advanced(-world.robot.finger_reach)
+        x, y, z = self.finger * abs(float(hand.x_axis @ frame.z_axis)) * frame.z_axis
+        return hand.moved(x, y, z)
 
 
 def _empty(world: World, target: Pose, elapsed: float) -> bool:

@@ -96,6 +96,61 @@ def back_and_forth(env: LabEnv) -> Actions:
     yield from skilled(env, replace(knob, to=knob.to + 0.5), knob)
 
 
+def loaded_into(env: LabEnv, *bores: int) -> Actions:
+    """Load tubes into bores by their numbers, shut the lid, start, wait for 15 s, and stop."""
+    places = next(iter(env.workcell.task.start)).places
+    for number, bore in enumerate(bores):
+        into = replace(one(env, Insert, number), into=places[bore])
+        yield from skilled(env, one(env, Pick, number), into)
+    yield from skilled(env, one(env, PushLid), one(env, Press))
+    yield from Arm(env).stay(15.0)
+    yield from skilled(env, one(env, Press, 1))
+
+
+def side_by_side(env: LabEnv) -> Actions:
+    """Load both tubes into neighbouring bores."""
+    yield from loaded_into(env, 2, 4)
+
+
+def one_tube_alone(env: LabEnv) -> Actions:
+    """Load one tube only, and start."""
+    yield from loaded_into(env, 2)
+
+
+def without_tubes(env: LabEnv) -> Actions:
+    """Shut the empty centrifuge, and start."""
+    yield from loaded_into(env)
+
+
+def under_the_open_lid(env: LabEnv) -> Actions:
+    """Load both tubes, and press start with the lid open."""
+    yield from skilled(env, *env.workcell.task.skills[:4], one(env, Press))
+
+
+def stopped_at_once(env: LabEnv) -> Actions:
+    """Stop it while it speeds up, and do the rest as asked."""
+    skills = env.workcell.task.skills
+    waits = [n for n, skill in enumerate(skills) if isinstance(skill, WaitUntilReads)]
+    yield from skilled(env, *(skill for n, skill in enumerate(skills) if n not in waits))
+
+
+def one_tube_left_in(env: LabEnv) -> Actions:
+    """Do all of it but take the second tube out."""
+    yield from skilled(env, *env.workcell.task.skills[:-2])
+
+
+def across_and_in_another_order(env: LabEnv) -> Actions:
+    """Use the bores at the back and in front, begin with the second tube, rack them elsewhere."""
+    centrifuge, rack, *_ = env.workcell.task.start
+    for number, bore in ((1, 4), (0, 0)):
+        into = replace(one(env, Insert, number), into=centrifuge.places[bore])
+        yield from skilled(env, one(env, Pick, number), into)
+    yield from skilled(env, *env.workcell.task.skills[4:-4])
+    for number, opening in ((3, 10), (2, 7)):
+        back = replace(one(env, Insert, number), into=rack.places[opening])
+        yield from skilled(env, one(env, Pick, number), back)
+
+
 UNDONE = (
     ("level1/set_speed", another_speed, ""),
     ("level2/vortex_tube", a_moment_only, "running"),
@@ -103,6 +158,12 @@ UNDONE = (
     ("level2/vortex_tube", rested_in_the_cup, "lifted"),
     ("level2/spin_centrifuge", too_short, "start/pressed"),
     ("level2/spin_centrifuge", not_stopped, "spun"),
+    ("level4/centrifuge_pair", side_by_side, "start/pressed"),
+    ("level4/centrifuge_pair", one_tube_alone, "one_loaded"),
+    ("level4/centrifuge_pair", without_tubes, ""),
+    ("level4/centrifuge_pair", under_the_open_lid, "both_loaded"),
+    ("level4/centrifuge_pair", stopped_at_once, "start/pressed"),
+    ("level4/centrifuge_pair", one_tube_left_in, "one_racked"),
 )
 """Task, play, and how far the judge thinks it has come when it is over."""
 
@@ -111,6 +172,7 @@ PASSING = (
     ("level2/vortex_tube", in_two_goes),
     ("level2/vortex_tube", pressed_harder),
     ("level2/spin_centrifuge", pushed_further_in),
+    ("level4/centrifuge_pair", across_and_in_another_order),
 )
 
 

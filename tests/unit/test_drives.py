@@ -21,6 +21,7 @@ from labutopia_lerobot.world.model import VISUAL_GROUP
 
 RAMPS = {
     "centrifuge": (4000, 200),
+    "clinical_centrifuge": (6000, 300),
     "mini_centrifuge": (6000, 2000),
     "orbital_shaker": (300, 30),
     "overhead_stirrer": (2000, 250),
@@ -48,7 +49,7 @@ def start(bench: Bench, share: float = 1.0) -> float:
     if hasattr(piece, "timer"):
         bench.put(piece.time, 1.0)
         bench.press(piece.start)
-    return RAMPS[bench.kind][0] * (share if hasattr(piece, "speed") else 1.0)
+    return RAMPS[bench.piece.name][0] * (share if hasattr(piece, "speed") else 1.0)
 
 
 @driven

@@ -7,6 +7,7 @@ import pytest
 from instrument_bench import Bench
 from labutopia_lerobot.labware.glass.catalogue import ware
 from labutopia_lerobot.labware.instrument_catalogue import instrument
+from labutopia_lerobot.labware.instruments.separating.clinical_centrifuge import ClinicalCentrifuge
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
@@ -65,6 +66,20 @@ def test_a_centrifuge_refuses_to_start_open_and_says_why():
     bench.press(bench.piece.start)
     bench.wait(2.0)
     assert bench.read("centrifuge_rpm").value > 300.0
+
+
+def test_a_lid_with_a_spring_opens_by_itself_once_its_latch_is_pressed_and_not_before():
+    bench = Bench(ClinicalCentrifuge("clinical", lid_springs=True))
+    lid = bench.data.joint(bench.piece.lid.joint)
+    bench.wait(3.0)
+    assert lid.qpos[0] < np.radians(0.5)
+    bench.press(bench.piece.latch)
+    fastest = 0.0
+    for _ in range(60):
+        bench.wait(1 / 30)
+        fastest = max(fastest, float(lid.qvel[0]))
+    assert lid.qpos[0] == pytest.approx(bench.piece.lid.widest, abs=0.01)
+    assert 0.5 < fastest < 1.3
 
 
 def test_its_timer_stops_it():

@@ -11,12 +11,15 @@ from labutopia_lerobot.labware.parts.solid import Vector
 from labutopia_lerobot.world import Pose, World
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
+_SLOW = 0.7
+"""Damping of a gas spring, in parts of the torque with which it lifts a shut lid [s/rad]; ours: the
+lid rises within a second and a half, without a bounce."""
 _ALONG_Y = (math.sqrt(0.5), -math.sqrt(0.5), 0.0, 0.0)  # z axis along y
 
 
 @dataclass(frozen=True)
 class Lid:
-    """A lid that opens upwards and back, and stays where it is left: a gas spring carries it.
+    """A lid that opens upwards and back; a gas spring carries it: it stays where it is left.
 
     The frame of its name lies at its front edge, x to the back, z up; that of its joint at the
     hinge, z along the axis about which it opens.
@@ -27,6 +30,8 @@ class Lid:
         reach: From the hinge to its front edge [m].
         friction: Of the hinge [N m].
         begins: How far it is open when an episode begins [rad].
+        lift: Torque with which a stronger spring opens it as soon as nothing keeps it shut, half
+            of it where it is wide open [N m]; 0 for none.
     """
 
     name: str
@@ -34,6 +39,7 @@ class Lid:
     reach: float
     friction: float = 0.15
     begins: float = 0.0
+    lift: float = 0.0
 
     @property
     def joint(self) -> str:
@@ -76,10 +82,14 @@ class Lid:
             hinge,
             (0, 1, 0),
             friction=self.friction,
-            damping=0.3 * self.friction,
+            damping=0.3 * self.friction + _SLOW * self.lift,
             balanced=True,
             begins=self.begins,
         )
+        if self.lift:
+            (joint,) = body.joints
+            joint.springref = 2 * self.widest
+            joint.stiffness = [self.lift / joint.springref, 0.0, 0.0]
         body.add_site(name=self.name, pos=(-self.reach, 0, 0), group=COLLISION_GROUP)
         box.add_site(name=self.joint, pos=hinge, quat=_ALONG_Y, group=COLLISION_GROUP)
         return body
