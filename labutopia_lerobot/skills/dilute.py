@@ -20,6 +20,8 @@ class Dilute:
         gauge: What shows how much is in there.
         times: How many times as much it is to show.
         within: How near is near enough, in the gauge's unit.
+        coarse: Share of what is added that is shown when the pour eases back; ours: as much again
+            is then on its way.
     """
 
     thing: Pourable
@@ -27,9 +29,11 @@ class Dilute:
     gauge: Gauge
     times: float
     within: float
+    coarse: float = 0.35
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield as `PourMeasured`."""
         already = self.gauge.shown(world)
         more, added = (self.times - 1.0) * already, Beyond(self.gauge, already)
-        yield from PourMeasured(self.thing, self.into, added, more, self.within).phases(world)
+        pour = PourMeasured(self.thing, self.into, added, more, self.within, coarse=self.coarse)
+        yield from pour.phases(world)
