@@ -108,8 +108,7 @@ def _turned() -> NDArray[np.float64]:
 def _scattered(which: int) -> NDArray[np.float64]:
     """Return a number in [0, 1) for each grain, the same ones always."""
     steps = (0.7548776662, 0.5698402910, 0.8191725134)  # of Roberts' sequences R2 and R3
-    numbers: NDArray[np.float64] = np.arange(1, _GRAINS + 1) * steps[which - 1] % 1.0
-    return numbers
+    return np.asarray(np.arange(1, _GRAINS + 1) * steps[which - 1] % 1.0, dtype=np.float64)
 
 
 def _rim(radius: float) -> NDArray[np.float64]:
