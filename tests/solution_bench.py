@@ -102,7 +102,7 @@ def bring(simulation: Simulation, origin: str, into: str | None, ml: float) -> N
         portion = liquid.take(np.flatnonzero(liquid.origins == holder)[:count])
     if into is not None:
         grid = np.arange(len(portion.origins))
-        places = np.column_stack([grid % 5 - 2, grid // 5 % 5 - 2, 10 + grid // 25])
+        places = np.column_stack([grid % 5 - 2, grid // 5 % 5 - 2, 10 + grid // 25 / 2])
         positions = simulation.data.body(into).xpos + 0.004 * places
         liquid.add(positions, np.zeros_like(positions), portion)
     simulation.account = liquid.take_account()

@@ -69,7 +69,7 @@ def tint_of(key: str) -> Floats:
     one = network().species.get(key)
     if one is None or one.phase != "aq" or not one.colour or spectrum_of(key).any():
         return np.zeros(3)
-    return -np.log10(_linear(one.colour)) / _STATED_CONCENTRATION
+    return -np.log10(linear(np.array(rgb(one.colour)))) / _STATED_CONCENTRATION
 
 
 @cache
@@ -123,14 +123,17 @@ def rgb(colour: str) -> Rgb:
     return (int(colour[1:3], 16) / 255, int(colour[3:5], 16) / 255, int(colour[5:7], 16) / 255)
 
 
-def _linear(colour: str) -> Floats:
-    values = np.maximum(np.array(rgb(colour)), 0.004)
-    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+def linear(encoded_rgb: Floats) -> Floats:
+    """Return linear sRGB of sRGB as screens take it, both in [0, 1]; never quite nothing."""
+    values = np.maximum(encoded_rgb, 0.004)
+    return np.asarray(
+        np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    )
 
 
-def encoded(linear: Floats) -> Floats:
+def encoded(light: Floats) -> Floats:
     """Return sRGB as screens take it of linear sRGB, both in [0, 1]."""
-    values = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    values = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
     return np.asarray(np.clip(values, 0.0, 1.0))
 
 

@@ -16,6 +16,14 @@ _VISCOSITY = 0.89e-6
 """Kinematic, of water [m^2/s] (CRC Handbook)."""
 
 
+_PACKED = 0.6
+"""Part of a heap that its grains fill: spheres that are poured come to 0.6 (Scott and Kilgour,
+"The density of random close packing of spheres", 1969)."""
+
+_BACK = 0.2
+"""Part of the light that meets a grain that turns around, as `chemistry.palette` has it."""
+
+
 class NoCrystalsError(ChemistryError):
     """Crystals that cannot be filled in; the message says what is not known of them."""
 
@@ -59,6 +67,21 @@ class Crystals:
     def dissolves_into(self) -> dict[str, float]:
         """What one of its formula units becomes in water, by keys of species."""
         return dict(network().species[self.species].components)
+
+    @property
+    def heaped_volume(self) -> float:
+        """Volume of a mole of it in a heap [m^3/mol]."""
+        assert self.compound.density is not None
+        return self.compound.molar_mass / (self.compound.density * _PACKED)
+
+    @property
+    def scattering(self) -> float:
+        """What its grains scatter out of the way when they are stirred up [m^2/kg].
+
+        3 / (2 r rho) is the cross-section of spheres of radius r.
+        """
+        assert self.compound.density is not None
+        return _BACK * 1.5 / (5e-4 * self.grain_mm * self.compound.density)
 
     def require_known(self) -> None:
         """Make sure that they can lie in water and dissolve there at a known rate.

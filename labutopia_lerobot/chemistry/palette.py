@@ -1,6 +1,6 @@
 """How solutions of a fixed list of species look, many at once: clear, coloured or clouded."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,9 +29,10 @@ class Palette:
 
     Args:
         species: Keys of what may be in them, in the order of all rows.
+        scattering: What solids scatter that are no precipitates, by species [m^2/kg].
     """
 
-    def __init__(self, species: Sequence[str]) -> None:
+    def __init__(self, species: Sequence[str], scattering: Mapping[str, float]) -> None:
         made = network().species
         self._spectra = np.array([colour.spectrum_of(key) for key in species])
         self._tints = np.array([colour.tint_of(key) for key in species])
@@ -40,6 +41,7 @@ class Palette:
         self._solid = np.where(solid, masses, 0.0)
         looks = [colour.rgb(made[key].colour or "#ffffff") for key in species]
         self._looks = np.array(looks)
+        self._scattering = np.array([scattering.get(key, _SCATTERING) for key in species])
 
     def colour(self, amounts: NDArray[np.float64]) -> Rgb:
         """Return the sRGB of 1 cm of a solution, as it is dissolved.
@@ -58,13 +60,30 @@ class Palette:
         """
         through = self._light(amounts, _THICK)
         grams = amounts * self._solid
-        mass = grams.sum(axis=1)[:, None]
-        cloud = 1.0 - np.exp(-_SCATTERING * mass * 0.01 * _THICK)
-        solid = np.divide(grams @ self._looks, mass, out=np.ones((len(mass), 3)), where=mass > 0.0)
+        away = self._away(amounts)
+        cloud = 1.0 - np.exp(-away * 0.01 * _THICK)
+        seen = grams * self._scattering @ self._looks
+        solid = np.divide(seen, away, out=np.ones_like(seen), where=away > 0.0)
         milk = solid * colour.encoded(self._light(amounts, 1.0))
         rgb = (1.0 - cloud) * _CLEAR[:3] * colour.encoded(through) + cloud * milk
         opacity = _CLEAR[3] + (_DEEPEST - _CLEAR[3]) * (1.0 - through.min(axis=1, keepdims=True))
         return np.hstack([rgb, opacity + (_MILKY - opacity) * cloud])
+
+    def lying(self, amounts: NDArray[np.float64], around: NDArray[np.float64]) -> Floats:
+        """Return how a heap of solids looks in a solution, colour and opacity, shape (4,).
+
+        Args:
+            amounts: Of each species in the heap, shape (species,), not all 0.
+            around: Amounts of the solution around it, shape (species,) [mol/m^3].
+        """
+        grams = amounts * self._solid
+        own = colour.linear(grams @ self._looks / grams.sum())
+        seen = colour.encoded(own * self._light(around[None], 0.5 * _THICK)[0])
+        return np.append(seen, np.exp(-self._away(around[None])[0, 0] * 0.01 * _THICK))
+
+    def _away(self, amounts: NDArray[np.float64]) -> Floats:
+        """Return what solids scatter out of the way, shape (n, 1) [1/m]."""
+        return np.asarray((amounts * self._solid @ self._scattering)[:, None])
 
     def _light(self, amounts: NDArray[np.float64], centimetres: float) -> Floats:
         """Return the linear sRGB that comes through, shape (n, 3)."""

@@ -43,6 +43,19 @@ class Dissolving:
         """Diameter of a grain by species [m]."""
         return {one.species: 1e-3 * one.grain_mm for one in self._crystals.values()}
 
+    @property
+    def scattering(self) -> dict[str, float]:
+        """What grains that are stirred up scatter out of the way, by species [m^2/kg]."""
+        return {one.species: one.scattering for one in self._crystals.values()}
+
+    def heaped(self, amounts: FloatArray) -> float:
+        """Return the volume of crystals in a heap, with what is between them [m^3].
+
+        Args:
+            amounts: How much there is of each species, shape (species,) [mol].
+        """
+        return sum(float(amounts[c]) * one.heaped_volume for c, one in self._crystals.items())
+
     def strew(
         self, contents: FloatArray, heights: FloatArray, layer: float, crystals: Iterable[Crystals]
     ) -> None:

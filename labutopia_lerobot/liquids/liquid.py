@@ -260,28 +260,6 @@ class Liquid:
         around = self._around
         return whereabouts(points_w, around.glass, around.inner, around.smallest_first)
 
-    def column(self, vessel: int, tints: FloatArray) -> tuple[float, FloatArray]:
-        """Return what stands in a narrow vessel [m^3], and how it looks, shape (4,).
-
-        Args:
-            vessel: Which of `names`; there is something in it.
-            tints: Colour and opacity of every substance, shape (substances, 4).
-        """
-        there = self.kept.portion.part(np.flatnonzero(self.kept.holders == vessel))
-        return len(there.origins) * self.volume, self.looks(there, tints).mean(axis=0)
-
-    def looks(self, what: Portion, tints: FloatArray) -> FloatArray:
-        """Return colour and opacity of particles, shape (m, 4).
-
-        Args:
-            what: The particles.
-            tints: Those of every substance, shape (substances, 4), where nothing is dissolved.
-        """
-        if self.solutions is not None:
-            return self.solutions.looks(what.contents)
-        looks: FloatArray = what.amounts @ tints
-        return looks
-
     def solution(self, vessel: int) -> Solution | None:
         """Return what is in a vessel or a pipette; None where nothing is dissolved anywhere.
 

@@ -46,7 +46,7 @@ class Solutions:
         self._dissolving = Dissolving(crystals, self.inventory)
         self._particle = particle
         self._layer = particle ** (1 / 3)
-        self._palette = Palette(self.inventory.species)
+        self._palette = Palette(self.inventory.species, self._dissolving.scattering)
         self._sinking = sinking_speeds(self.inventory.species, self._dissolving.grains)
         self._gases = np.flatnonzero(self.inventory.gaseous)
         self._floats = np.array([key.endswith("(s)") for key in self.inventory.species])
@@ -176,6 +176,39 @@ class Solutions:
         crystals = np.where(self._dissolving.columns, mean, 0.0)
         goal, why = self.inventory.settled(mean - crystals, self._particle, temperature)
         return goal + crystals, why
+
+    @property
+    def has_crystals(self) -> bool:
+        """Whether crystals have been filled in anywhere."""
+        return bool(self._dissolving.columns.any())
+
+    def lying(
+        self, contents: FloatArray, heights: FloatArray, inside: NDArray[np.int64]
+    ) -> FloatArray:
+        """Return the crystals that lie on bottoms, by particles, shape (n, species) [mol].
+
+        Args:
+            contents: Amounts of each species that particles hold, shape (n, species) [mol].
+            heights: Of the particles, shape (n,) [m].
+            inside: Which vessel each is in, shape (n,); -1 none.
+        """
+        lying = np.zeros_like(contents)
+        if self.has_crystals:
+            for vessel in np.unique(inside[inside >= 0]).tolist():
+                held = np.flatnonzero(inside == vessel)
+                lowest = held[heights[held] < heights[held].min() + self._layer]
+                lying[lowest] = np.where(self._dissolving.columns, contents[lowest], 0.0)
+        return lying
+
+    def heap(self, lying: FloatArray, contents: FloatArray) -> tuple[float, FloatArray]:
+        """Return volume [m^3], and colour and opacity, shape (4,), of the heap in a vessel.
+
+        Args:
+            lying: What of each particle in it lies on the bottom, shape (m, species) [mol].
+            contents: What they hold, shape (m, species) [mol].
+        """
+        amounts, around = lying.sum(axis=0), (contents - lying).mean(axis=0) / self._particle
+        return self._dissolving.heaped(amounts), self._palette.lying(amounts, around)
 
     def looks(self, contents: FloatArray) -> FloatArray:
         """Return colour and opacity of particles, shape (n, 4), each in [0, 1]."""

@@ -24,6 +24,7 @@ from labutopia_lerobot.predicates.dissolved import (
     dissolved,
     more_basic,
     ph_between,
+    precipitated,
 )
 from labutopia_lerobot.predicates.liquids import (
     Transfer,
@@ -117,6 +118,7 @@ __all__ = [
     "over_mouth",
     "ph_between",
     "poured",
+    "precipitated",
     "predicate",
     "pressed",
     "pressed_out_of_turn",

@@ -94,3 +94,27 @@ def clouded(world: World, vessel: Thing) -> bool:
     """What a vessel holds has mixed, and a solid floats in it or lies on its bottom."""
     solution = _mixed(world, vessel)
     return solution is not None and sum(solution.solids.values()) >= _CLOUDY * solution.volume
+
+
+@predicate("{mmol:g} mmol of {solid} or more in {vessel}")
+def precipitated(world: World, vessel: Thing, *, solid: str, mmol: float) -> bool:
+    """What a vessel holds has mixed, and there is so much of a solid in it, as `BaSO4(s)`.
+
+    Args:
+        world: The world.
+        vessel: What holds it.
+        solid: Formula and phase.
+        mmol: Least amount of it [mmol].
+    """
+    solution = _mixed(world, vessel)
+    return solution is not None and 1e3 * solution.solids.get(solid, 0.0) >= mmol
+
+
+@precipitated.measure
+def _still_dissolved(
+    world: World, vessel: Thing, *, solid: str, mmol: float
+) -> Mapping[str, float]:
+    solution = world.solution(vessel)
+    if solution is None:
+        return {}
+    return {"mmol": max(0.0, mmol - 1e3 * solution.solids.get(solid, 0.0))}

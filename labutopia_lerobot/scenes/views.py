@@ -142,6 +142,13 @@ PIPETTE_VIEW = View(
 )
 """From the right of the bench, near enough for a pipette's tip in a beaker; and overhead."""
 
+DISSOLVING_VIEW = View(
+    front=CameraPose((0.95, -0.80, 1.30), (-0.71, 0.49, -0.42), _UP, 20.0),
+    top=WIDEST_VESSEL_VIEW.top,
+)
+"""From the right of the bench, so near that one sees what lies on a beaker's bottom; and overhead,
+where all is in view."""
+
 DRIVING_VIEW = View(
     front=CameraPose((0.05, -0.25, 1.75), (0.80, 0.10, -0.60), _UP, 70.0),
     top=CameraPose((0.45, 0.0, 2.75), (0.0, 0.0, -1.0), _FORWARD, 75.0),

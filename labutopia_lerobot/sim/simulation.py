@@ -8,10 +8,10 @@ from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.layout import Placement
-from labutopia_lerobot.liquids.drawing.column import Column
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.handling import Handling
 from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.looks import columns, heaps, looks
 from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.set_points import PHYSICS_STEPS, SPAN, set_points
@@ -214,20 +214,21 @@ class Simulation:
             vessels = [
                 VesselPose(vessel.profile, *self._frame(vessel.name)) for vessel in liquid.vessels
             ]
-            columns = [
-                Column(vessels[index], *liquid.column(index, drawing.colors))
-                for index in range(len(vessels))
-                if liquid.kept.count(index)
-            ]
-            looks, height = liquid.looks(liquid.what, drawing.colors), self.scene.room.bench.height
-            drawing.extract(liquid.positions, vessels, height, looks, columns)
+            tints, height = drawing.colors, self.scene.room.bench.height
+            drawing.extract(
+                liquid.positions,
+                vessels,
+                height,
+                looks(liquid, tints, heaped=True),
+                columns(liquid, vessels, tints),
+                heaps(liquid, vessels),
+            )
 
     def draw_particles(self, scene: mujoco.MjvScene) -> None:
         """Fill a user's scene, as MuJoCo's viewer has one, with the particles of the liquid."""
         liquid, drawing = self.liquid, self.scene.liquid
         if liquid is not None and drawing is not None:
-            looks = liquid.looks(liquid.what, drawing.colors)
-            drawing.draw_particles(scene, liquid.positions, looks)
+            drawing.draw_particles(scene, liquid.positions, looks(liquid, drawing.colors))
 
     def _frame(self, name: str) -> tuple[FloatArray, FloatArray]:
         body = self.data.body(name)

@@ -9,6 +9,7 @@ from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import Scenario, canonical_task, draw_scenario, scenario_seeds
 from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import Setting, UnknownOptionError
+from labutopia_lerobot.sim.asked_for import require_readings
 from labutopia_lerobot.sim.workcell import Workcell
 from labutopia_lerobot.substances.filling import require_fillable
 from labutopia_lerobot.substances.possible_solutions import require_possible_solutions
@@ -31,6 +32,7 @@ class Workcells:
         ImpossibleFillingError: If vessels cannot hold what the task puts into them, or what is
             dissolved in them cannot be.
         ImpossibleStartError: If things cannot stand where the task wants them.
+        TaskError: If something reads an instrument that does not stand in the task.
         UnknownOptionError: If the task does not have the axes of the setting.
     """
 
@@ -39,6 +41,7 @@ class Workcells:
         self.task = canonical_task(setting)
         require_fillable(self.task.contents, self.task.start)
         require_possible_solutions(setting.task, self.task.contents)
+        require_readings(setting.task, self.task)
         robot = load_robot(setting.robot)
         scenario = draw_scenario(setting, 0)
         room = load_room(scenario.variation.room or setting.room)

@@ -2,6 +2,7 @@
 
 from labutopia_lerobot.skills.aspirate import Aspirate
 from labutopia_lerobot.skills.close import Close
+from labutopia_lerobot.skills.dilute import Dilute
 from labutopia_lerobot.skills.dispense import Dispense
 from labutopia_lerobot.skills.drive_to import DriveTo
 from labutopia_lerobot.skills.face import Face
@@ -28,6 +29,7 @@ from labutopia_lerobot.skills.wait import WaitUntil, WaitUntilDue, WaitUntilRead
 __all__ = [
     "Aspirate",
     "Close",
+    "Dilute",
     "Dispense",
     "DriveTo",
     "Face",

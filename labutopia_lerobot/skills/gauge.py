@@ -58,3 +58,24 @@ class Received:
     def settled(self, world: World) -> bool:
         """Return True: liquid falls sooner than `PourMeasured` looks again, by a drop or so."""
         return True
+
+
+@dataclass(frozen=True)
+class Beyond:
+    """What a gauge shows more than at some moment.
+
+    Attributes:
+        gauge: The gauge.
+        already: What it showed then.
+    """
+
+    gauge: Gauge
+    already: float
+
+    def shown(self, world: World) -> float:
+        """Return how much more it shows now."""
+        return self.gauge.shown(world) - self.already
+
+    def settled(self, world: World) -> bool:
+        """Return whether that stays."""
+        return self.gauge.settled(world)

@@ -104,7 +104,7 @@ def test_stirring_carries_a_precipitate_but_no_crystals() -> None:
 @pytest.mark.parametrize(
     ("crystals", "reason"),
     [
-        (Crystals("copper(II) sulfate pentahydrate", 1.0), "no density or no solubility"),
+        (Crystals("cobalt(II) chloride hexahydrate", 1.0), "no density or no solubility"),
         (Crystals("sodium carbonate", 1.0), "what crystals of sodium carbonate become in water"),
         (Crystals("sodium chloride", 0.0), "more than 0 g"),
         (Crystals("sodium chloride", 1.0, grain_mm=50.0), "0.01 to 5 mm"),

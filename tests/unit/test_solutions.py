@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute
+from labutopia_lerobot.liquids.looks import looks
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.settling import let_sink, sinking_speeds
 from labutopia_lerobot.liquids.solutions import Solutions
@@ -198,9 +199,9 @@ def test_what_has_settled_leaves_a_clear_blue_solution_above() -> None:
     here = liquid.accounted == liquid.names.index(TAKER.name)
     heights = liquid.positions[here, 2] - liquid.positions[here, 2].min()
     assert grains[here][heights < 0.006].sum() > 0.9 * grains.sum()
-    red, _, blue, opacity = liquid.looks(liquid.what, np.ones((1, 4)))[here][heights.argmax()]
+    red, _, blue, opacity = looks(liquid, np.ones((1, 4)))[here][heights.argmax()]
     assert blue > red + 0.2
-    assert opacity < 0.9 < liquid.looks(liquid.what, np.ones((1, 4)))[here][heights.argmin(), 3]
+    assert opacity < 0.9 < looks(liquid, np.ones((1, 4)))[here][heights.argmin(), 3]
 
 
 def test_gas_leaves_and_is_counted_where_it_left() -> None:

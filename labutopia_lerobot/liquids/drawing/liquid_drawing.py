@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.drawing.column import Column, column_surface
+from labutopia_lerobot.liquids.drawing.heap import Heap, heap_colors, heap_surface
 from labutopia_lerobot.liquids.drawing.surface import (
     LiquidSurface,
     VesselPose,
@@ -127,6 +128,7 @@ class LiquidDrawing:
         bench_height: float,
         colors: NDArray[np.float64] | None = None,
         columns: Sequence[Column] = (),
+        heaps: Sequence[Heap] = (),
     ) -> LiquidSurface:
         """Find the surface that the next pictures show, and return it.
 
@@ -137,13 +139,16 @@ class LiquidDrawing:
             colors: Colour and opacity of every particle, shape (n, 4); all is the first substance
                 if not said.
             columns: What stands in narrow tubes.
+            heaps: Crystals that lie on bottoms; only where particles have colours of their own.
 
         Raises:
             RuntimeError: There are more particles than `add_to` was given.
         """
         surface = liquid_surface(positions_w, self.spacing, vessels, bench_height)
         loose = len(surface.quads)
-        surface = together([surface, *(column_surface(column) for column in columns)])
+        # What is drawn last is seen through all that was drawn before.
+        standing = [column_surface(column) for column in columns]
+        surface = together([surface, *standing, *(heap_surface(heap) for heap in heaps)])
         if len(surface.quads) > self._capacity:
             raise RuntimeError(
                 f"The surface of {len(positions_w)} particles of {self.name} has "
@@ -154,12 +159,18 @@ class LiquidDrawing:
         if self._textured:
             middles = surface.vertices_w[surface.quads[:loose]].mean(axis=1)
             colors = self._colors(len(positions_w), colors)
-            texels = colors_at(middles, positions_w, colors, REACH * self.spacing)
-            for column in columns:
-                quads = len(column_surface(column).quads)
-                texels = np.vstack([texels, np.tile(column.color, (quads, 1))])
+            texels = np.vstack(
+                [
+                    colors_at(middles, positions_w, colors, REACH * self.spacing),
+                    *(
+                        np.tile(column.color, (len(one.quads), 1))
+                        for column, one in zip(columns, standing, strict=True)
+                    ),
+                    *(heap_colors(heap) for heap in heaps),
+                ]
+            )
             # The picture is drawn with the greatest opacity, of which a texel has a part.
-            texels[:, 3] /= self._tint[3]
+            texels[:, 3] = np.minimum(texels[:, 3] / self._tint[3], 1.0)
             self._texels = np.rint(255 * texels).astype(np.uint8)
         return surface
 
