@@ -183,7 +183,7 @@ class Workspace:
     Attributes:
         x: Least and greatest x of the bench top [m], world frame.
         y: Least and greatest y of the bench top [m], world frame.
-        robot: Where the robot stands, x and y [m], world frame.
+        robot: Where the base of its arm is, x and y [m], world frame.
         reach: How far its hand gets, horizontally [m].
     """
 
@@ -195,7 +195,7 @@ class Workspace:
     @classmethod
     def of(cls, room: Room, robot: Robot) -> "Workspace":
         """Return the bench of a room and what a robot on its stand reaches."""
-        return cls(room.bench.x, room.bench.y, room.robot_stand[:2], robot.reach)
+        return cls(room.bench.x, room.bench.y, room.arm_place(robot.base), robot.reach)
 
 
 def require_possible(

@@ -51,7 +51,7 @@ EXTRAS = (DEPTH, SEGMENTATION, *NUMBERS)
 """What can be observed beside the usual: depth and segmentation of every camera, forces on
 pads, what displays read."""
 
-ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda")
+ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda", "fetch")
 """Every robot that can play: the keys of `robots.ROBOTS`."""
 
 DEFAULT_ROBOT = ROBOT_NAMES[0]

@@ -51,7 +51,7 @@ def build(spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> None:
 SIX = Robot(
     name="six",
     add_to=build,
-    joints=JOINTS,
+    arm=JOINTS,
     gripper=FRANKA_HAND,
     home=(0.3, -0.3, 0.3, 0.0, 0.0, 0.0),
     elbow="axis2",

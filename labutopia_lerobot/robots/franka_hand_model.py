@@ -6,12 +6,16 @@ grasping force. A camera for the wrist is added.
 """
 
 import mujoco
-import numpy as np
 
+from labutopia_lerobot.robots.fingers import (
+    FINGER_ARMATURE,
+    add_pad,
+    add_wrist_camera,
+    couple_fingers,
+)
 from labutopia_lerobot.robots.franka_hand import FRANKA_HAND
 from labutopia_lerobot.robots.parts import (
     add_collision_box,
-    add_servo,
     add_tones,
     add_visual_mesh,
     set_inertia,
@@ -24,13 +28,6 @@ _GRASP_OFFSET = 0.1034
 
 _FORCE = 35.0
 """Largest force of each finger [N]; the manual's 70 N is read as the sum of both, as is usual."""
-_STIFFNESS = 3500.0
-"""A target 10 mm below the width of a vessel gives the full force [N/m]."""
-_DAMPING = 100.0
-"""Lets the fingers lag by damping / stiffness = 29 ms, one 30 Hz control step [N s/m]."""
-_FINGER_ARMATURE = 0.5
-"""Mass of the drive felt at a finger [kg]: not published. With 0.1 the servo's damping outweighed
-the fingers sixfold in a physics step, and pads that met a heavy flask bounced off and struck it."""
 
 FRANKA_MESHES = "xacro/qut_frankie_description/meshes/visual"
 """Folder of the meshes of `franka_description` in `rtb-data`, in colour."""
@@ -62,26 +59,11 @@ def add_franka_hand(spec: mujoco.MjSpec, hand: mujoco.MjsBody) -> None:
     # Half a turn from the hand's own axes, so that x, on the side of the camera, is up where joint
     # 7 is in the middle of its range and can tilt a held vessel either way.
     hand.add_site(name=FRANKA_HAND.site, pos=(0, 0, _GRASP_OFFSET), quat=(0, 0, 0, 1), group=4)
-    _add_wrist_camera(hand)
+    add_wrist_camera(hand, (-0.13, 0.0, 0.02), (0.0, 0.0, 0.17), (0.0, -1.0, 0.0))
     _add_finger(spec, hand, "left", FRANKA_HAND.finger_joints[0], (1, 0, 0, 0))
     _add_finger(spec, hand, "right", FRANKA_HAND.finger_joints[1], (0, 0, 0, 1))
     spec.add_exclude(bodyname1="left_finger", bodyname2="right_finger")
-    _couple_fingers(spec)
-
-
-def _add_wrist_camera(hand: mujoco.MjsBody) -> None:
-    """Mount a camera above the hand, looking down past the fingers at what is held.
-
-    LabUtopia's own hangs 0.2 m above the hand's axis and sees 93 degrees; this one is close enough
-    for a bracket and keeps the hand out of most of the image.
-    """
-    eye, target = np.array([-0.13, 0.0, 0.02]), np.array([0.0, 0.0, 0.17])
-    backward = (eye - target) / np.linalg.norm(eye - target)
-    right = np.array([0.0, -1.0, 0.0])
-    rotation = np.column_stack([right, np.cross(backward, right), backward])
-    quat_wxyz = np.empty(4)
-    mujoco.mju_mat2Quat(quat_wxyz, rotation.ravel())
-    hand.add_camera(name="wrist", pos=eye, quat=quat_wxyz, fovy=75)
+    couple_fingers(spec, FRANKA_HAND, _FORCE)
 
 
 def _add_finger(
@@ -100,50 +82,11 @@ def _add_finger(
         type=mujoco.mjtJoint.mjJNT_SLIDE,
         axis=(0, 1, 0),
         range=(0, FRANKA_HAND.element.upper / 2),
-        armature=_FINGER_ARMATURE,
+        armature=FINGER_ARMATURE,
     )
     set_inertia(finger, 0.015, (0.0, 0.0, 0.0), (2.375e-6, 2.375e-6, 7.5e-7, 0.0, 0.0, 0.0))
     add_visual_mesh(spec, finger, f"{FRANKA_MESHES}/finger.dae", _TRIANGLES_FINGER, FRANKA_FINISH)
     add_collision_box(
         finger, f"{side}_finger_collision", (0.0, 0.0175, 0.018), (0.0105, 0.0085, 0.018)
     )
-    pad = add_collision_box(
-        finger, f"{side}_pad_collision", (0.0, 0.0076, 0.0445), (0.00875, 0.0076, 0.00925)
-    )
-    # Tables give 1.0 for rubber on concrete and 0.94 for glass on glass (Serway and Jewett,
-    # "Physics for Scientists and Engineers", table 5.1); smooth rubber on clean glass holds no
-    # worse. The priority lets the pad decide, not what it holds. Contact dimension 4 adds friction
-    # against spin about the normal, of a patch a few millimetres wide.
-    pad.friction = (1.0, 0.005, 0.0001)
-    pad.condim = 4
-    pad.priority = 1
-    # Harder than MuJoCo's defaults of 20 ms and 0.9 to 0.95: the full force sank the pads 0.44 mm
-    # into a flask, now 0.10 mm. From 0.99 to 0.995 on they lose contact for steps and strike.
-    pad.solref = (0.008, 1)
-    pad.solimp = (0.98, 0.99, 0.0005, 0.5, 2)
-
-
-def _couple_fingers(spec: mujoco.MjSpec) -> None:
-    """Keep the fingers even and drive their opening, the sum of both slides, by one servo."""
-    opening = spec.add_tendon(name="opening")
-    for joint in FRANKA_HAND.finger_joints:
-        opening.wrap_joint(joint, 1.0)
-    add_servo(
-        spec,
-        name=FRANKA_HAND.element.name,
-        target="opening",
-        transmission=mujoco.mjtTrn.mjTRN_TENDON,
-        control=(FRANKA_HAND.element.lower, FRANKA_HAND.element.upper),
-        stiffness=_STIFFNESS,
-        damping=_DAMPING,
-        force=_FORCE,
-    )
-    one_to_one = np.zeros(mujoco.mjNEQDATA)
-    one_to_one[1] = 1.0
-    spec.add_equality(
-        type=mujoco.mjtEq.mjEQ_JOINT,
-        name1=FRANKA_HAND.finger_joints[0],
-        name2=FRANKA_HAND.finger_joints[1],
-        data=one_to_one,
-        solref=(0.01, 1),
-    )
+    add_pad(finger, f"{side}_pad_collision", (0.0, 0.0076, 0.0445), (0.00875, 0.0076, 0.00925))

@@ -49,7 +49,7 @@ def _add_to(spec: "mujoco.MjSpec", parent: "mujoco.MjsBody") -> None:
 IIWA = Robot(
     name="iiwa",
     add_to=_add_to,
-    joints=_JOINTS,
+    arm=_JOINTS,
     gripper=FRANKA_HAND,
     # Grasp point at (0.52, -0.22, 0.35) m, hand level, turned 70 degrees to the right, the elbow to
     # the left: above what stands on the bench, to the right of drawers that are open.

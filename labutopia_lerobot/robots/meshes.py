@@ -1,12 +1,11 @@
-"""Visual meshes from `rtb-data`, thinned out for fast rendering and kept in the user's cache."""
+"""Visual meshes of others, thinned out for fast rendering and kept in the user's cache."""
 
 import hashlib
 import logging
 import os
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
-from importlib.metadata import version
-from importlib.resources import as_file, files
+from importlib.metadata import PackageNotFoundError, distribution, version
 from pathlib import Path
 from typing import NamedTuple
 
@@ -14,6 +13,7 @@ import numpy as np
 import trimesh
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.kernel import user_cache
 from labutopia_lerobot.robots.collada import read_collada
 from labutopia_lerobot.robots.thinning import Part, ThinMesh, shaded, thin_mesh
@@ -24,11 +24,60 @@ _MADE_BY = 2
 """Version of the way that meshes are made; what another has left in the cache is not taken."""
 
 
+class NoMeshesError(UserError, ModuleNotFoundError):
+    """The package that a robot's meshes are in is not installed; the message says how it is."""
+
+
+class MeshPackage(NamedTuple):
+    """An installed package with meshes.
+
+    Attributes:
+        name: What it is called where packages are.
+        folder: Where the meshes are in it.
+        extra: Of this package's extras that which brings it; None if it always comes along.
+    """
+
+    name: str
+    folder: str
+    extra: str | None = None
+
+    @property
+    def version(self) -> str:
+        """Its version.
+
+        Raises:
+            NoMeshesError: If it is not installed.
+        """
+        try:
+            return version(self.name)
+        except PackageNotFoundError:
+            wanted = self.name if self.extra is None else f"lerobot_env_labutopia[{self.extra}]"
+            raise NoMeshesError(
+                f"The robot is drawn with meshes of {self.name}, which is not installed. Run "
+                f"pip install '{wanted}', or choose another robot"
+            ) from None
+
+    def path(self, name: str) -> Path:
+        """Return where a mesh lies.
+
+        Raises:
+            FileNotFoundError: If there is none of that name.
+        """
+        path = Path(str(distribution(self.name).locate_file(f"{self.folder}/{name}")))
+        if not path.is_file():
+            raise FileNotFoundError(f"{self.name} {self.version} has no mesh {name!r}.")
+        return path
+
+
+RTB_DATA = MeshPackage("rtb-data", "rtbdata")
+"""Data of the Robotics Toolbox (P. Corke), MIT."""
+
+
 class PlacedMesh(NamedTuple):
     """A file of an assembly, and where it is in its frame.
 
     Attributes:
-        name: Path in `rtbdata`.
+        name: Path in the package.
         pos: Of the file's origin [m].
         rpy: Turns about the fixed axes x, y and z, one after the other [rad], as URDF has them.
         tone: How bright it is drawn, 0 to 1.
@@ -40,46 +89,52 @@ class PlacedMesh(NamedTuple):
     tone: float
 
 
-def load_mesh(name: str, triangles: int) -> ThinMesh:
-    """Load a mesh of `rtb-data` and thin it out.
+def load_mesh(name: str, triangles: int, package: MeshPackage = RTB_DATA) -> ThinMesh:
+    """Load a mesh and thin it out.
 
     Thinning takes about a second a mesh, so the result is cached. A cache that cannot be written is
     reported as a warning and costs only that time.
 
     Args:
-        name: Path in `rtbdata`, STL or COLLADA.
+        name: Path in the package, STL or COLLADA.
         triangles: How many triangles to keep, about.
+        package: That has it.
 
     Returns:
         The mesh, in the frame of the file; an STL is white.
 
     Raises:
-        FileNotFoundError: If `rtb-data` has no such mesh.
+        FileNotFoundError: If the package has no such mesh.
+        NoMeshesError: If it is not installed.
     """
     stem = name.replace("/", "-")
-    made = f"{stem}-{version('rtb-data')}-{triangles}-{_MADE_BY}"
-    return _cached(made, lambda: thin_mesh(_read(name), triangles))
+    made = f"{stem}-{package.version}-{triangles}-{_MADE_BY}"
+    return _cached(made, lambda: thin_mesh(_read(name, package), triangles))
 
 
-def load_assembly(name: str, placed: Sequence[PlacedMesh]) -> ThinMesh:
-    """Load several meshes of `rtb-data` that have few triangles as one, cached likewise.
+def load_assembly(
+    name: str, placed: Sequence[PlacedMesh], package: MeshPackage = RTB_DATA
+) -> ThinMesh:
+    """Load several meshes that have few triangles as one, cached likewise.
 
     Args:
         name: What it is called in the cache.
         placed: The files, and where they are.
+        package: That has them.
 
     Raises:
-        FileNotFoundError: If `rtb-data` lacks one of them.
+        FileNotFoundError: If the package lacks one of them.
+        NoMeshesError: If it is not installed.
     """
     digest = hashlib.sha256(repr(placed).encode()).hexdigest()[:8]
-    made = f"{name}-{version('rtb-data')}-{digest}-{_MADE_BY}"
-    return _cached(made, lambda: shaded([*_assembled(placed)]))
+    made = f"{name}-{package.version}-{digest}-{_MADE_BY}"
+    return _cached(made, lambda: shaded([*_assembled(placed, package)]))
 
 
-def _assembled(placed: Sequence[PlacedMesh]) -> Iterator[Part]:
+def _assembled(placed: Sequence[PlacedMesh], package: MeshPackage) -> Iterator[Part]:
     for name, pos, rpy, tone in placed:
         turn = Rotation.from_euler("xyz", rpy).as_matrix()
-        for part in _read(name):
+        for part in _read(name, package):
             yield Part(part.vertices @ turn.T + pos, part.faces, tone)
 
 
@@ -97,13 +152,11 @@ def _cached(name: str, make: Callable[[], ThinMesh]) -> ThinMesh:
     return mesh
 
 
-def _read(name: str) -> list[Part]:
-    with as_file(files("rtbdata") / name) as path:
-        if not path.is_file():
-            raise FileNotFoundError(f"rtb-data {version('rtb-data')} has no mesh {name!r}.")
-        if path.suffix == ".dae":
-            return read_collada(path)
-        mesh = trimesh.load_mesh(path)
+def _read(name: str, package: MeshPackage) -> list[Part]:
+    path = package.path(name)
+    if path.suffix == ".dae":
+        return read_collada(path)
+    mesh = trimesh.load_mesh(path)
     return [Part(np.asarray(mesh.vertices, float), np.asarray(mesh.faces, np.int32), 1.0)]
 
 

@@ -22,6 +22,7 @@ class MobileBase:
         height: Up to its deck [m].
         payload: Greatest mass on its deck [kg].
         arm: Where the base of the arm is mounted [m], base frame, facing forward.
+        gap: Least distance from a bench at which it stands while the arm works there [m].
     """
 
     elements: tuple[Element, Element, Element]
@@ -31,6 +32,7 @@ class MobileBase:
     height: float
     payload: float
     arm: tuple[float, float, float]
+    gap: float
 
     @property
     def radius(self) -> float:

@@ -35,7 +35,7 @@ def _add_to(spec: "mujoco.MjSpec", parent: "mujoco.MjsBody") -> None:
 PANDA = Robot(
     name="panda",
     add_to=_add_to,
-    joints=_JOINTS,
+    arm=_JOINTS,
     gripper=FRANKA_HAND,
     # Grasp point at (0.45, 0.2, 0.35) m, hand horizontal, turned 60 degrees to the right: one that
     # pointed straight away from the base would need joint 6 beyond its limit.

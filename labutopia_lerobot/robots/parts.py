@@ -7,7 +7,13 @@ import mujoco
 import numpy as np
 
 from labutopia_lerobot.robots.element import Element
-from labutopia_lerobot.robots.meshes import PlacedMesh, load_assembly, load_mesh
+from labutopia_lerobot.robots.meshes import (
+    RTB_DATA,
+    MeshPackage,
+    PlacedMesh,
+    load_assembly,
+    load_mesh,
+)
 from labutopia_lerobot.robots.thinning import ThinMesh
 from labutopia_lerobot.world.model import COLLISION_GROUP, VISUAL_GROUP
 
@@ -36,9 +42,14 @@ def set_inertia(body: mujoco.MjsBody, mass: float, centre: Vector, inertia: Iner
 
 
 def add_visual_mesh(
-    spec: mujoco.MjSpec, body: mujoco.MjsBody, file: str, triangles: int, material: str
+    spec: mujoco.MjSpec,
+    body: mujoco.MjsBody,
+    file: str,
+    triangles: int,
+    material: str,
+    package: MeshPackage = RTB_DATA,
 ) -> None:
-    """Add a mesh of `rtb-data`, thinned out, that is drawn but touches nothing and has no mass.
+    """Add a mesh, thinned out, that is drawn but touches nothing and has no mass.
 
     Args:
         spec: The spec of the body; bodies with the same file share one mesh.
@@ -46,9 +57,10 @@ def add_visual_mesh(
         file: As in `load_mesh`.
         triangles: As in `load_mesh`.
         material: Name of a material of the spec.
+        package: As in `load_mesh`.
     """
     name = file.rpartition(".")[0].rpartition("/")[-1]
-    _add_mesh(spec, body, name, partial(load_mesh, file, triangles), material)
+    _add_mesh(spec, body, name, partial(load_mesh, file, triangles, package), material)
 
 
 def add_assembly(
@@ -57,8 +69,9 @@ def add_assembly(
     name: str,
     placed: Sequence[PlacedMesh],
     material: str,
+    package: MeshPackage = RTB_DATA,
 ) -> None:
-    """Add several meshes of `rtb-data` as one, otherwise like `add_visual_mesh`.
+    """Add several meshes as one, otherwise like `add_visual_mesh`.
 
     Args:
         spec: The spec of the body.
@@ -66,8 +79,9 @@ def add_assembly(
         name: Of the mesh.
         placed: The files, and where they are in the body's frame.
         material: Name of a material of the spec.
+        package: As in `load_mesh`.
     """
-    _add_mesh(spec, body, name, partial(load_assembly, name, placed), material)
+    _add_mesh(spec, body, name, partial(load_assembly, name, placed, package), material)
 
 
 def _add_mesh(
@@ -209,25 +223,3 @@ def add_servo(
         forcelimited=True,
     )
     servo.set_to_position(kp=stiffness, kv=damping)
-
-
-def add_velocity_servo(
-    spec: mujoco.MjSpec, element: Element, joint: str, damping: float, force: float
-) -> None:
-    """Add the servo of a velocity, of an element's name, whose force saturates.
-
-    Args:
-        spec: The spec.
-        element: The velocity.
-        joint: Name of the joint that it drives.
-        damping: Force per error [N s/m or N m s/rad].
-        force: Largest force [N or N m].
-    """
-    servo = spec.add_actuator(
-        name=element.name,
-        target=joint,
-        trntype=mujoco.mjtTrn.mjTRN_JOINT,
-        forcerange=(-force, force),
-        forcelimited=True,
-    )
-    servo.set_to_velocity(kv=damping)

@@ -43,4 +43,5 @@ RIDGEBACK = MobileBase(
     # Ours: on a riser at the front of the deck, as high as the stand of levels 1 to 4, so that a
     # base that stands at a bench has its arm where that is.
     arm=(0.30, 0.0, 0.71),
+    gap=0.01,  # ours
 )

@@ -15,9 +15,9 @@ from labutopia_lerobot.robots.parts import (
     add_assembly,
     add_collision_box,
     add_tones,
-    add_velocity_servo,
     set_inertia,
 )
+from labutopia_lerobot.robots.planar_base import add_planar_base
 from labutopia_lerobot.world.model import VISUAL_GROUP
 
 _FOLDER = "xacro/clearpath_ridgeback_description/meshes"
@@ -60,15 +60,7 @@ _FORCE, _TORQUE = 1200.0, 500.0
 
 def add_ridgeback(spec: mujoco.MjSpec, parent: mujoco.MjsBody, base: MobileBase) -> mujoco.MjsBody:
     """Build the base onto a body in the room's frame; return where the arm is mounted."""
-    body = parent.add_body(name=base.body, gravcomp=1)
-    kinds = (mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_HINGE)
-    axes = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-    gains = ((_DAMPING, _FORCE), (_DAMPING, _FORCE), (_TURNING_DAMPING, _TORQUE))
-    for element, joint, kind, axis, (damping, force) in zip(
-        base.elements, base.joints, kinds, axes, gains, strict=True
-    ):
-        body.add_joint(name=joint, type=kind, axis=axis)
-        add_velocity_servo(spec, element, joint, damping, force)
+    body = add_planar_base(spec, parent, base, (_DAMPING, _FORCE), (_TURNING_DAMPING, _TORQUE))
     x, y, z = _CENTRE
     set_inertia(body, _MASS, (x, y, z + _LIFT), _INERTIA)
     length, width = base.size

@@ -21,14 +21,21 @@ class Roles(NamedTuple):
     """Where the elements of a robot are, by what they do, in whatever has its elements in order.
 
     Attributes:
-        joints: Those of the arm, from base to hand.
+        joints: Those that carry the hand, from base to hand: a torso's first.
         gripper: The distance between the pads.
         base: Velocities of the base; of an arm on a stand empty.
+        torso: Of the joints that which lifts the arm [m]; empty without a torso.
     """
 
     joints: slice
     gripper: int
     base: slice
+    torso: slice = slice(0, 0)
+
+    @property
+    def arm(self) -> slice:
+        """Those of the joints that turn [rad]: all but the torso's."""
+        return slice(self.joints.start + self.torso.stop - self.torso.start, self.joints.stop)
 
 
 @dataclass(frozen=True)
@@ -67,22 +74,24 @@ class Robot:
             the parent's, z up, arm towards +x, no free joint. Every element has a servo of its
             name: of position; for a base of the velocity of its joints, which are in the room's
             frame. The arm's joints have the names of their elements.
-        joints: Joints of the arm from base to hand [rad].
+        arm: Joints of the arm from base to hand [rad].
         gripper: The hand.
-        home: Joint angles at rest [rad].
+        home: The joints at rest [rad; m].
         elbow: Name of the joint that folds the arm; at 0 that is straight.
         reach: How far the hand gets from the base, horizontally [m].
         hand_speed: Greatest speed of the point between the pads [m/s].
-        base_body: Root body.
+        base_body: Root body; a torso moves the arm in its frame.
         vessel_approach: How the hand comes to vessels, relative to the bearing from the base.
         handle_approach: How the hand comes to handles, relative to straight into the door.
         base: What carries the arm over the floor; None if it is mounted on a stand.
-        stowed: Joint angles while it drives [rad]; of an arm on a stand none.
+        stowed: The joints while it drives [rad; m]; of an arm on a stand none.
+        torso: The slide that lifts the arm [m]; None for an arm that stands on its base.
+        trunk: Bodies of its own that forearm and hand could run into: base, torso, head.
     """
 
     name: str
     add_to: "Callable[[mujoco.MjSpec, mujoco.MjsBody], None]"
-    joints: tuple[Element, ...]
+    arm: tuple[Element, ...]
     gripper: ParallelGripper
     home: tuple[float, ...]
     elbow: str
@@ -93,6 +102,13 @@ class Robot:
     handle_approach: Approach
     base: MobileBase | None = None
     stowed: tuple[float, ...] = ()
+    torso: Element | None = None
+    trunk: tuple[str, ...] = ()
+
+    @property
+    def joints(self) -> tuple[Element, ...]:
+        """Joints that carry the hand, from base to hand: torso [m], then those of the arm [rad]."""
+        return self.arm if self.torso is None else (self.torso, *self.arm)
 
     @property
     def elements(self) -> tuple[Element, ...]:
@@ -103,8 +119,9 @@ class Robot:
     @property
     def roles(self) -> Roles:
         """Where in `elements` which of them are: nothing else may count on their order."""
-        joints = len(self.joints)
-        return Roles(slice(joints), joints, slice(joints + 1, len(self.elements)))
+        joints, torso = len(self.joints), len(self.joints) - len(self.arm)
+        base = slice(joints + 1, len(self.elements))
+        return Roles(slice(0, joints), joints, base, slice(0, torso))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -118,7 +135,7 @@ class Robot:
 
     @property
     def other_joints(self) -> tuple[str, ...]:
-        """Joints that are not the arm's: those of the fingers and of the base."""
+        """Joints that do not carry the hand: those of the fingers and of the base."""
         return (*self.gripper.finger_joints, *(() if self.base is None else self.base.joints))
 
     @property

@@ -99,7 +99,7 @@ def _drawn(setting: Setting, draw: Draw) -> tuple[Task, Variation]:
         _require_base(setting)
         if setting.room == DEFAULT_ROOM:  # nobody has chosen one
             draw.vary("room", shifted=True)
-    variation = draw_variation(draw, len(robot.joints), drives=task.drives)
+    variation = draw_variation(draw, len(robot.arm), drives=task.drives)
     variation = replace(variation, ambient=draw_ambient(draw, task))
     instruction = draw_instruction(draw, task)
     if instruction != task.instruction:

@@ -83,6 +83,16 @@ class Room:
         """
         return self.builder(self, view)
 
+    def arm_place(self, base: "MobileBase | None") -> tuple[float, float]:
+        """Return where an arm is that works at the bench: x and y [m], world frame.
+
+        It is where the stand would have it, or as near as the base that carries it goes.
+        """
+        x, y, _ = self.robot_stand
+        if base is None:
+            return x, y
+        return min(x, self.bench.x[0] - base.gap - base.size[0] / 2 + base.arm[0]), y
+
     def make_solid(self, spec: "mujoco.MjSpec") -> None:
         """Add to the spec that was built what only a robot that drives can touch."""
         if self.solidifier is not None:

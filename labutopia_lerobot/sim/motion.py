@@ -37,6 +37,9 @@ _NEAR = 2 * _MARGIN
 _GAIN = 0.85 / CONTROL_HZ
 """Share of the distance left that one control period may use up, per second: mink bounds a step by
 `gain * distance / dt`."""
+_OWN_GAIN, _OWN_HORIZON = 0.13 / CONTROL_HZ, 0.15
+"""The same between a robot's arm and its trunk, and the distance below which it acts [m]; ours:
+nothing is to be done there, and a heavy upper arm brakes in good time."""
 _POSTURE = 0.003
 """Cost of joints away from home, beside 1.0 for the position of the hand [1/rad]; ours: its pull
 moves the hand from its target by less than the phases ask for."""
@@ -90,6 +93,7 @@ class ReactiveMotion:
         ]
         furniture = [] if scene.robot.base is None else _furniture(self._model)
         self._clearances = _clearances(self._model, scene.robot, scene.pieces, furniture)
+        self._own = _own_clearance(self._model, scene.robot)
         self._extents = {name: _extent(self._model, name) for name in furniture}
         hulls = [body for piece in scene.pieces for body in _hulls_by_body(scene, piece)]
         self._obstacles = [(scene.model.body(body).name, body) for body in hulls]
@@ -135,7 +139,7 @@ class ReactiveMotion:
                 1.0 / CONTROL_HZ,
                 solver="daqp",
                 damping=1e-6,
-                limits=[*self._limits, *avoid],
+                limits=[*self._limits, *self._own, *avoid],
             )
         except (
             mink.NoSolutionFound
@@ -326,17 +330,44 @@ def _clearances(
     obstacles[BENCH] = _geoms_below(model, BENCH)
     obstacles |= {name: _high_geoms(model, name) for name in furniture}
     return {
-        (mover, obstacle): mink.CollisionAvoidanceLimit(
-            model,
-            [(movers[mover], obstacles[obstacle])],
-            gain=_GAIN,
-            bound_relaxation=-_RETREAT,
-            minimum_distance_from_collisions=_MARGIN,
-            collision_detection_distance=_HORIZON,
-        )
+        (mover, obstacle): _apart(model, movers[mover], obstacles[obstacle])
         for mover, obstacle in itertools.product(movers, obstacles)
         if mover != obstacle
     }
+
+
+def _own_clearance(model: mujoco.MjModel, robot: Robot) -> list[mink.CollisionAvoidanceLimit]:
+    """Return the distance limit between a robot's trunk and its arm from the upper arm on, if any.
+
+    What is nearer to the shoulder cannot get away from it.
+    """
+    if not robot.trunk:
+        return []
+    upper_arm = model.body_parentid[model.jnt_bodyid[model.joint(robot.elbow).id]]
+    loads = set(_geoms_below(model, "in_hand"))
+    arm = [g for g in _geoms_below(model, model.body(upper_arm).name) if g not in loads]
+    bodies = {model.body(name).id for name in robot.trunk}
+    collides = [g for g in range(model.ngeom) if model.geom_contype[g]]
+    trunk = [g for g in collides if model.geom_bodyid[g] in bodies]
+    return [_apart(model, arm, trunk, _OWN_GAIN, _OWN_HORIZON)]
+
+
+def _apart(
+    model: mujoco.MjModel,
+    movers: list[int],
+    obstacles: list[int],
+    gain: float = _GAIN,
+    horizon: float = _HORIZON,
+) -> mink.CollisionAvoidanceLimit:
+    """Return the distance limit between geoms."""
+    return mink.CollisionAvoidanceLimit(
+        model,
+        [(movers, obstacles)],
+        gain=gain,
+        bound_relaxation=-_RETREAT,
+        minimum_distance_from_collisions=_MARGIN,
+        collision_detection_distance=horizon,
+    )
 
 
 def _geoms_below(model: mujoco.MjModel, body: str) -> list[int]:

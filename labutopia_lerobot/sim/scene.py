@@ -162,13 +162,13 @@ def add_robot(spec: mujoco.MjSpec, robot: Robot, room: Room) -> None:
 
 
 def at_stand(robot: Robot, room: Room) -> FloatArray:
-    """Return where a base is whose arm is where the stand of a room would carry it.
+    """Return where a base is that stands at the bench of a room (see `Room.arm_place`).
 
     That is x, y [m] and heading [rad]; empty for an arm on a stand.
     """
     if robot.base is None:
         return np.empty(0)
-    (x, y, _), (ahead, left, _) = room.robot_stand, robot.base.arm
+    (x, y), (ahead, left, _) = room.arm_place(robot.base), robot.base.arm
     return np.array([x - ahead, y - left, 0.0])
 
 

@@ -109,7 +109,7 @@ class Simulation:
         if base_pose is not None:
             start[self.scene.robot.roles.joints] = self.scene.robot.stowed
         if displacement is not None:
-            start[self.scene.robot.roles.joints] += displacement
+            start[self.scene.robot.roles.arm] += displacement
         self._drives.place(data.qpos, start)
         self._drives.stand(data.qpos, self._base_start if base_pose is None else base_pose)
         self._drives.command(data, start)

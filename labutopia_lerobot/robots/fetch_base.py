@@ -1,0 +1,46 @@
+"""The base of the Fetch, here holonomic: names and limits.
+
+[FR] Fetch Robotics, data sheet "Fetch Mobile Manipulator": 1.0 m/s.
+[URDF] `fetch_description` (ZebraDevs/fetch_ros): frames.
+
+The paper drives the Fetch by "x and y velocity and rotation", as it does the Ridgeback: so do we.
+The real one has two wheels that are driven and cannot go sideways.
+"""
+
+import math
+
+from labutopia_lerobot.robots.element import Element
+from labutopia_lerobot.robots.mobile_base import MobileBase
+
+_SPEED = 1.0
+"""Greatest speed [m/s] [FR]."""
+_ACCELERATION = 0.75
+"""Greatest acceleration [m/s^2]; ours: not published. A quarter less than the Ridgeback's, whose
+base weighs twice as much and stands on four wheels."""
+_TURNING = 2.0
+"""Greatest speed of turning [rad/s], and acceleration [rad/s^2]; ours: the wheels, 0.187 m from the
+middle [URDF], could turn it faster than an outstretched arm should be swung."""
+_RUN_UP_S = 0.1
+"""Time from rest to full acceleration [s]; ours: as the Ridgeback's."""
+
+
+def _velocity(name: str, speed: float, acceleration: float) -> Element:
+    return Element(name, -speed, speed, acceleration, acceleration / _RUN_UP_S, math.inf)
+
+
+FETCH_BASE = MobileBase(
+    elements=(
+        _velocity("base_velocity_x", _SPEED, _ACCELERATION),
+        _velocity("base_velocity_y", _SPEED, _ACCELERATION),
+        _velocity("base_velocity_yaw", _TURNING, _TURNING),
+    ),
+    joints=("base_x", "base_y", "base_yaw"),
+    body="base",
+    size=(0.576, 0.576),  # the circle around the mesh
+    height=0.359,  # of the mesh
+    payload=40.0,  # ours: what torso, head and arm weigh, and 6 kg in the hand [FR]
+    # Axis of the shoulder above the floor with the torso down: 0.37743 + 0.34858 m up, and
+    # 0.119525 m before the column, which is 0.086875 m behind the middle [URDF].
+    arm=(0.03265, 0.0, 0.72601),
+    gap=0.10,  # ours: nearer by, the arm has to fold as far as it can
+)

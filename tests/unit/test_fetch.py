@@ -1,0 +1,249 @@
+"""The Fetch is where its URDF puts it, within its limits, clear of itself, and gets to work."""
+
+import math
+from collections.abc import Iterator
+from importlib.metadata import PackageNotFoundError, version
+
+import mujoco
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.features import action_feature
+from labutopia_lerobot.layout import Workspace
+from labutopia_lerobot.robots import FETCH, PANDA
+from labutopia_lerobot.robots.drives import Drives
+from labutopia_lerobot.robots.fetch_base import FETCH_BASE
+from labutopia_lerobot.robots.meshes import MeshPackage, NoMeshesError
+from labutopia_lerobot.scenes import LABORATORY, load_room, rooms_to_drive_in
+from labutopia_lerobot.setting import Setting
+
+
+def has_meshes() -> bool:
+    """Return whether the package with its meshes is installed."""
+    try:
+        version("gymnasium-robotics")
+    except PackageNotFoundError:
+        return False
+    return True
+
+
+installed = pytest.mark.skipif(not has_meshes(), reason="the extra `fetch` is not installed")
+
+# Joint, origin in the frame of the link before [m], axis, of `fetch.urdf` (ZebraDevs/fetch_ros).
+URDF = [
+    ("torso_lift", (-0.086875, 0, 0.37743), None),
+    ("shoulder_pan", (0.119525, 0, 0.34858), "z"),
+    ("shoulder_lift", (0.117, 0, 0.06), "y"),
+    ("upperarm_roll", (0.219, 0, 0), "x"),
+    ("elbow_flex", (0.133, 0, 0), "y"),
+    ("forearm_roll", (0.197, 0, 0), "x"),
+    ("wrist_flex", (0.1245, 0, 0), "y"),
+    ("wrist_roll", (0.1385, 0, 0), "x"),
+]
+GRIPPER = (0.16645, 0, 0)
+
+
+@pytest.fixture(scope="module")
+def model() -> mujoco.MjModel:
+    spec = mujoco.MjSpec()
+    spec.compiler.degree = False
+    spec.option.timestep = 1 / 300
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    FETCH.add_to(spec, spec.worldbody)
+    return spec.compile()
+
+
+@pytest.fixture
+def data(model: mujoco.MjModel) -> mujoco.MjData:
+    return posed(model, FETCH.home)
+
+
+@pytest.fixture(scope="module")
+def env() -> Iterator[LabEnv]:
+    with LabEnv(Setting("level1/pick", obs="state", robot="fetch")) as env:
+        yield env
+
+
+def posed(model: mujoco.MjModel, joints: tuple[float, ...]) -> mujoco.MjData:
+    """Return the robot with its joints somewhere, and commanded to be there."""
+    data, drives = mujoco.MjData(model), Drives(model, FETCH)
+    elements = np.array([*joints, FETCH.max_opening, 0.0, 0.0, 0.0])
+    drives.place(data.qpos, elements)
+    drives.command(data, elements)
+    mujoco.mj_forward(model, data)
+    return data
+
+
+def test_without_its_meshes_it_says_how_to_get_them():
+    with pytest.raises(NoMeshesError, match=r"pip install 'lerobot_env_labutopia\[fetch\]'"):
+        _ = MeshPackage("no-such-package", "meshes", extra="fetch").version
+
+
+def test_its_elements_are_torso_arm_gripper_and_base_by_what_they_do():
+    roles, names = FETCH.roles, FETCH.names
+    assert names[roles.torso] == ("torso_lift",)
+    assert names[roles.arm] == tuple(name for name, _, axis in URDF if axis)
+    assert names[roles.joints] == tuple(name for name, _, _ in URDF)
+    assert names[roles.gripper] == "gripper"
+    assert names[roles.base] == tuple(element.name for element in FETCH_BASE.elements)
+    assert action_feature(Setting("level1/pick", robot="fetch")).names == names
+    assert PANDA.roles.torso == slice(0, 0)
+    assert PANDA.names[PANDA.roles.arm] == PANDA.names[PANDA.roles.joints]
+
+
+def test_its_limits_are_those_of_the_urdf_and_the_data_sheet():
+    torso, gripper = FETCH.elements[0], FETCH.gripper.element
+    assert (torso.lower, torso.upper, torso.speed) == (0.0, 0.38615, 0.1)
+    assert (gripper.lower, gripper.upper, gripper.speed) == (0.0, 0.1, 0.1)
+    assert FETCH.speed[1:8] == (1.256, 1.454, 1.571, 1.521, 1.571, 2.268, 2.268)
+    assert FETCH_BASE.limits.speed == 1.0
+
+
+def test_it_stands_as_near_to_the_bench_as_its_base_lets_it():
+    x, y = LABORATORY.arm_place(FETCH_BASE)
+    front = x - FETCH_BASE.arm[0] + FETCH_BASE.size[0] / 2
+    assert LABORATORY.bench.x[0] - front == pytest.approx(0.10)
+    assert Workspace.of(LABORATORY, FETCH).robot == (x, y)
+    assert Workspace.of(LABORATORY, PANDA).robot == LABORATORY.robot_stand[:2]
+
+
+@installed
+@pytest.mark.parametrize("seed", range(6))
+def test_the_hand_is_where_the_urdf_puts_it(model, seed):
+    lower, upper = (np.array(ends[:8]) for ends in (FETCH.lower, FETCH.upper))
+    joints = np.random.default_rng(seed).uniform(lower, upper)
+    point, turn = np.zeros(3), Rotation.identity()
+    for (_, place, axis), position in zip(URDF, joints, strict=True):
+        point = point + turn.apply(place)
+        if axis is None:
+            point = point + np.array([0.0, 0.0, position])
+        else:
+            turn = turn * Rotation.from_euler(axis, position)
+    hand = posed(model, tuple(joints)).body(FETCH.gripper.body)
+    np.testing.assert_allclose(hand.xpos, point + turn.apply(GRIPPER), atol=1e-9)
+    np.testing.assert_allclose(hand.xmat.reshape(3, 3), turn.as_matrix(), atol=1e-9)
+
+
+@installed
+def test_it_weighs_what_the_data_sheet_says_within_a_tenth(model):
+    assert model.body_mass.sum() == pytest.approx(113.3, rel=0.1)
+    carried = model.body_subtreemass[model.body("arm_mount").id]
+    assert carried + 6.0 <= FETCH_BASE.payload
+
+
+@installed
+def test_what_collides_is_as_large_as_what_is_seen_and_clear_of_the_floor(model):
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    seen, cylinder = model.geom("base_visual"), model.geom("base_collision")
+    start = model.mesh_vertadr[int(seen.dataid[0])]
+    corners = model.mesh_vert[start : start + model.mesh_vertnum[int(seen.dataid[0])]]
+    corners = corners @ data.geom_xmat[seen.id].reshape(3, 3).T + data.geom_xpos[seen.id]
+    widest = np.hypot(*corners[:, :2].T).max()
+    assert widest == pytest.approx(cylinder.size[0], abs=0.005)
+    assert corners[:, 2].max() == pytest.approx(FETCH_BASE.height, abs=0.005)
+    assert 0.0 < cylinder.pos[2] - cylinder.size[1] < 0.05
+
+
+@installed
+def test_at_home_the_hand_is_level_with_the_x_axis_of_the_grasp_up(data):
+    x = data.site(FETCH.gripper.site).xmat.reshape(3, 3)[:, 0]
+    np.testing.assert_allclose(x, (0, 0, 1), atol=5e-3)
+
+
+@installed
+@pytest.mark.parametrize("posture", ["home", "stowed"])
+def test_it_holds_still_under_gravity_without_touching_itself(model, posture):
+    joints = getattr(FETCH, posture)
+    data = posed(model, joints)
+    mujoco.mj_step(model, data, nstep=300)
+    assert data.ncon == 0
+    positions = [data.joint(joint.name).qpos[0] for joint in FETCH.joints]
+    np.testing.assert_allclose(positions, joints, atol=1e-4)
+
+
+@installed
+def test_postures_keep_away_from_every_end_of_a_range():
+    lower, upper = (np.array(ends[:8]) for ends in (FETCH.lower, FETCH.upper))
+    for posture, share in ((FETCH.home, 0.15), (FETCH.stowed, 0.02)):
+        near = np.minimum(posture - lower, upper - posture) / (upper - lower)
+        assert near.min() > share
+
+
+@installed
+def test_a_kilogram_in_the_hand_lowers_it_by_less_than_three_millimetres(model, data):
+    height = data.site(FETCH.gripper.site).xpos[2]
+    data.xfrc_applied[model.body(FETCH.gripper.body).id, 2] = -9.81
+    mujoco.mj_step(model, data, nstep=600)
+    assert height - 0.003 < data.site(FETCH.gripper.site).xpos[2] < height
+
+
+@installed
+def test_a_start_that_is_displaced_leaves_the_torso_where_it_is(env):
+    with LabEnv(
+        Setting("level1/pick", obs="state", robot="fetch", axes=("robot_start",))
+    ) as varied:
+        varied.reset(seed=0)
+        start = varied.workcell.simulation.measured
+    off = np.abs(start[FETCH.roles.joints] - FETCH.home)
+    assert off[0] < 1e-3
+    assert 0.01 < np.linalg.norm(off[1:]) < 0.3
+
+
+@installed
+def test_the_expert_picks_with_torso_and_arm_and_the_base_stands(env):
+    env.reset(seed=100100)
+    expert, over, lifted = env.expert(), False, []
+    expert.start()
+    place = env.workcell.simulation.base_pose
+    while not over:
+        _, _, terminated, truncated, info = env.step(expert.act())
+        lifted.append(env.workcell.simulation.measured[0])
+        over = terminated or truncated
+    assert info["outcome"] == "success"
+    assert not expert.unexpected
+    assert info["clipped_actions"] == 0
+    assert np.ptp(lifted) > 0.02
+    np.testing.assert_allclose(env.workcell.simulation.base_pose, place, atol=2e-3)
+
+
+@installed
+@pytest.mark.slow
+@pytest.mark.parametrize("task", ["level1/pick", "level1/place", "level1/pour"])
+def test_the_expert_plays_ten_episodes_with_it(task):
+    with LabEnv(Setting(task, obs="state", robot="fetch")) as env:
+        assert [outcome(env, seed) for seed in range(100100, 100110)] == ["success"] * 10
+
+
+@installed
+@pytest.mark.slow
+def test_the_expert_drives_with_it_to_a_beaker_and_picks_it_up():
+    setting = Setting("level5/navigation_and_manipulation", obs="state", robot="fetch")
+    with LabEnv(setting) as env:
+        assert [outcome(env, seed) for seed in range(100100, 100103)] == ["success"] * 3
+
+
+@pytest.mark.slow
+def test_it_gets_to_two_benches_of_every_room_to_drive_in():
+    for names in rooms_to_drive_in():
+        for name in names:
+            assert len(load_room(name).ground(FETCH_BASE).benches) >= 2, name
+
+
+def outcome(env: LabEnv, seed: int) -> str:
+    """Play the expert's episode of a seed; return how it ended."""
+    env.reset(seed=seed)
+    expert, over = env.expert(), False
+    expert.start()
+    while not over:
+        _, _, terminated, truncated, info = env.step(expert.act())
+        over = terminated or truncated
+    assert not expert.unexpected
+    said: str = info["outcome"]
+    return said
+
+
+def test_a_turn_of_its_rolling_axes_has_one_number():
+    assert [math.degrees(upper) for upper in FETCH.upper[3:8:2]] == pytest.approx([180.0] * 3)
