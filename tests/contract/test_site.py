@@ -90,6 +90,7 @@ def test_community_files_can_be_read_and_say_the_version():
     version = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
     cited = yaml.safe_load((ROOT / "CITATION.cff").read_text())
     assert cited["version"] == version
+    assert f"## {version}\n" in (ROOT / "CHANGELOG.md").read_text()
     assert cited["preferred-citation"]["title"].startswith("LabUtopia")
     for file in (ROOT / ".github").rglob("*.yml"):
         assert yaml.safe_load(file.read_text())["name"]

@@ -65,7 +65,8 @@ def test_a_result_holds_rows_summary_provenance_and_films(
     evaluate_program: Program, tmp_path: Path
 ) -> None:
     done = evaluate_program(
-        "level=1", "task=pick", "policy=expert", "episodes=2", "videos=1", "out=out", "workers=1"
+        *("level=1", "task=pick", "policy=expert", "episodes=2", "videos=1", "out=out"),
+        *("workers=1", "width=96", "height=96"),
     )
     assert done.returncode == 0, done.stderr
     assert "2/2" in done.stdout
