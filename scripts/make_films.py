@@ -36,7 +36,7 @@ SIZE = 480, 320
 """Width and height of each [pixels]."""
 EXPOSURES = 24
 OF_TASKS = GALLERY / "films"
-TASK_FILM = "width=480 height=270 fps=15 exposures=4"
+TASK_FILM = "width=480 height=270 fps=10 exposures=3"
 LONGEST_S = 8.0
 """A task's film lasts no longer [s]: it is shown faster, by a whole number."""
 TASK_ROOMS = ("organic_7", "teaching_5", "analytical_3", "biology_5", "physics_4")
