@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import override
+from typing import TYPE_CHECKING, override
 
 import mujoco
 import numpy as np
@@ -13,6 +13,9 @@ from labutopia_lerobot.processes.heat import CELSIUS, HeatZone, ThermalMass
 from labutopia_lerobot.processes.process import Apparatus, Process
 from labutopia_lerobot.substances.substance import ZERO_C
 from labutopia_lerobot.world import FloatArray, Reading
+
+if TYPE_CHECKING:
+    from labutopia_lerobot.labware.glass.profile import Profile
 
 _INTO_LIQUID = 500.0
 """From a wall to the liquid in it [W/m^2 K]: free convection of liquids is 50 to 1000 (Incropera,
@@ -26,6 +29,8 @@ _WATER_VAPOUR = 461.5
 """Gas constant of water vapour [J/kg K]."""
 _HUMIDITY = 0.5
 """Of the room's air, relative; ours."""
+_BOILS = 0.05
+"""How far below its boiling point a liquid counts as boiling [K]; ours: a step's rounding."""
 
 
 @dataclass(frozen=True)
@@ -144,9 +149,7 @@ class HeatExchange(Process):
         held = None if liquid is None else liquid.warmth(vessel.body)
         if liquid is None or wall is None or held is None:
             return 0.0
-        depth = wall.depth(held.volume)
-        radius = wall.inner_radius(wall.bottom + depth)
-        wetted = math.pi * radius**2 + 2.0 * held.volume / radius
+        radius, wetted = _surfaces(wall, held.volume)
         own = vessel.temperature(apparatus)
         common = vessel.capacity * held.capacity / (vessel.capacity + held.capacity)
         heat = common * (own - held.temperature)
@@ -160,6 +163,24 @@ class HeatExchange(Process):
             lost += held.capacity * (warmer - held.boiling)
         liquid.warm(vessel.body, heat - lost)
         return lost
+
+    def vapour(self, apparatus: Apparatus, vessel: ThermalMass) -> float:
+        """Return the heat that leaves a vessel with vapour now [W]; none inside a chamber or bath.
+
+        What boils away is what its wall gives to liquid that gets no hotter.
+        """
+        liquid, wall = apparatus.liquid, vessel.wall
+        held = None if liquid is None else liquid.warmth(vessel.body)
+        if wall is None or held is None:
+            return 0.0
+        here = self._zones_at(apparatus, apparatus.data.body(vessel.body).xpos)
+        if any(not zone.base for _, zone in here):
+            return 0.0
+        radius, wetted = _surfaces(wall, held.volume)
+        given = _INTO_LIQUID * wetted * (vessel.temperature(apparatus) - held.temperature)
+        boils = held.temperature > held.boiling - _BOILS
+        free = math.pi * radius**2 * evaporation(held.temperature, apparatus.ambient)
+        return max(held.water * free, given if boils else 0.0)
 
     def _lose(self, apparatus: Apparatus, mass: ThermalMass) -> float:
         difference = mass.temperature(apparatus) - apparatus.ambient
@@ -195,6 +216,12 @@ def _fingers(model: mujoco.MjModel, hand: str) -> FloatArray:
     for body in range(root + 1, model.nbody):  # parents come before their children
         line[body] = line[model.body_parentid[body]]
     return line
+
+
+def _surfaces(wall: "Profile", volume: float) -> tuple[float, float]:
+    """Return the radius of the surface of a volume [m^3] in a vessel [m], and wetted wall [m^2]."""
+    radius = wall.inner_radius(wall.bottom + wall.depth(volume))
+    return radius, math.pi * radius**2 + 2.0 * volume / radius
 
 
 def _decayed(exponent: float) -> float:

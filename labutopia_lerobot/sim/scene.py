@@ -18,6 +18,7 @@ from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
 from labutopia_lerobot.sim import contact_shadows
 from labutopia_lerobot.sim.filament_light import light_for_filament
+from labutopia_lerobot.sim.steam import steam_over
 from labutopia_lerobot.sim.warm_processes import warm_processes
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, BASE, HAND, LEFT_PAD, RIGHT_PAD, FloatArray
@@ -83,6 +84,10 @@ def compile_scene(
     contents = contents or {}
     reacts = any(filling.reacts for filling in contents.values())
     processes += warm_processes(pieces, processes, robot.gripper.body, reacts=reacts)
+    steam = steam_over(processes)
+    for each in steam:
+        each.add_to(spec)
+    processes += steam
     # MuJoCo keeps what it is given here with its state: the commands that act, then the processes.
     spec.nuserdata = SPAN * len(robot.elements) + slots_of(processes)
     liquid = _drawing(spec, contents, particles, renderer == CLASSIC) if contents else None
