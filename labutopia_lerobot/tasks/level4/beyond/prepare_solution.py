@@ -67,7 +67,9 @@ def prepare_solution(draw: Draw) -> Task:
     made = concentration(target, species=_SALTS[salt], low=low, high=high)
     full = reads(weighing, low=_TOTAL_G - _WITHIN_G, high=_TOTAL_G + _WITHIN_G)
     there = (made, full, settled(weighing))
-    weigh = actions.pour_by_reading(stock, target, weighing, mass=share, within=0.25 * _WITHIN_G)
+    weigh = actions.pour_by_reading(
+        stock, target, weighing, mass=share, within=0.25 * _WITHIN_G, coarse=0.3
+    )
     fill_up = Step(
         "fill_up",
         (
