@@ -143,11 +143,11 @@ PIPETTE_VIEW = View(
 """From the right of the bench, near enough for a pipette's tip in a beaker; and overhead."""
 
 DISSOLVING_VIEW = View(
-    front=CameraPose((0.95, -0.80, 1.30), (-0.71, 0.49, -0.42), _UP, 20.0),
-    top=WIDEST_VESSEL_VIEW.top,
+    front=CameraPose((0.62, -0.85, 1.20), (-0.40, 0.84, -0.37), _UP, 37.0),
+    top=CameraPose((1.10, 0.0, 2.10), (-0.85, 0.0, -1.20), _UP, 38.0),
 )
-"""From the right of the bench, so near that one sees what lies on a beaker's bottom; and overhead,
-where all is in view."""
+"""From the right end of the bench, so near to a beaker there that one sees what lies on its bottom,
+the rack behind it; and from above and in front."""
 
 DRIVING_VIEW = View(
     front=CameraPose((0.05, -0.25, 1.75), (0.80, 0.10, -0.60), _UP, 70.0),

@@ -123,7 +123,13 @@ def pour(
 
 
 def pour_by_reading(
-    vessel: Pourable, into: OpenVessel, balance: Readable, *, mass: float, within: float
+    vessel: Pourable,
+    into: OpenVessel,
+    balance: Readable,
+    *,
+    mass: float,
+    within: float,
+    coarse: float = 0.1,
 ) -> Step:
     """Pour until the balance below the other vessel reads a mass, and right the vessel.
 
@@ -133,11 +139,12 @@ def pour_by_reading(
         balance: What the balance reads.
         mass: Reading to reach [g].
         within: How near [g].
+        coarse: Share of it that the balance shows when the expert eases back.
     """
     there = (reads(balance, low=mass - within, high=mass + within), settled(balance))
     return Step(
         "pour",
-        (PourMeasured(vessel, into, Weighed(balance), mass, 0.8 * within),),
+        (PourMeasured(vessel, into, Weighed(balance), mass, 0.8 * within, coarse=coarse),),
         (
             Substep("poured", there, (tilted(vessel, beyond_deg=30),)),
             Substep("righted", (*there, gripped(vessel), upright(vessel, within_deg=10))),

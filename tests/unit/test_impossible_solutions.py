@@ -3,9 +3,18 @@
 import pytest
 
 from labutopia_lerobot.chemistry.inventory import Solute
+from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.scenario import canonical_task, draw_scenario
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.substances.filling import Filling, ImpossibleFillingError
 from labutopia_lerobot.substances.possible_solutions import require_possible_solutions
 from solution_bench import ACID, BASE, GIVER, SODA, TAKER
+
+CHEMICAL = [
+    task_id
+    for task_id in task_files()
+    if any(held.reacts for held in canonical_task(Setting(task_id)).contents.values())
+]
 
 
 def solution(compound: str, molar: float) -> Filling:
@@ -43,3 +52,12 @@ def test_what_can_be_is_let_through() -> None:
     require_possible_solutions("level2/mine", {GIVER: ACID, TAKER: SODA})
     require_possible_solutions("level2/mine", {GIVER: Filling(50.0), TAKER: BASE})
     require_possible_solutions("level2/mine", {GIVER: Filling(50.0, of="ethanol")})
+
+
+@pytest.mark.parametrize("split", ["id", "ood"])
+@pytest.mark.parametrize("task_id", CHEMICAL)
+def test_what_any_episode_of_a_task_may_hold_can_be(task_id: str, split: str) -> None:
+    """So that no value of an axis, such as one held back for tests, is refused when it is drawn."""
+    setting = Setting(task_id, split=split)
+    for seed in range(16):
+        require_possible_solutions(task_id, draw_scenario(setting, seed).task.contents)
