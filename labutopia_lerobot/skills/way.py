@@ -19,9 +19,6 @@ _SHARE = 0.6
 there."""
 AT_REST = 0.01
 """Speed below which the base stands [m/s and rad/s]; ours."""
-_REACHED = (0.45, 0.70)
-"""Distances ahead of the arm's base at which it takes things well [m]; ours, as
-`scenes.survey`."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +93,7 @@ def dock_for(world: World, thing: Thing) -> Dock:
         PhaseError: If there is none: nobody can drive there.
     """
     point = world.pose(thing).position_w[:2]
-    wheels_of(world)
+    nearest, farthest = wheels_of(world).ahead
     base = world.mobile_base
     assert base is not None
     arm, _, _ = (base.inverse() @ world.robot_base).position_w
@@ -105,7 +102,7 @@ def dock_for(world: World, thing: Thing) -> Dock:
         c, s = math.cos(dock.yaw), math.sin(dock.yaw)
         x, y = point - dock.position
         ahead, left = c * x + s * y - arm, c * y - s * x
-        if _REACHED[0] <= ahead <= _REACHED[1] and abs(left) < least:
+        if nearest <= ahead <= farthest and abs(left) < least:
             best, least = dock, abs(left)
     if best is None or least > 0.15:
         raise PhaseError(
