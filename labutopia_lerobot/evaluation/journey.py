@@ -45,8 +45,9 @@ class Journey:
 
         `m_clear` is the least distance of the base's middle from things, `m_gap` that of its
         footprint, both on the map. `m_off_dock` and `deg_off_dock` are how far it is at the end,
-        in place and heading, from where the planner would dock for the last thing. SPL is that of an episode: 1 for the shortest way, less for a longer one, 0 without success
-        (Anderson et al., 2018, "On Evaluation of Embodied Navigation Agents").
+        in place and heading, from where the planner would dock for the last thing. SPL is that of
+        an episode: 1 for the shortest way, less for a longer one, 0 without success (Anderson et
+        al., 2018, "On Evaluation of Embodied Navigation Agents").
 
         Args:
             success: Whether the episode was one.
@@ -54,7 +55,8 @@ class Journey:
         driven = float(np.hypot(*np.diff(self._places, axis=0).T).sum())
         shares = {"spl": self._shortest / max(driven, self._shortest) if success else 0.0}
         lengths = {"m_driven": driven, "m_shortest": self._shortest}
-        numbers = lengths | {"m_clear": self._clearance, "m_gap": self._gap} | shares | self._errors()
+        distances = {"m_clear": self._clearance, "m_gap": self._gap}
+        numbers = lengths | distances | shares | self._errors()
         return {n: round(v, 3) if math.isfinite(v) else None for n, v in numbers.items()}
 
     def _errors(self) -> dict[str, float]:
