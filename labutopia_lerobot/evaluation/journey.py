@@ -4,11 +4,12 @@ import math
 
 import numpy as np
 
+from labutopia_lerobot.navigation.footprint_clearance import FootprintClearance
 from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, UnreachableGoalError
 from labutopia_lerobot.skills.skill import PhaseError
 from labutopia_lerobot.skills.way import Way, base_at, dock_for
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.world import FloatArray, World
+from labutopia_lerobot.world import Dock, FloatArray, World
 
 
 class Journey:
@@ -26,37 +27,52 @@ class Journey:
         self._world = world
         self._way = Way.of(world)
         self._places = [base_at(world)[0]]
-        self._clearance = math.inf
+        self._near = FootprintClearance.of(self._way.occupancy, self._way.footprint)
+        self._clearance = self._gap = math.inf
+        self._dock: Dock | None = None
         self._shortest = self._shortest_way(task)
 
     def note(self) -> None:
         """Look at the world after a control step."""
-        place, _ = base_at(self._world)
+        place, yaw = base_at(self._world)
         self._places.append(place)
+        self._gap = min(self._gap, self._near.at(place, yaw))
         near = float(self._way.planner.clearance.at(place[None])[0])
         self._clearance = min(self._clearance, near)
 
     def columns(self, *, success: bool) -> dict[str, float | None]:
-        """Return what a row says of it.
+        """Return what a row says of it; None for a number that there is not.
 
-        SPL is that of an episode: 1 for the shortest way, less for a longer one, 0 without success
-        (Anderson et al., 2018, "On Evaluation of Embodied Navigation Agents").
+        `m_clear` is the least distance of the base's middle from things, `m_gap` that of its
+        footprint, both on the map. `m_off_dock` and `deg_off_dock` are how far it is at the end,
+        in place and heading, from where the planner would dock for the last thing. SPL is that of
+        an episode: 1 for the shortest way, less for a longer one, 0 without success (Anderson et
+        al., 2018, "On Evaluation of Embodied Navigation Agents").
 
         Args:
             success: Whether the episode was one.
         """
         driven = float(np.hypot(*np.diff(self._places, axis=0).T).sum())
         shares = {"spl": self._shortest / max(driven, self._shortest) if success else 0.0}
-        lengths = {"m_driven": driven, "m_shortest": self._shortest, "m_clear": self._clearance}
-        numbers = lengths | shares
+        lengths = {"m_driven": driven, "m_shortest": self._shortest}
+        distances = {"m_clear": self._clearance, "m_gap": self._gap}
+        numbers = lengths | distances | shares | self._errors()
         return {n: round(v, 3) if math.isfinite(v) else None for n, v in numbers.items()}
+
+    def _errors(self) -> dict[str, float]:
+        """Return how far the base is from the last dock: place [m] and heading [deg]."""
+        if self._dock is None:
+            return {"m_off_dock": math.inf, "deg_off_dock": math.inf}
+        place, yaw = base_at(self._world)
+        off = math.degrees(abs(math.remainder(yaw - self._dock.yaw, 2.0 * math.pi)))
+        return {"m_off_dock": math.dist(place, self._dock.position), "deg_off_dock": off}
 
     def _shortest_way(self, task: Task) -> float:
         here: FloatArray = self._places[0]
         length = straight = 0.0
         for thing in task.start:
             try:
-                dock = dock_for(self._world, thing)
+                self._dock = dock = dock_for(self._world, thing)
                 length += straight + self._way.path(here, dock.before).length
             except (BlockedPlaceError, UnreachableGoalError, PhaseError):
                 return math.inf

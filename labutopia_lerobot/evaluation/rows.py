@@ -79,8 +79,9 @@ class Row:
         solutions: Contents of vessels at the end, by vessel, as `Solution.numbers` has it; None for
             no number. Empty without chemistry.
         unreacted: Why mixtures were left as they were, in words.
-        driving: Of a robot that drives: way driven and shortest way [m], least distance of its
-            middle from things [m], and SPL (see `journey`); None of one that does not.
+        driving: Of a robot that drives: way driven and shortest way [m], least distances of its
+            middle and of its footprint from things [m], SPL, and how far it was at the end from
+            where it should dock [m, deg] (see `journey`); None of one that does not.
     """
 
     task: str

@@ -90,6 +90,20 @@ class Occupancy:
             block = self.cells[bottom:top, left:right]
             block[block == FREE] = OCCUPIED
 
+    def add_disc(self, middle: FloatArray, radius: float) -> None:
+        """Mark where something round stands: every cell that it reaches into.
+
+        Args:
+            middle: Shape (2,) [m], frame of the map.
+            radius: Of it [m].
+        """
+        rows, columns = self.cells.shape
+        x = self.origin[0] + (np.arange(columns) + 0.5) * self.resolution - middle[0]
+        y = self.origin[1] + (np.arange(rows) + 0.5) * self.resolution - middle[1]
+        half = self.resolution / 2
+        away = np.hypot(*(np.maximum(np.abs(a) - half, 0.0) for a in np.meshgrid(x, y)))
+        self.cells[(away < radius) & (self.cells == FREE)] = OCCUPIED
+
     def passable(self, radius: float) -> NDArray[np.bool_]:
         """Return where the middle of a disc of a radius [m] can be, shape (rows, columns)."""
         least = radius / self.resolution + _HALF_DIAGONAL

@@ -41,7 +41,7 @@ class PathTracker:
         self._velocity_b: FloatArray = np.zeros(3)
         self.travelled = 0.0
 
-    def velocity(self, position: FloatArray, yaw: float) -> FloatArray:
+    def velocity(self, position: FloatArray, yaw: float, fastest: float = math.inf) -> FloatArray:
         """Return the velocity of the next control period, base frame, shape (3,).
 
         Forward and to the left [m/s], and turning to the left [rad/s].
@@ -49,13 +49,14 @@ class PathTracker:
         Args:
             position: Of the base, shape (2,) [m], room frame.
             yaw: Of the base, to the left of the room's x axis [rad].
+            fastest: Greatest speed along the path [m/s], where something is in the way.
         """
         path, limits = self._path, self._limits
         self.travelled = self._nearest(position)
         ahead = path.direction(min(self.travelled + _AHEAD, path.length))
         off = math.remainder(math.atan2(ahead[1], ahead[0]) - yaw, 2.0 * math.pi)
         turning = turning_speed(off, self._velocity_b[2], limits)
-        speed = self._speed() * max(0.0, math.cos(off))
+        speed = min(self._speed(), fastest) * max(0.0, math.cos(off))
         back = path.at(self.travelled) - position
         velocity = speed * path.direction(self.travelled) + _PULL * back
         velocity *= min(1.0, limits.speed / max(float(np.hypot(*velocity)), 1e-9))
@@ -67,6 +68,19 @@ class PathTracker:
         change *= min(1.0, most / max(float(np.hypot(*change)), 1e-9))
         self._velocity_b = np.append(self._velocity_b[:2] + change, turning)
         return self._velocity_b.copy()
+
+    def ahead(self, most: float, step: float) -> tuple[FloatArray, FloatArray]:
+        """Return the path ahead: distances from here, shape (n,), and points, shape (n, 2) [m].
+
+        Args:
+            most: How far ahead [m].
+            step: Distance of the points [m].
+        """
+        end = min(most, self._path.length - self.travelled)
+        far = np.linspace(0.0, end, 1 + math.ceil(end / step))
+        along = self.travelled + far
+        points = [np.interp(along, self._path.distances, axis) for axis in self._path.points.T]
+        return np.asarray(far, np.float64), np.column_stack(points)
 
     def arrived(self, position: FloatArray, within: float) -> bool:
         """Return whether the base is at the end of the path.

@@ -66,5 +66,5 @@ FETCH = Robot(
     handle_approach=Approach(yaw=math.radians(-25.0), pitch=math.radians(15.0)),
     base=FETCH_BASE,
     trunk=(FETCH_BASE.body, "torso_fixed", "torso_lift_link", "head_pan_link"),
-    stowed=(0.376, 1.155, -0.886, -0.03, 2.102, 1.932, -1.534, -0.341),
+    stowed=(0.345, 0.523, -1.089, 0.215, 2.03, 2.023, -1.822, -0.519),
 )

@@ -42,5 +42,6 @@ FETCH_BASE = MobileBase(
     # Axis of the shoulder above the floor with the torso down: 0.37743 + 0.34858 m up, and
     # 0.119525 m before the column, which is 0.086875 m behind the middle [URDF].
     arm=(0.03265, 0.0, 0.72601),
+    ahead=(0.57, 0.82),  # ours: a beaker of 0.25 m further out stays within the reach
     gap=0.10,  # ours: nearer by, the arm has to fold as far as it can
 )

@@ -22,6 +22,8 @@ class MobileBase:
         height: Up to its deck [m].
         payload: Greatest mass on its deck [kg].
         arm: Where the base of the arm is mounted [m], base frame, facing forward.
+        ahead: Least and greatest distance before the base of the arm at which it takes things well
+            [m].
         gap: Least distance from a bench at which it stands while the arm works there [m].
     """
 
@@ -32,6 +34,7 @@ class MobileBase:
     height: float
     payload: float
     arm: tuple[float, float, float]
+    ahead: tuple[float, float]
     gap: float
 
     @property

@@ -43,5 +43,8 @@ RIDGEBACK = MobileBase(
     # Ours: on a riser at the front of the deck, as high as the stand of levels 1 to 4, so that a
     # base that stands at a bench has its arm where that is.
     arm=(0.30, 0.0, 0.71),
+    # Ours: those of level 1's pick are 0.61 to 0.76, and a beaker of 0.25 m further out stays
+    # within the reach of 0.855.
+    ahead=(0.45, 0.70),
     gap=0.01,  # ours
 )

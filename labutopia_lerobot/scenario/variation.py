@@ -14,8 +14,11 @@ from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.processes import ThermalMass
 from labutopia_lerobot.scenario.distractors import held_out_sets, training_sets
 from labutopia_lerobot.scenario.draw import Draw
+from labutopia_lerobot.scenario.in_the_way import SETS
 from labutopia_lerobot.scenes import rooms_to_draw, rooms_to_drive_in
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
+from labutopia_lerobot.scenes.left_stool import LeftStool
+from labutopia_lerobot.scenes.passer_by import PasserBy
 from labutopia_lerobot.scenes.views import MOST_DISPLACED
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import FloatArray
@@ -38,6 +41,7 @@ class Variation:
         cameras: Displacement of both fixed cameras, shape (3,), metres, world frame.
         robot_start: Displacement of the arm at the start, shape (joints,), radians.
         distractors: Things that stand around.
+        in_the_way: Things and people in the way of a robot that drives.
         room: Where it is, instead of the room of the setting.
         ambient: Temperature of the room [degrees C]; None for the usual one.
     """
@@ -48,6 +52,7 @@ class Variation:
     cameras: FloatArray | None = None
     robot_start: FloatArray | None = None
     distractors: tuple[Piece, ...] = ()
+    in_the_way: tuple[LeftStool | PasserBy, ...] = ()
     room: str | None = None
     ambient: float | None = None
 
@@ -59,7 +64,8 @@ def draw_variation(draw: Draw, joints: int, *, drives: bool = False) -> Variatio
         draw: The episode's draw.
         joints: How many joints the robot's arm has.
         drives: Whether the robot drives: nothing stands around on its benches but what belongs to
-            the room, and it needs rooms with benches that it gets to.
+            the room, and it needs rooms with benches that it gets to. Somebody or something may be
+            in its way (axis `dynamic`).
     """
     drawn: dict[str, Any] = {}
     if draw.varies("material"):
@@ -80,6 +86,9 @@ def draw_variation(draw: Draw, joints: int, *, drives: bool = False) -> Variatio
         train, test = training_sets(), held_out_sets()
         name = draw.choice("layout", train=list(train), test=list(test))
         drawn["distractors"] = (train | test)[name]
+    if drives and draw.varies("dynamic"):
+        name = draw.choice("dynamic", train=("stool", "passer_by"), test=("both",))
+        drawn["in_the_way"] = SETS[name]
     if draw.varies("room"):
         rooms, rooms_for_tests = rooms_to_drive_in() if drives else rooms_to_draw()
         drawn["room"] = draw.choice("room", train=rooms, test=rooms_for_tests)

@@ -21,9 +21,8 @@ from labutopia_lerobot.scenes.space.ware_room import box_of
 from labutopia_lerobot.scenes.within_reach import PREFIX
 from labutopia_lerobot.world import BENCH, Dock, FloatArray, Floor
 
-_AHEAD = (0.50, 0.54, 0.58, 0.62)
-"""Distances of places for things before the base of the arm [m]; ours: those of level 1's pick are
-0.61 to 0.76, and a beaker of 0.25 m further out stays within the reach of 0.855."""
+_FROM_NEAREST = (0.05, 0.09, 0.13, 0.17)
+"""Distances of places for things before the nearest at which the arm takes them well [m]; ours."""
 _LEFT = (-0.08, -0.04, 0.0, 0.04, 0.08)
 """The same to the left of it [m]; ours: docks are 0.2 m apart."""
 _HAND = ((-0.30, 0.10), (-0.16, 0.45))
@@ -85,7 +84,7 @@ def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[FloatArray]:
     ahead = np.array([math.cos(dock.yaw), math.sin(dock.yaw)])
     left = np.array([-ahead[1], ahead[0]])
     arm = dock.position + base.arm[0] * ahead + base.arm[1] * left
-    for along in _AHEAD:
+    for along in (round(base.ahead[0] + more, 3) for more in _FROM_NEAREST):
         for beside in _LEFT:
             point = arm + along * ahead + beside * left
             below = (own.low[:, :2] < point - _FOOT) & (own.high[:, :2] > point + _FOOT)

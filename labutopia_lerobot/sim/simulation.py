@@ -92,19 +92,23 @@ class Simulation:
         """
         rng = np.random.default_rng(0) if rng is None else rng
         model, data, bench = self.scene.model, self.data, self.scene.room.bench
-        mujoco.mj_resetData(model, data)
         if self.liquid is not None:
             self.liquid.empty()
+        free: dict[str, FloatArray] = {}
         for piece, placement in layout.items():
             position = np.array([placement.x, placement.y, bench.height + placement.height])
             quat_wxyz = Rotation.from_euler("z", placement.yaw).as_quat(scalar_first=True)
             if piece.movable:
-                data.joint(f"{piece.name}_free").qpos = np.concatenate([position, quat_wxyz])
+                free[f"{piece.name}_free"] = np.concatenate([position, quat_wxyz])
             else:
                 model.body(piece.name).pos = position
                 model.body(piece.name).quat = quat_wxyz
             for body, place in placement.swaps:
                 model.body(body).pos = self._built[model.body(place).id]
+        # Behind that: where islands may sleep, MuJoCo asks only here where fixed bodies are.
+        mujoco.mj_resetData(model, data)
+        for joint, pose in free.items():
+            data.joint(joint).qpos = pose
         start = self._start.copy()
         if base_pose is not None:
             start[self.scene.robot.roles.joints] = self.scene.robot.stowed

@@ -19,6 +19,7 @@ from labutopia_lerobot.world import (
     Floor,
     LiquidAccount,
     Manipulator,
+    Obstacle,
     Pose,
     Reading,
     Solution,
@@ -124,6 +125,11 @@ class SimulatedWorld:
     def movable(self) -> tuple[Thing, ...]:
         """Everything that stands free, distractors included."""
         return self._movable
+
+    @property
+    def in_the_way(self) -> tuple[Obstacle, ...]:
+        """What stands or walks on the floor and is on no map."""
+        return tuple(piece for piece in self._pieces if isinstance(piece, Obstacle))
 
     def pose(self, thing: Thing) -> Pose:
         """Return the frame of a thing: origin at the centre of its base."""

@@ -16,6 +16,7 @@ from labutopia_lerobot.robots.action_filter import ActionFilter
 from labutopia_lerobot.robots.hand_kinematics import HandKinematics
 from labutopia_lerobot.scenario import Scenario
 from labutopia_lerobot.scenario.distractors import place_distractors
+from labutopia_lerobot.scenario.in_the_way import place_in_the_way
 from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import DEPTH, SEGMENTATION, Setting
 from labutopia_lerobot.sim.appearance import Appearance
@@ -55,9 +56,10 @@ class Workcell:
         self.steps = task.steps
         self.after: str | None = None
         self._halt: NDArray[np.float32] | None = None
-        pieces = (*task.start, *scenario.variation.distractors)
+        variation = scenario.variation
+        pieces = (*task.start, *variation.distractors, *variation.in_the_way)
         robot = load_robot(setting.robot)
-        room = load_room(scenario.variation.room or setting.room)
+        room = load_room(variation.room or setting.room)
         self._workspace = Workspace.of(room, robot)
         self._ground = room.ground(robot.base) if task.drives and robot.base else None
         scene = compile_scene(
@@ -131,6 +133,20 @@ class Workcell:
         ground = self._ground
         layout = sample_layout(task.start, rng, ground)
         base_pose = None if ground is None else sample_base(ground, layout, rng)
+        base = self.simulation.scene.robot.base
+        if variation.in_the_way and base and ground and base_pose is not None:
+            around = place_in_the_way(
+                variation.in_the_way,
+                layout,
+                base,
+                ground,
+                base_pose,
+                -self.world.bench_height,
+                rng,
+            )
+            if around is None:
+                return False
+            layout |= around
         layout |= place_distractors(
             variation.distractors,
             layout,

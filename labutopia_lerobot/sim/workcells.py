@@ -88,6 +88,7 @@ class Workcells:
         variant = (
             tuple(task.start),
             scenario.variation.distractors,
+            scenario.variation.in_the_way,
             scenario.variation.room,
             task.view,
             tuple(task.contents.items()),

@@ -7,7 +7,7 @@ import numpy as np
 
 from labutopia_lerobot.navigation.docking import approach_to
 from labutopia_lerobot.navigation.parking import Parking
-from labutopia_lerobot.navigation.tracking import PathTracker
+from labutopia_lerobot.skills.driver import Driver
 from labutopia_lerobot.skills.skill import Phase, arrived
 from labutopia_lerobot.skills.way import (
     AT_REST,
@@ -19,6 +19,9 @@ from labutopia_lerobot.skills.way import (
     stowed,
 )
 from labutopia_lerobot.world import Pose, Thing, World
+
+_WAITING = 60.0
+"""Time for others to get out of the way, beyond that for driving [s]; ours."""
 
 
 @dataclass(frozen=True)
@@ -46,18 +49,17 @@ class DriveTo:
             out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
             yield parking("leave", Parking(out, yaw, way.limits), hand)
         dock = dock_for(world, self.thing)
-        path = way.path(base_at(world)[0], dock.before)
-        tracker = PathTracker(path, way.limits)
+        driver = Driver(way, dock.before, world)
 
         def there(world: World, target: Pose, elapsed: float) -> bool:
             still = bool(np.abs(world.base_velocity).max() < AT_REST)
-            return tracker.arrived(base_at(world)[0], within=0.02) and still
+            return driver.tracker.arrived(base_at(world)[0], within=0.02) and still
 
         yield Phase(
             "drive",
             stowed,
             done=there,
-            drive=lambda w: tracker.velocity(*base_at(w)),
-            timeout_s=15.0 + 4.0 * path.duration(way.limits),
+            drive=driver.velocity,
+            timeout_s=15.0 + 4.0 * driver.duration + (_WAITING if world.in_the_way else 0.0),
             **hand,
         )

@@ -1,6 +1,7 @@
 """What skills that drive share: where the base is, how fast it goes, which place suits a thing."""
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TypedDict
 
@@ -12,16 +13,13 @@ from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.navigation.path_planner import RADIUS, PathPlanner
 from labutopia_lerobot.skills.skill import Phase, PhaseError
-from labutopia_lerobot.world import Dock, FloatArray, Pose, Thing, Wheels, World
+from labutopia_lerobot.world import Dock, FloatArray, Obstacle, Pose, Thing, Wheels, World
 
 _SHARE = 0.6
 """Share of the base's speeds and accelerations that experts use; ours: what is in a beaker stays
 there."""
 AT_REST = 0.01
 """Speed below which the base stands [m/s and rad/s]; ours."""
-_REACHED = (0.45, 0.70)
-"""Distances ahead of the arm's base at which it takes things well [m]; ours, as
-`scenes.survey`."""
 
 
 @dataclass(frozen=True)
@@ -56,9 +54,22 @@ class Way:
             share * pace.turning,
             share * pace.turning_acceleration,
         )
-        occupancy = Occupancy(floor.cells, floor.origin, floor.resolution)
+        known = Occupancy(floor.cells, floor.origin, floor.resolution)
+        standing = [thing for thing in world.in_the_way if not thing.walks]
+        occupancy = _with(known, world, standing, 0.0) if standing else known
         planner = PathPlanner.of(occupancy, limits)
         return cls(occupancy, planner, FloorRectangle(*wheels.size), limits)
+
+    def round(self, world: World, others: Sequence[Obstacle], room: float) -> "Way":
+        """Return the way round others where they are now.
+
+        Args:
+            world: Where they are.
+            others: What walks.
+            room: Distance to keep from them beyond the robot's disc [m].
+        """
+        occupancy = _with(self.occupancy, world, others, room)
+        return replace(self, occupancy=occupancy, planner=PathPlanner.of(occupancy, self.limits))
 
     def path(self, start: FloatArray, goal: FloatArray) -> Path:
         """Return the path from a point to another, both of shape (2,) [m], world frame.
@@ -69,6 +80,14 @@ class Way:
         room = float(self.planner.clearance.at(start[None])[0])
         narrower = replace(self.planner.clearance, radius=min(RADIUS, room))
         return replace(self.planner, clearance=narrower).plan(start, goal)
+
+
+def _with(known: Occupancy, world: World, others: Iterable[Obstacle], room: float) -> Occupancy:
+    """Return a map with others on it, each as wide as it is and so much more [m]."""
+    occupancy = known.copy()
+    for other in others:
+        occupancy.add_disc(world.pose(other).position_w[:2], other.footprint_radius + room)
+    return occupancy
 
 
 def wheels_of(world: World) -> Wheels:
@@ -100,14 +119,8 @@ def dock_for(world: World, thing: Thing) -> Dock:
     base = world.mobile_base
     assert base is not None
     arm, _, _ = (base.inverse() @ world.robot_base).position_w
-    best, least = None, math.inf
-    for dock in world.floor.docks:
-        c, s = math.cos(dock.yaw), math.sin(dock.yaw)
-        x, y = point - dock.position
-        ahead, left = c * x + s * y - arm, c * y - s * x
-        if _REACHED[0] <= ahead <= _REACHED[1] and abs(left) < least:
-            best, least = dock, abs(left)
-    if best is None or least > 0.15:
+    best = world.floor.dock_at(point, arm, wheels_of(world).ahead)
+    if best is None:
         raise PhaseError(
             f"No place at a bench of the room from which '{thing.name}' is within reach can be "
             "driven to"

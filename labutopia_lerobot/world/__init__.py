@@ -6,7 +6,7 @@ from labutopia_lerobot.world.manipulator import Approach, Manipulator, Wheels
 from labutopia_lerobot.world.pose import FloatArray, Pose
 from labutopia_lerobot.world.reading import ON, PRESSED, Reading
 from labutopia_lerobot.world.solution import Solution
-from labutopia_lerobot.world.things import Button, Graspable, OpenVessel, Standing, Thing
+from labutopia_lerobot.world.things import Button, Graspable, Obstacle, OpenVessel, Standing, Thing
 from labutopia_lerobot.world.world import (
     ARM,
     BASE,
@@ -38,6 +38,7 @@ __all__ = [
     "Graspable",
     "LiquidAccount",
     "Manipulator",
+    "Obstacle",
     "OpenVessel",
     "Pose",
     "Reading",

@@ -1,11 +1,15 @@
 """What a robot that drives knows of a room beforehand."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.world.pose import FloatArray
+
+ASIDE = 0.15
+"""Greatest distance of a thing to the side of straight ahead of an arm [m]; ours."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,3 +44,19 @@ class Floor:
     origin: tuple[float, float]
     resolution: float
     docks: tuple[Dock, ...]
+
+    def dock_at(self, point: FloatArray, arm: float, ahead: tuple[float, float]) -> Dock | None:
+        """Return the place from which an arm has a point most straight ahead, or None.
+
+        Args:
+            point: Shape (2,) [m].
+            arm: How far before the middle of the base that of the arm is [m].
+            ahead: Least and greatest distance of the point before the base of the arm [m].
+        """
+        best, least = None, ASIDE
+        for dock in self.docks:
+            c, s = math.cos(dock.yaw), math.sin(dock.yaw)
+            x, y = point - dock.position
+            if ahead[0] <= c * x + s * y - arm <= ahead[1] and abs(c * y - s * x) < least:
+                best, least = dock, abs(c * y - s * x)
+        return best

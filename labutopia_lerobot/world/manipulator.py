@@ -50,6 +50,11 @@ class Wheels(Protocol):
         ...
 
     @property
+    def ahead(self) -> tuple[float, float]:
+        """Least and greatest distance before the arm's base at which it takes things well [m]."""
+        ...
+
+    @property
     def limits(self) -> Pace:
         """How fast it is."""
         ...

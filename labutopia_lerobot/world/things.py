@@ -31,6 +31,16 @@ class Standing(Thing, Protocol):
 
 
 @runtime_checkable
+class Obstacle(Standing, Protocol):
+    """A thing on the floor that is in the way of a robot that drives, and on no map."""
+
+    @property
+    def walks(self) -> bool:
+        """Whether it moves by itself."""
+        ...
+
+
+@runtime_checkable
 class OpenVessel(Thing, Protocol):
     """A vessel with a round mouth."""
 

@@ -9,7 +9,7 @@ from labutopia_lerobot.world.manipulator import Manipulator
 from labutopia_lerobot.world.pose import FloatArray, Pose
 from labutopia_lerobot.world.reading import Reading
 from labutopia_lerobot.world.solution import Solution
-from labutopia_lerobot.world.things import Thing
+from labutopia_lerobot.world.things import Obstacle, Thing
 
 CONTROL_HZ = 30
 """Control, camera and recording rate: LeRobot's usual frame rate (the original runs at 60)."""
@@ -94,6 +94,11 @@ class World(Protocol):
     @property
     def movable(self) -> tuple[Thing, ...]:
         """Everything that stands free, distractors included."""
+        ...
+
+    @property
+    def in_the_way(self) -> tuple[Obstacle, ...]:
+        """What stands or walks on the floor and is on no map."""
         ...
 
     def pose(self, thing: Thing) -> Pose:

@@ -270,3 +270,15 @@ def test_a_room_without_a_work_place_is_refused_with_rooms_that_have_one(monkeyp
 def test_the_laboratory_is_still_the_bare_one():
     assert load_room("laboratory") is LABORATORY
     assert LABORATORY.decorator is None
+
+
+def test_instruments_of_a_task_stand_where_this_episode_has_them_among_sleeping_things():
+    env = LabEnv(Setting("level1/press", obs="state", room="physics_5"))
+    for seed in (1, 2):
+        env.reset(seed=seed)
+        simulation = env.workcell.simulation
+        (panel,) = env.workcell.task.start
+        assert simulation.scene.model.opt.enableflags & mujoco.mjtEnableBit.mjENBL_SLEEP
+        stands = simulation.scene.model.body(panel.name).pos
+        assert stands[0] > 0.3
+        np.testing.assert_array_equal(simulation.data.body(panel.name).xpos, stands)
