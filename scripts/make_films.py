@@ -43,6 +43,10 @@ TASK_ROOMS = ("organic_7", "teaching_5", "analytical_3", "biology_5", "physics_4
 """Rooms that the tasks are filmed in, one after the other; a task in which one drives draws its
 own."""
 
+FACE_THE_ROBOT = ("door", "drawer", "press")
+"""Words of tasks with furniture that turns its back to the camera for films: the task's own is
+behind the robot."""
+
 
 @clear_errors
 def main() -> None:
@@ -82,7 +86,9 @@ def film_task(task: str, number: int) -> None:
         if (seconds := success_s(task, room, seed)) is not None
     )
     speed = math.ceil(seconds / LONGEST_S)
-    options = f"room={room} seed={seed} speed={speed}"
+    facing = any(word in task for word in FACE_THE_ROBOT)
+    camera = "front" if facing else BEAUTY
+    options = f"room={room} seed={seed} speed={speed} camera={camera}"
     film.main([task, *TASK_FILM.split(), *options.split(), f"out={film_of(task)}"])
 
 
