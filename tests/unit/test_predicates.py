@@ -15,12 +15,14 @@ from labutopia_lerobot.labware.instruments.cabinet import Cabinet
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
 from labutopia_lerobot.labware.instruments.handling.piston_pipette import PistonPipette
 from labutopia_lerobot.labware.instruments.heater import Heater
+from labutopia_lerobot.labware.instruments.support.tube_rack import TubeRack
 from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.places import Destination, OverBench, WhereItStood
 from labutopia_lerobot.predicates import Transfer, gripped, lifted, predicate, standing_on
 from labutopia_lerobot.predicates.buttons import Switchable
 from labutopia_lerobot.predicates.openables import Bar, Latching, Openable
 from labutopia_lerobot.predicates.pipette_tip import Pipette
+from labutopia_lerobot.predicates.placing import Holder
 from labutopia_lerobot.predicates.predicate import PredicateFunction, PredicateNameError
 from labutopia_lerobot.predicates.readings import Readable
 from labutopia_lerobot.predicates.squeezing import Squeezable
@@ -43,6 +45,7 @@ SAMPLES: dict[Any, tuple[Any, Any]] = {
     Filled: VESSELS,
     Squeezable: (WashBottle("bottle"), WashBottle("other")),
     Destination: (WhereItStood(SMALL), OverBench("middle of the bench", ahead=0.5)),
+    Holder: (TubeRack("rack"), TubeRack("other")),
     Bar: (DRAWER.handle, OTHER_DRAWER.handle),
     Openable: (DRAWER, OTHER_DRAWER),
     Latching: (OVEN.door, OTHER_OVEN.door),
