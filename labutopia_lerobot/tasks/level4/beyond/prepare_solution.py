@@ -36,7 +36,7 @@ _SALTS = {
 _STOCK = 0.5
 """Of the stock solution [mol/l]; ours."""
 _TOTAL_G = 120.0
-"""Mass of the solution [g]: a balance here takes a solution for water, so that it is ml too; ours."""
+"""Mass of the solution [g]: a balance here takes it for water, so that it is ml too; ours."""
 _WITHIN_G = 4.0
 """How near to that, and how near the stock to its share [g]; ours: what counts is their ratio."""
 _WITHIN = 0.02
