@@ -42,6 +42,7 @@ from labutopia_lerobot.predicates.readings import Readable
 from labutopia_lerobot.predicates.stirring import Filled
 from labutopia_lerobot.skills import (
     Close,
+    Dilute,
     Open,
     Pick,
     Place,
@@ -148,6 +149,36 @@ def pour_by_reading(
         (
             Substep("poured", there, (tilted(vessel, beyond_deg=30),)),
             Substep("righted", (*there, gripped(vessel), upright(vessel, within_deg=10))),
+        ),
+        (vessel,),
+        transfers=(Transfer(vessel, into),),
+    )
+
+
+def dilute(
+    vessel: Pourable,
+    into: OpenVessel,
+    balance: Readable,
+    *,
+    times: float,
+    there: tuple[Predicate, ...],
+) -> Step:
+    """Fill up what is on a balance to a multiple of its mass, and right the vessel.
+
+    Args:
+        vessel: The vessel in the hand, with what is added.
+        into: The vessel on the balance.
+        balance: What the balance reads.
+        times: How many times the mass that is there it is to be.
+        there: What must hold in the end, first what the expert waits for.
+    """
+    fill_up = Dilute(vessel, into, Weighed(balance), times, within=0.6)
+    return Step(
+        "fill_up",
+        (fill_up, WaitUntil(there[0], holding=vessel)),
+        (
+            Substep("made_up", there, (tilted(vessel, beyond_deg=30),)),
+            Substep("held_upright", (*there, gripped(vessel), upright(vessel, within_deg=10))),
         ),
         (vessel,),
         transfers=(Transfer(vessel, into),),

@@ -1,0 +1,89 @@
+"""Adversarial cases of `level4/prepare_solution`: the concentration counts, and how much of it."""
+
+from typing import Any
+
+import pytest
+
+from adversary import begun
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.task import NeedsLiquidError
+from solution_bench import bring
+
+TASK = "level4/prepare_solution"
+STOCK, WATER, INTO = "stock_beaker", "water_beaker", "large"
+TOTAL_ML = 120.0
+
+
+@pytest.fixture(scope="module")
+def env() -> LabEnv:
+    return begun(TASK, particles=1000)
+
+
+def after(env: LabEnv, stock_ml: float, water_ml: float) -> dict[str, Any]:
+    """Begin, bring stock and water into the beaker on the balance, mix them, and take a step."""
+    bring(env.workcell.simulation, STOCK, INTO, stock_ml)
+    bring(env.workcell.simulation, WATER, INTO, water_ml)
+    *_, info = env.step(env.workcell.filter.applied.copy())
+    return info
+
+
+def molar(env: LabEnv) -> float:
+    """Return the concentration that the instruction asks for [mol/l]."""
+    return float(env.workcell.task.instruction.split(" of ")[1].split(" mol/l")[0])
+
+
+def made(info: dict[str, Any]) -> bool:
+    """Return whether the concentration is what is asked for."""
+    (so,) = (so for name, so in info["facts"].items() if " mol/l of " in name)
+    return bool(so)
+
+
+def test_without_liquid_it_is_refused() -> None:
+    with pytest.raises(NeedsLiquidError, match=r"solutions in .*Choose liquid=on"):
+        LabEnv(Setting(TASK, obs="state", liquid="off"))
+
+
+@pytest.mark.parametrize("split", ["id", "ood"])
+def test_in_every_draw_the_weighed_share_makes_it_up(split: str) -> None:
+    env = begun(TASK, split=split, particles=1000)
+    drawn = set()
+    for seed in range(8):
+        env.reset(seed=seed)
+        drawn.add(env.workcell.task.instruction.split(" mol/l ")[1].split(":")[0])
+        share = molar(env) / 0.5
+        assert made(after(env, share * TOTAL_ML, (1.0 - share) * TOTAL_ML))
+    assert len(drawn) == 2
+
+
+@pytest.mark.parametrize("off", [-0.035, 0.035])
+def test_three_and_a_half_per_cent_off_is_not_it(env: LabEnv, off: float) -> None:
+    env.reset(seed=0)
+    share = (1.0 + off) * molar(env) / 0.5
+    assert not made(after(env, share * TOTAL_ML, (1.0 - share) * TOTAL_ML))
+
+
+def test_the_stock_itself_is_not_it_nor_is_water(env: LabEnv) -> None:
+    for stock, water in ((60.0, 0.0), (0.0, 60.0)):
+        env.reset(seed=0)
+        assert not made(after(env, stock, water))
+
+
+def test_who_has_weighed_too_much_fills_up_further(env: LabEnv) -> None:
+    env.reset(seed=0)
+    share = molar(env) / 0.5
+    info = after(env, 1.02 * share * TOTAL_ML, (1.02 - 1.02 * share) * TOTAL_ML)
+    assert made(info)
+
+
+def test_a_little_of_the_right_concentration_is_too_little(env: LabEnv) -> None:
+    env.reset(seed=0)
+    share = molar(env) / 0.5
+    info = after(env, share * 60.0, (1.0 - share) * 60.0)
+    for _ in range(60):
+        *_, info = env.step(env.workcell.filter.applied.copy())
+        if info["outcome"] != "running":
+            break
+    assert made(info)
+    assert not any(so for name, so in info["facts"].items() if "reads 116 to 124" in name)
+    assert not info["is_success"]
