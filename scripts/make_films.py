@@ -77,7 +77,8 @@ def film_task(task: str, number: int) -> None:
     """Film a success of a task's expert, in the first of the rooms where there is one."""
     first = number % len(TASK_ROOMS)
     rooms = TASK_ROOMS[first:] + TASK_ROOMS[:first]
-    if canonical_task(Setting(task)).drives:
+    drives = canonical_task(Setting(task)).drives
+    if drives:
         rooms = (DEFAULT_ROOM,)
     room, seed, seconds = next(
         (room, seed, seconds)
@@ -87,7 +88,7 @@ def film_task(task: str, number: int) -> None:
     )
     speed = math.ceil(seconds / LONGEST_S)
     facing = any(word in task for word in FACE_THE_ROBOT)
-    camera = "front" if facing else BEAUTY
+    camera = "front" if facing or drives else BEAUTY  # on the base, where one drives
     options = f"room={room} seed={seed} speed={speed} camera={camera}"
     film.main([task, *TASK_FILM.split(), *options.split(), f"out={film_of(task)}"])
 
