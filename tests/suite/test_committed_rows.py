@@ -37,6 +37,6 @@ def test_a_committed_row_played_again_is_the_same_row(task):
     for column in NEWER:
         if not expected[column]:
             del expected[column], actual[column]
-    # Rows of earlier versions say less about the way.
-    actual["driving"] = {name: actual["driving"][name] for name in expected["driving"]}
+    if expected["driving"]:  # rows of earlier versions say less about the way
+        actual["driving"] = {name: actual["driving"][name] for name in expected["driving"]}
     assert actual == expected
