@@ -47,7 +47,7 @@ def task_files(tasks_dir: str | Path | None = None) -> dict[str, Path]:
         )
     files: dict[str, Path] = {}
     for folder in _folders(tasks_dir):
-        for path in _modules_in(folder):
+        for path in _packaged_modules() if folder == PACKAGED else _modules_in(folder):
             level = path.parent.parent if path.parent.name == BEYOND else path.parent
             task_id = f"{level.name}/{path.stem}"
             if task_id in files:
@@ -194,6 +194,11 @@ def _installed(entry: importlib.metadata.EntryPoint) -> list[Path]:
         )
         return []
     return [Path(location) for location in package.submodule_search_locations or ()]
+
+
+@cache
+def _packaged_modules() -> list[Path]:
+    return _modules_in(PACKAGED)
 
 
 def _modules_in(folder: Path) -> list[Path]:

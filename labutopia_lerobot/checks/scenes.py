@@ -3,6 +3,7 @@
 import random  # noqa: TID251  (to prove that nobody uses it)
 from contextlib import ExitStack
 from dataclasses import replace
+from functools import cache
 from types import ModuleType
 from typing import NoReturn
 from unittest.mock import patch
@@ -14,6 +15,7 @@ from labutopia_lerobot.checks.require import CheckFailed, require
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.setting import Setting
 
 _GENERATORS: dict[ModuleType, str] = {
     np.random: "seed rand random uniform normal randint choice shuffle",
@@ -56,13 +58,15 @@ def the_instruction_is_unique(env: LabEnv) -> None:
     said = canonical_task(env.setting).instruction
     for task in task_files(env.setting.tasks_dir):
         if task != env.setting.task:
-            require(_instruction(env, task) != said, f"{task} has the same instruction: {said!r}")
+            other = _instruction(task, env.setting.tasks_dir)
+            require(other != said, f"{task} has the same instruction: {said!r}")
 
 
-def _instruction(env: LabEnv, task: str) -> str | None:
+@cache
+def _instruction(task: str, tasks_dir: str | None) -> str | None:
     """Return the instruction of another task, or None if that cannot be made."""
     try:
-        return canonical_task(replace(env.setting, task=task, axes=())).instruction
+        return canonical_task(Setting(task, tasks_dir=tasks_dir)).instruction
     except Exception:  # a task file can raise anything, and it fails a check of its own then
         return None
 

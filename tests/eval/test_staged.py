@@ -69,6 +69,7 @@ def test_the_expert_scores_staged_as_single_seed_by_seed(both: tuple[Path, dict,
     assert [line["play"] for line in both[1]["summary"]] == ["single", "staged"]
 
 
+@pytest.mark.slow
 def test_rows_of_both_ways_do_not_depend_on_the_workers(
     both: tuple[Path, dict, str], tmp_path: Path
 ) -> None:
