@@ -43,7 +43,7 @@ TASK_ROOMS = ("organic_7", "teaching_5", "analytical_3", "biology_5", "physics_4
 """Rooms that the tasks are filmed in, one after the other; a task in which one drives draws its
 own."""
 
-FACE_THE_ROBOT = ("door", "drawer", "press")
+FACE_THE_ROBOT = ("door", "drawer", "press", "open")
 """Words of tasks with furniture that turns its back to the camera for films: the task's own is
 behind the robot."""
 
