@@ -1,8 +1,22 @@
 """Shared by every test."""
 
+import gc
+from collections.abc import Generator
+
 import pytest
 
 import labutopia_lerobot  # noqa: F401  (first of all: it chooses MuJoCo's OpenGL backend)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Look for no garbage in what is imported and collected: all of that stays."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 @pytest.hookimpl(tryfirst=True)  # pytest-xdist reads the marks in its own hook

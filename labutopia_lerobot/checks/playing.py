@@ -1,4 +1,4 @@
-"""Playing episodes for checks: the expert, doing nothing, random actions."""
+"""Playing episodes for checks: their starts, the expert, doing nothing, random actions."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -42,6 +42,32 @@ class Played:
     torques: FloatArray
     state: bytes
     actor: Actor
+
+
+@dataclass(frozen=True)
+class Start:
+    """What an episode begins with.
+
+    Attributes:
+        observation: What reset gave.
+        info: The same.
+        goal: Whether the whole goal holds.
+        deepest: Least distance of a contact, negative where bodies overlap [m].
+    """
+
+    observation: Observation
+    info: Info
+    goal: bool
+    deepest: float
+
+
+@lru_cache(maxsize=8)
+def start(env: LabEnv, seed: int, /) -> Start:
+    """Begin an episode; several checks look at the same start."""
+    observation, info = env.reset(seed=seed)
+    goal = all(info["facts"][fact.name] for fact in env.workcell.task.goal)
+    deepest = env.workcell.simulation.data.contact.dist.min(initial=0.0)
+    return Start(observation, info, goal, float(deepest))
 
 
 @lru_cache(maxsize=8)

@@ -10,7 +10,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-from labutopia_lerobot.checks.playing import expert
+from labutopia_lerobot.checks.playing import expert, start
 from labutopia_lerobot.checks.require import CheckFailed, require
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
@@ -25,7 +25,7 @@ _GENERATORS: dict[ModuleType, str] = {
 
 def every_element_of_the_model_has_a_name(env: LabEnv) -> None:
     """Bodies, geoms, joints and so on are all named."""
-    env.reset(seed=0)
+    start(env, 0)
     model = env.workcell.simulation.scene.model
     counts = {
         "body": model.nbody,
@@ -46,7 +46,7 @@ def every_element_of_the_model_has_a_name(env: LabEnv) -> None:
 
 def the_model_has_the_three_cameras_and_no_welds(env: LabEnv) -> None:
     """Nothing is glued to the hand, and everything can be filmed."""
-    env.reset(seed=0)
+    start(env, 0)
     scene = env.workcell.simulation.scene
     cameras = {scene.model.camera(index).name for index in range(scene.model.ncam)}
     require(cameras >= {"front", "top", "wrist"}, f"the cameras are {sorted(cameras)}")
@@ -73,9 +73,8 @@ def _instruction(task: str, tasks_dir: str | None) -> str | None:
 
 def two_seeds_give_two_scenes(env: LabEnv) -> None:
     """Something is drawn."""
-    first, _ = env.reset(seed=0)
-    second, _ = env.reset(seed=1)
-    same = np.array_equal(first["environment_state"], second["environment_state"])
+    first, second = (start(env, seed).observation["environment_state"] for seed in range(2))
+    same = np.array_equal(first, second)
     require(not same, "seeds 0 and 1 give the same scene: nothing is drawn")
 
 
@@ -111,9 +110,7 @@ def global_random_generators_are_never_used(env: LabEnv) -> None:
 def no_contact_is_deep_at_the_start(env: LabEnv) -> None:
     """Nothing stands inside something else, to within a millimetre."""
     for seed in range(3):
-        env.reset(seed=seed)
-        contact = env.workcell.simulation.data.contact
-        deepest = contact.dist.min() if contact.dist.size else 0.0
+        deepest = start(env, seed).deepest
         require(deepest > -0.001, f"seed {seed}: a contact is {-1000 * deepest:.1f} mm deep")
 
 

@@ -67,7 +67,7 @@ def test_the_same_command_makes_the_same_bytes_in_whatever_order_python_keeps_it
     picked: Path, tmp_path: Path
 ) -> None:
     other = "2" if os.environ.get("PYTHONHASHSEED") == "1" else "1"
-    program = [sys.executable, "-m", "labutopia_lerobot.cli.record", *PICK]
+    program = [sys.executable, "-m", "labutopia_lerobot.cli.record", *PICK, "workers=1"]
     environment = os.environ | {"PYTHONHASHSEED": other}
     subprocess.run([*program, f"root={tmp_path / 'dataset'}"], env=environment, check=True)
     assert_same_dataset(picked, tmp_path / "dataset")

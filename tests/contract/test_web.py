@@ -150,7 +150,7 @@ def settled(address: str) -> dict:
 
 
 def test_a_recording_is_shown_as_it_was_recorded(tmp_path):
-    root = recording(tmp_path / "picked", "task=level1/pick", "obs=state", "episodes=2", workers=1)
+    root = recording(tmp_path / "seen", "task=level1/press", "obs=state", "episodes=2", workers=1)
     _, last = read_episodes(root)
     with address_of(start(str(root), "--port", "0", program="replay")) as there:
         assert httpx.get(f"{there}/choices", timeout=60).json() == {}

@@ -216,7 +216,11 @@ def test_it_can_be_put_back(kind, size):
 
 
 @pytest.mark.parametrize(
-    ("kind", "size"), [("erlenmeyer_narrow", "250 ml"), ("reagent_bottle", "250 ml")]
+    ("kind", "size"),
+    [
+        ("erlenmeyer_narrow", "250 ml"),
+        pytest.param("reagent_bottle", "250 ml", marks=pytest.mark.slow),
+    ],
 )
 def test_what_is_tightly_closed_is_turned_over_and_loses_nothing(kind, size):
     """In necks of less than two particles' width liquid still squeezes past a plug."""

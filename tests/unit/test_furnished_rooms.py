@@ -35,7 +35,7 @@ from labutopia_lerobot.world import BENCH, ROOM
 from labutopia_lerobot.world.model import BEYOND_GROUP
 
 OWN = {plan.name: plan for plan in (BRIGHT, PARTED)}
-FEW = (*OWN, *plan_names()[::25])
+FEW = (*OWN, *plan_names()[::50])
 
 DEEPEST = 0.001
 """How far two things may be in each other [m]."""
