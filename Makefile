@@ -4,6 +4,7 @@ PYTHON ?= python3.12
 VENV := .venv
 BIN := $(VENV)/bin
 PACKAGES := $(VENV)/.packages-installed
+DEVELOPMENT := $(VENV)/.development-installed
 LIBRARIES := $(VENV)/.system-libraries-work
 TESTED_WITH := $(VENV)/.chromium-and-vulkan-tried
 # Tests that share fixtures, such as recorded datasets, stay in one process (tests/conftest.py). Groups
@@ -30,7 +31,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 help:  ## List the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-11s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-setup: $(PACKAGES) $(LIBRARIES)  ## Create .venv with the pinned packages; OpenGL, FFmpeg
+setup: $(PACKAGES) $(LIBRARIES)  ## Create .venv to record, train and evaluate; OpenGL, FFmpeg
 
 # Hours to nights: what is there stands, and a killed one goes on. First it says what it costs.
 results-cpu: setup  ## Record, train and evaluate every row of docs/results.md that needs no GPU
@@ -57,13 +58,13 @@ test: $(TESTED_WITH)  ## Check style and types, then run every test but the swee
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync=target lint kernels
 	$(PYTEST) -m "not slow"
 
-test-slow: setup $(TESTED_WITH)  ## Run the sweeps: ten episodes of every expert, more attacks, trainings, kills, leaks
+test-slow: $(TESTED_WITH)  ## Run the sweeps: ten episodes of every expert, more attacks, trainings, kills, leaks
 	$(PYTEST) -m slow
 
-docs: setup  ## Build the site into build/site, offline; a link that leads nowhere fails
+docs: $(DEVELOPMENT)  ## Build the site into build/site, offline; a link that leads nowhere fails
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
 
-lint: setup  ## Check style, format and types
+lint: $(DEVELOPMENT)  ## Check style, format and types
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
@@ -71,7 +72,7 @@ lint: setup  ## Check style, format and types
 kernels: setup
 	$(BIN)/python scripts/compile_kernels.py
 
-format: setup  ## Mend style and format
+format: $(DEVELOPMENT)  ## Mend style and format
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
 
@@ -89,11 +90,20 @@ $(PACKAGES): pyproject.toml constraints.txt
 	@test -e $@ || $(PYTHON) -m venv --clear $(VENV)
 	@rm -f $@
 	@echo "Installing the pinned packages; the first time takes a few minutes"
+	@$(BIN)/python -m pip install --quiet --progress-bar off --no-compile -c constraints.txt -e .
+	@$(BIN)/python -m compileall -q -j 0 $(VENV)/lib >/dev/null || true  # pip uses one core for it
+	@touch $@
+
+# Tests, types, style and site: as many packages again, which nobody needs who only uses the benchmark.
+$(DEVELOPMENT): $(PACKAGES)
+	@echo "Installing what tests, types and the site need"
+	@mv $(PACKAGES) $@.half
 	@$(BIN)/python -m pip install --quiet --progress-bar off -c constraints.txt -e '.[dev]'
+	@mv $@.half $(PACKAGES)
 	@touch $@
 
 # Tests open the page of results in Chromium and draw with Filament; without them they are skipped.
-$(TESTED_WITH): scripts/install_chromium.sh scripts/install_system_libraries.sh $(PACKAGES)
+$(TESTED_WITH): scripts/install_chromium.sh scripts/install_system_libraries.sh $(DEVELOPMENT) $(LIBRARIES)
 	@scripts/install_chromium.sh
 	@scripts/install_system_libraries.sh $(BIN)/python vulkan
 	@touch $@

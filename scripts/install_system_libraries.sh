@@ -32,7 +32,7 @@ install() {
     if command -v apt-get >/dev/null && as_root true 2>/dev/null; then
         echo "Installing $1"
         # shellcheck disable=SC2086  # the list is meant to be split
-        as_root apt-get update -qq && as_root apt-get install -qq -y --no-upgrade --no-install-recommends $1 || true
+        as_root apt-get update -qq && as_root apt-get install -qq -y --no-upgrade --no-install-recommends $1 >/dev/null || true
     fi
 }
 
