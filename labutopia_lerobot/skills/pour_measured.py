@@ -26,7 +26,8 @@ class PourMeasured:
     A balance lags behind what falls on its pan, by about 0.6 s. So the vessel leans slowly until
     the gauge shows `coarse` of the amount, and eases back; then it leans a little further each
     time, as far as gives `share` of what is missing by what the step before gave, and waits until
-    the liquid has come to rest at its lip.
+    the liquid has come to rest at its lip. Liquid clings to the lip and comes in a gulp: when a
+    balance that is still moving shows nearly all of it, the vessel is righted at once.
 
     Attributes:
         thing: The vessel in the hand.
@@ -84,7 +85,7 @@ class PourMeasured:
             lean += further
             held = pivot.towards(world, lean)
             yield phase("add", held, _leaning(thing, lean - 0.005, beyond=True), 0.1)
-            yield phase("read", held, self._read)
+            yield phase("read", held, self._read_or_nearly_there)
             before, shown = shown, self.gauge.shown(world)
             slope = max(self._least_slope, slope / 2, (shown - before) / further)
         back = pivot.towards(world, 0.0)
@@ -102,6 +103,10 @@ class PourMeasured:
 
     def _read(self, world: World, target: Pose, elapsed: float) -> bool:
         return elapsed >= self.pause_s and self.gauge.settled(world)
+
+    def _read_or_nearly_there(self, world: World, target: Pose, elapsed: float) -> bool:
+        nearly = self.gauge.shown(world) >= self.amount - self.within / 2
+        return self._read(world, target, elapsed) or (nearly and not self.gauge.settled(world))
 
     def _shows(self, amount: float) -> Condition:
         def done(world: World, target: Pose, elapsed: float) -> bool:
