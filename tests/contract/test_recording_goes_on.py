@@ -171,6 +171,7 @@ def test_a_folder_being_recorded_is_refused(tmp_path: Path) -> None:
         recording(tmp_path / "dataset", *PICK, watch=Second())
 
 
+@pytest.mark.slow  # the next one extends as well
 def test_a_finished_recording_is_extended_to_the_one_that_is_longer(
     filmed: Path, tmp_path: Path
 ) -> None:

@@ -14,8 +14,8 @@ PAGE = (ROOT / "docs" / "tutorial.md").read_text()
 FILES = dict(re.findall(r"`(my_tasks/\S+\.py)`:\n\n```python\n(.*?)```", PAGE, re.DOTALL))
 CONSOLES = re.findall(r"```console\n(.*?)```", PAGE, re.DOTALL)
 
-SLOW = "labutopia-(check|record)"
-"""Blocks with these take a minute or more."""
+SLOW = "labutopia-(check|record|eval)"
+"""Blocks with these take ten seconds or more."""
 
 SMALL = ["--headless", "--width", "32", "--height", "32"]
 """What a display would show at real time is drawn small here; no outcome depends on it."""

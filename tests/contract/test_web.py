@@ -149,6 +149,7 @@ def settled(address: str) -> dict:
     return seen
 
 
+@pytest.mark.slow
 def test_a_recording_is_shown_as_it_was_recorded(tmp_path):
     root = recording(tmp_path / "seen", "task=level1/press", "obs=state", "episodes=2", workers=1)
     _, last = read_episodes(root)

@@ -56,6 +56,9 @@ WHOLE_EPISODE: set[Check] = {
 LONG_S = 60.0
 """Time limit above which an episode is long [s]: with liquid the expert's then takes 5 to 10 s."""
 
+LONGEST_S = 150.0
+"""Time limit above which it takes as long without liquid [s]: `make test-slow` plays it."""
+
 ONE_OF_EACH_LEVEL = (
     "level1/pick",
     "level2/pour_liquid",
@@ -94,8 +97,9 @@ def env(request: pytest.FixtureRequest) -> LabEnv:
 
 
 @cache
-def is_long(task: str) -> bool:
-    return canonical_task(Setting(task)).time_limit_s > LONG_S
+def is_long(task: str, liquid: str) -> bool:
+    limit = canonical_task(Setting(task)).time_limit_s
+    return limit > (LONG_S if liquid == "on" else LONGEST_S)
 
 
 @pytest.hookimpl(tryfirst=True)  # before pytest selects by marks
@@ -109,6 +113,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
                 continue
             (task, liquid), check = played.params["env"], played.params["check"]
             more = check in MORE_EPISODES and task not in ONE_OF_EACH_LEVEL
-            long = check in WHOLE_EPISODE | MORE_EPISODES and is_long(task) and liquid == "on"
+            long = check in WHOLE_EPISODE | MORE_EPISODES and is_long(task, liquid)
             if check in TEN_EPISODES or more or long:
                 item.add_marker(pytest.mark.slow)
