@@ -17,6 +17,10 @@ _REACH = 1.0
 """How far from the next particle a point still lies in the liquid, in spacings; ours: in a lattice
 it is 0.87 at most, and above a level surface it ends half a spacing over it."""
 
+_HOLE = 1.5
+"""How far from the next particle a point still lies in a hole that a pipette has just drawn, in
+spacings; ours: half a spacing more, for liquid that has yet to flow in."""
+
 _AROUND = 2.0
 """How far around a point its liquid reaches, in spacings; ours: some 30 particles, a drop of 2 ml
 in a scene of 60 ml."""
@@ -56,6 +60,10 @@ class Handling(LiquidHandling):
     @override
     def near(self, point_w: FloatArray) -> Stock | None:
         near = self._within_reach(point_w)
+        if not len(near):  # there may be a hole, with liquid beside or over it
+            near = self._within_reach(point_w, _HOLE)
+            tops = self._liquid.positions[near, 2] + 0.5 * self._liquid.spacing
+            near = near[:1] if (tops > point_w[2]).any() else near[:0]
         return self._of(self._liquid.amounts[near[0]], len(near)) if len(near) else None
 
     @override
@@ -69,6 +77,13 @@ class Handling(LiquidHandling):
         near = near[liquid.accounted[near] == vessel]
         weights = self._capacities()[near]
         return liquid.solutions.solution(vessel, liquid.what.part(near), weights)
+
+    @override
+    def gas_from(self, vessel: str) -> float:
+        liquid = self._liquid
+        if liquid.solutions is None:
+            return 0.0
+        return float(liquid.solutions.given_off[liquid.names.index(vessel)].sum())
 
     @override
     def gather(self, vessel: str) -> None:

@@ -61,6 +61,10 @@ class LiquidHandling(Protocol):
         """
         ...
 
+    def gas_from(self, vessel: str) -> float:
+        """Return how much gas has left what a vessel holds, since the start [mol]."""
+        ...
+
     def gather(self, vessel: str) -> None:
         """Add what has come into a narrow vessel to the column that stands there."""
         ...

@@ -17,8 +17,9 @@ from labutopia_lerobot.scenes.room import PEDESTAL, Room
 from labutopia_lerobot.scenes.views import View
 from labutopia_lerobot.setting import CLASSIC, FILAMENT, PARTICLES
 from labutopia_lerobot.sim import contact_shadows
+from labutopia_lerobot.sim.bubbles import Bubbles, bubbles_in
 from labutopia_lerobot.sim.filament_light import light_for_filament
-from labutopia_lerobot.sim.steam import steam_over
+from labutopia_lerobot.sim.steam import Steam, steam_over
 from labutopia_lerobot.sim.warm_processes import warm_processes
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import ARM, BASE, HAND, LEFT_PAD, RIGHT_PAD, FloatArray
@@ -84,10 +85,10 @@ def compile_scene(
     contents = contents or {}
     reacts = any(filling.reacts for filling in contents.values())
     processes += warm_processes(pieces, processes, robot.gripper.body, reacts=reacts)
-    steam = steam_over(processes)
-    for each in steam:
+    seen: list[Steam | Bubbles] = [*steam_over(processes), *bubbles_in(pieces, contents)]
+    for each in seen:
         each.add_to(spec)
-    processes += steam
+    processes += tuple(seen)
     # MuJoCo keeps what it is given here with its state: the commands that act, then the processes.
     spec.nuserdata = SPAN * len(robot.elements) + slots_of(processes)
     liquid = _drawing(spec, contents, particles, renderer == CLASSIC) if contents else None

@@ -10,19 +10,21 @@ from labutopia_lerobot.world import OpenVessel, World
 
 @dataclass(frozen=True)
 class Dispense:
-    """Go over the vessel, lower the tip into its mouth, press to the second stop, lift, release.
+    """Go over the vessel, lower the tip to its bottom, press to the second stop, lift, release.
+
+    A jet that falls far splashes: from 15 mm below the mouth one in a hundred lost a drop.
 
     Attributes:
         pipette: The pipette in the hand.
         vessel: What to give it into.
-        depth: How far below the mouth the tip goes [m].
+        gap: Height of the tip above the base of the vessel [m].
         clearance: Height of the tip above the mouth before and after [m].
         pause_s: Wait for the last drop [s].
     """
 
     pipette: Workable
     vessel: OpenVessel
-    depth: float = 0.015
+    gap: float = 0.012
     clearance: float = 0.04
     pause_s: float = 0.5
 
@@ -34,7 +36,7 @@ class Dispense:
         rest = world.commanded_opening
         over = held.tip_over(world, vessel, self.clearance)
         yield Phase("over", over, rest, away, own, pipette, timeout_s=10.0)
-        low = held.tip_over(world, vessel, -self.depth)
+        low = held.tip_over(world, vessel, self.gap - vessel.height)
         yield Phase("lower", low, rest, there, held.touches, pipette, speed=0.08)
         yield from held.press(world, "press", low, pipette.stroke)
         yield from held.press(world, "blow out", low, pipette.full_stroke)
