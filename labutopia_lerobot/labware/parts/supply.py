@@ -20,15 +20,20 @@ _PER_MINUTE = 1e-3 / 60.0
 """One l/min [m^3/s]."""
 
 
+def area_share(opening: float) -> float:
+    """Return which share of its area a tap opens that is a share of its way open (ours)."""
+    return min(1.0, max(0.0, (opening - _SHUT) / (1.0 - _SHUT)))
+
+
 def share_of_flow(opening: float) -> float:
     """Return which share of the full flow passes, of a tap that is a share of its way open.
 
-    The tap's own area grows with its way (ours). What falls in it and what falls in the rest of the
+    The tap's own area grows with its way. What falls in it and what falls in the rest of the
     line add up to the pressure of the mains, each with the square of the flow: the installed
     characteristic of a valve of linear characteristic.
     """
-    area = min(1.0, (opening - _SHUT) / (1.0 - _SHUT))
-    if area <= 0.0:
+    area = area_share(opening)
+    if not area:
         return 0.0
     return 1.0 / math.sqrt(1.0 + _AUTHORITY * (area**-2 - 1.0))
 
