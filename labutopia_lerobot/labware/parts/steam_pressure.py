@@ -93,7 +93,7 @@ class PressureLock(Process):
     Attributes:
         name: What its reading is called.
         bolt: What keeps the lid shut.
-        pressure: What is under it.
+        pressure: That under it.
     """
 
     name: str

@@ -26,7 +26,7 @@ _OPACITY = 0.45
 
 @dataclass(frozen=True)
 class Stream(Process):
-    """What is seen of water that runs from outlets: it remembers nothing, and nothing feels it.
+    """Water that is seen to run from outlets: it remembers nothing, and nothing feels it.
 
     It flies as a body does that is thrown from the outlet; its cross-section times its speed is the
     flow everywhere (continuity). Liquid that a task has filled in is drawn by itself instead.

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dial_gauge import DialGauge
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned
-from labutopia_lerobot.labware.parts.gauge import Gauge
 from labutopia_lerobot.labware.parts.guard import Shut
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
@@ -114,10 +114,10 @@ class Autoclave(Instrument):
         return Bolt(self.lid.name, self.lid.joint)
 
     @property
-    def gauge(self) -> Gauge:
+    def gauge(self) -> DialGauge:
         """Its pressure gauge, from 0 to 4 bar, absolute."""
         pressure = self.warming[2]
-        return Gauge(f"{self.name}_gauge", pressure, 4.0, 0.030, (-0.262, 0.070, 0.690))
+        return DialGauge(f"{self.name}_gauge", pressure, 4.0, 0.030, (-0.262, 0.070, 0.690))
 
     @property
     def works(self) -> tuple[Process, ...]:

@@ -10,10 +10,10 @@ from labutopia_lerobot.labware.parts.compressed_gas import (
     OutletFlow,
     OutletPressure,
 )
+from labutopia_lerobot.labware.parts.dial_gauge import DialGauge
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned
-from labutopia_lerobot.labware.parts.gauge import Gauge
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
@@ -85,13 +85,13 @@ class GasCylinder(Instrument):
         )
 
     @property
-    def gauges(self) -> tuple[Gauge, Gauge]:
+    def gauges(self) -> tuple[DialGauge, DialGauge]:
         """That of the cylinder on the left, that of the outlet on the right."""
         low = OutletPressure(f"{self.name}_outlet_pressure", self.gas)
         y, radius = 1.2 * 0.062, 0.026
         return (
-            Gauge(f"{self.name}_high_gauge", self.gas, 300.0, radius, (-0.060, y, 1.510)),
-            Gauge(f"{self.name}_low_gauge", low, 16.0, radius, (-0.060, -y, 1.510)),
+            DialGauge(f"{self.name}_high_gauge", self.gas, 300.0, radius, (-0.060, y, 1.510)),
+            DialGauge(f"{self.name}_low_gauge", low, 16.0, radius, (-0.060, -y, 1.510)),
         )
 
     @property

@@ -20,7 +20,7 @@ _NEEDLE = (0.75, 0.05, 0.0004)
 
 
 @dataclass(frozen=True)
-class Gauge(Process):
+class DialGauge(Process):
     """A round gauge that faces -x of what carries it; it shows a reading and remembers nothing.
 
     Attributes:
