@@ -46,6 +46,10 @@ class Handling(LiquidHandling):
         self._liquid.dispense(bottle, volume, spout, duration)
 
     @override
+    def waiting(self, bottle: Dispenser) -> float:
+        return self._liquid.bottles.waiting.get(bottle.name, 0) * self._liquid.volume
+
+    @override
     def stock(self, vessel: str, inlet_w: FloatArray) -> Stock | None:
         liquid, holder = self._liquid, self._liquid.names.index(vessel)
         kept = np.flatnonzero(liquid.kept.holders == holder)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.kernel import announce_compiling
 from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
 from labutopia_lerobot.liquids.beginning import Beginning
-from labutopia_lerobot.liquids.bottled import Bottles
+from labutopia_lerobot.liquids.bottled import Bottles, abreast
 from labutopia_lerobot.liquids.kept import Kept, is_column
 from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.portion import Portion
@@ -200,7 +200,7 @@ class Liquid:
             velocity = speed * spout.z_axis
             ages = duration * (np.arange(count)[:, None] + 0.5) / count
             self.release(
-                spout.position_w + ages * velocity,
+                spout.position_w + ages * velocity + abreast(bottle, spout, count, self.spacing),
                 np.tile(velocity, (count, 1)),
                 self.bottles.held[bottle.name],
                 self.names.index(bottle.name),

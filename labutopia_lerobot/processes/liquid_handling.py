@@ -46,6 +46,10 @@ class LiquidHandling(Protocol):
         """Let liquid out of a bottle; `volume` is what has left since the start [m^3]."""
         ...
 
+    def waiting(self, bottle: Dispenser) -> float:
+        """Return what is left in a bottle [m^3]."""
+        ...
+
     def stock(self, vessel: str, inlet_w: FloatArray) -> Stock | None:
         """Return what is inside a vessel or a pipette, as it is next to an inlet; None if empty."""
         ...

@@ -36,7 +36,7 @@ def at_rest(kind: str) -> tuple[Apparatus, Display]:
         ("gas_chromatograph", "door", "20.0 \u00b0C", "OVEN OPEN"),
         ("ph_meter", "electrode", "--.-- pH", "--.-- pH"),
         ("liquid_chromatograph", "purge", "--.-- ml/min", "PURGE"),
-        ("desiccator_cabinet", "door", "-- %RH", "DOOR OPEN"),
+        ("desiccator_cabinet", "door", "30 %RH", "DOOR OPEN"),
         ("glove_box", "lock", "--.- ppm O2", "LOCK OPEN"),
     ],
 )

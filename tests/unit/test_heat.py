@@ -290,6 +290,28 @@ def test_a_hand_on_the_hot_plate_is_a_breach_and_one_on_the_cold_plate_is_none()
     assert not burnt.holds(world)
 
 
+def test_a_probe_follows_what_it_is_in_as_a_lag_of_two_seconds():
+    heater = Heater("heater", probe_in=BEAKER.name)
+    simulation = Simulation(
+        compile_scene([heater, BEAKER], PANDA, LABORATORY, DOOR_VIEW, {BEAKER: Filling(100.0)}, 60)
+    )
+    simulation.reset({heater: Placement(0.2, 0.0, 0.0), BEAKER: Placement(0.5, 0.0, 0.0)})
+    simulation.fill(np.random.default_rng(0))
+    warm_up(simulation, 1.0)
+    assert celsius(simulation, "heater_probe") == pytest.approx(20.0)
+    liquid = simulation.apparatus.liquid
+    assert liquid is not None
+    warmed = 40.0
+    liquid.warm_to(273.15 + warmed)
+    simulation.apparatus.memory(simulation.apparatus.processes["heater_probe"])[:] = 20.0, 1.0
+    for seconds in (1.0, 2.0, 4.0):
+        warm_up(simulation, seconds)
+        total = {1.0: 1.0, 2.0: 3.0, 4.0: 7.0}[seconds]
+        expected = warmed - (warmed - 20.0) * math.exp(-total / 2.0)
+        # The cold beaker takes some of the water's heat meanwhile.
+        assert celsius(simulation, "heater_probe") == pytest.approx(expected, abs=1.0)
+
+
 def test_a_task_can_ask_how_warm_a_vessel_is():
     simulation = on_the_plate(20.0, 60)
     world = SimulatedWorld(simulation)

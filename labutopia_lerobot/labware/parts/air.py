@@ -64,7 +64,7 @@ class Vacuum(Process):
     Attributes:
         name: What its reading is called.
         on: Name of the reading that is above 0 while it pumps.
-        setting: What the pressure is set with [mbar].
+        setting: What the pressure is set with, or what needs no dial [mbar].
         end: End vacuum [mbar].
         pumping: Volume that it evacuates over its pumping speed [s].
         leaking: Time constant with which the air comes back [s].
@@ -72,7 +72,7 @@ class Vacuum(Process):
 
     name: str
     on: str
-    setting: Process
+    setting: Process | float
     end: float
     pumping: float
     leaking: float

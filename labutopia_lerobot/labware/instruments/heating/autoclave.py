@@ -6,23 +6,20 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dial_gauge import DialGauge
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
-from labutopia_lerobot.labware.parts.form import (
-    Block,
-    Form,
-    Ring,
-    Rod,
-    Turned,
-    about,
-)
+from labutopia_lerobot.labware.parts.finish import finish
+from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned
 from labutopia_lerobot.labware.parts.guard import Shut
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.motor import Bolt
 from labutopia_lerobot.labware.parts.panel import ON_FRONT, ON_TOP
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.steam_pressure import PressureLock, SteamPressure
 from labutopia_lerobot.labware.parts.timer import Countdown
 from labutopia_lerobot.labware.parts.valve import HandWheel, Tap
 from labutopia_lerobot.labware.parts.warmth import thermometer
@@ -35,6 +32,9 @@ _CAPACITY = 3.0 * 0.997 * 4182.0 + 12.0 * 480.0
 _IN_STEAM = 100.0
 """From the chamber to what stands in it [W/m^2 K]; ours: air has 10, steam that condenses on it
 thousands, and there is something of both."""
+
+_VALVE = math.pi * 0.0025**2
+"""Area of the open valve [m^2]; ours: 5 mm wide."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Autoclave(Instrument):
     size = (0.501, 0.450, 1.001)
     mass = 55.0
     source = "450 mm across, 950 mm high without its wheel, as usual; from memory"
-    left_out = "no pressure: water boils at 100 degrees"
+    left_out = "liquids in it boil at 100 degrees; its water does not get less"
 
     @property
     def wheel(self) -> HandWheel:
@@ -94,21 +94,36 @@ class Autoclave(Instrument):
         """Water on its floor, whose steam fills the chamber, and its thermostat.
 
         It holds 121 degrees C, at which steam sterilises in 15 min (European Pharmacopoeia, 5.1.1).
-        2 kW and the leak are ours, usual for 40 l. Its pressure is not worked out: its gauge stands
-        still, liquids in it boil at 100 C, and its valve lets nothing out.
+        2 kW and the leak are ours, usual for 40 l.
         """
         zone = HeatZone((-0.13, -0.13, 0.285), (0.13, 0.13, 0.750), _IN_STEAM)
         gap = DoorGap(self.lid.joint, math.pi * _BORE**2, 2 * _BORE, share=0.3)
-        steam = f"{self.name}_steam"
+        name = f"{self.name}_steam"
+        steam = ThermalMass(name, self.name, _CAPACITY, leak=2.0, zone=zone, gap=gap)
+        pressure = SteamPressure(f"{self.name}_pressure", steam, Shut(self.lid), self.valve, _VALVE)
         return (
-            ThermalMass(steam, self.name, _CAPACITY, leak=2.0, zone=zone, gap=gap),
-            Thermostat(thermometer(self.name), steam, 2000.0, 121.0, self.cycle.name),
+            steam,
+            Thermostat(thermometer(self.name), name, 2000.0, 121.0, self.cycle.name),
+            pressure,
+            PressureLock(f"{self.name}_lock", self.bolt, pressure),
         )
 
     @property
+    def bolt(self) -> Bolt:
+        """What keeps the lid shut under pressure."""
+        return Bolt(self.lid.name, self.lid.joint)
+
+    @property
+    def gauge(self) -> DialGauge:
+        """Its pressure gauge, from 0 to 4 bar, absolute."""
+        pressure = self.warming[2]
+        return DialGauge(f"{self.name}_gauge", pressure, 4.0, 0.030, (-0.262, 0.070, 0.690))
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        """What feels its lid, its knob and its cycle, and what heats meanwhile."""
-        return Shut(self.lid), Scale(self.time, 0, 60, "min"), self.cycle, *self.warming
+        """What feels its lid, its knob and its cycle, what heats meanwhile, pressure and gauge."""
+        setting = Scale(self.time, 0, 60, "min")
+        return Shut(self.lid), setting, self.cycle, *self.warming, self.gauge
 
     @property
     def displays(self) -> tuple[Display, ...]:
@@ -130,16 +145,7 @@ class Autoclave(Instrument):
             Rod((0, 0, 0.280), (0, 0, 0.290), 0.290, "dark_steel"),
             Block((-0.245, -0.180), (-0.130, 0.130), (0.480, 0.740), "petrol", edge=0.010),
             Rod((-0.262, 0.070, 0.690), (-0.240, 0.070, 0.690), 0.070, "chrome"),
-            Rod((-0.2626, 0.070, 0.690), (-0.262, 0.070, 0.690), 0.060, "white", touch=False),
-            Block(
-                (-0.2632, -0.2626),
-                (0.069, 0.071),
-                (0.688, 0.712),
-                "red",
-                0.0,
-                about((1, 0, 0), 50.0),
-                touch=False,
-            ),
+            *self.gauge.forms(),
             Block((0.190, 0.232), (-0.070, 0.070), (0.760, 0.848), "dark_steel"),
             *castors,
         ]
@@ -160,4 +166,6 @@ class Autoclave(Instrument):
             Block((-0.400, -0.030), (-0.030, 0.030), (0.038, 0.058), "dark_steel", edge=0.006),
         ]
         assemble(spec, lid, self.name, plate, mass=9.0)
+        self.bolt.add_to(spec)
+        self.gauge.add_to(body, finish(spec, self.name, "red"))
         self.wheel.add_to(spec, self.name, lid, (-0.215, 0.0, 0.058), ON_TOP)

@@ -11,6 +11,7 @@ from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Prism, Ring, Rod
+from labutopia_lerobot.labware.parts.guard import Shut
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.lid import Lid
@@ -19,7 +20,12 @@ from labutopia_lerobot.labware.parts.pan import Pan
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.warmth import Regulated, chamber
 from labutopia_lerobot.labware.parts.weighing import Weighing
+from labutopia_lerobot.processes import DoorGap, Process
+
+_LAMPS, _LEAK = 400.0, 1.0
+"""Power of its lamps [W], and what its hood lets through [W/K]."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +40,7 @@ class MoistureAnalyser(Instrument):
     size = (0.340, 0.210, 0.170)
     mass = 4.9
     source = "210 x 340 x 170 mm, pan of 90 mm, usual for 60 g; from memory"
-    left_out = "its lamps do not heat"
+    left_out = "its sample loses no mass: nothing dries"
 
     @property
     def pan(self) -> Pan:
@@ -73,8 +79,26 @@ class MoistureAnalyser(Instrument):
         return (self.pan.place,)
 
     @property
+    def warming(self) -> tuple[Process, ...]:
+        """Its knob, what feels its hood, the air below it and its thermostat.
+
+        It heats while its hood is shut and its knob is up; 400 W are usual for halogen lamps (from
+        memory), the leak is ours.
+        """
+        knob, shut = Scale(self.heat, 0, 200, "\u00b0C"), Shut(self.hood, "HOOD OPEN")
+        x, half = 0.040, 0.055
+        low, high = (x - half, -half, 0.080), (x + half, half, 0.130)
+        gap = DoorGap(self.hood.joint, 4 * half**2, 2 * half, share=0.3)
+        by = Regulated(_LAMPS, knob.name, shut.name, warning=shut.warning)
+        return knob, shut, *chamber(self.name, low, high, _LEAK, gap, by)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        return self.warming
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        heat = Scale(self.heat, 40, 200, "\u00b0C")
+        heat = self.warming[-1]
         return (
             Display(f"{self.name}_mass", (0.080, 0.026), self.weighing),
             Display(f"{self.name}_temperature", (0.060, 0.020), heat, ink=(255, 90, 60)),

@@ -1,22 +1,26 @@
 """A fume hood with a sash, a baffle, a sink and taps."""
 
+import math
 from dataclasses import dataclass
 
 import mujoco
 
-from labutopia_lerobot.labware.parts.air import Fan
+from labutopia_lerobot.labware.parts.air import Fan, Vacuum
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.fittings import tub
-from labutopia_lerobot.labware.parts.form import Block, Form
+from labutopia_lerobot.labware.parts.form import Block, Form, Rod, towards
+from labutopia_lerobot.labware.parts.guard import Flipped
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Sash
+from labutopia_lerobot.labware.parts.stream import Stream
+from labutopia_lerobot.labware.parts.supply import Drawn, Supply
 from labutopia_lerobot.labware.parts.switch import Switch
 from labutopia_lerobot.labware.parts.valve import Tap
 from labutopia_lerobot.processes import Process
@@ -29,11 +33,20 @@ _SIDE = 0.100
 
 _FACE_VELOCITY = 0.50
 """Of the air through the opening [m/s]; ours: a hood's controller keeps 0.4 to 0.5 m/s."""
+_WATER, _NOZZLE = 6.0, 0.004
+"""Of the open tap [l/min], and inner radius of its spout [m]; ours: half of a sink's."""
+_GAS = 6.0
+"""Of the open tap [l/min]; ours: 3.6 kW, a large burner, of natural gas with 36 MJ/m^3."""
+_END, _PUMPED, _VOLUME, _LEAKS = 100.0, 0.3, 1.0, 60.0
+"""End of the house's vacuum [mbar], how fast it pumps [l/s], out of what [l], and how soon the air
+comes back [s]; ours."""
 
 
 @dataclass(frozen=True)
 class FumeHood(Instrument):
     """A fume hood over a cupboard: gas and water taps on its posts, a light above.
+
+    What a task fills it with comes out of its spout as liquid, and then no more.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -43,17 +56,20 @@ class FumeHood(Instrument):
     size = (0.874, 1.500, 2.350)
     mass = 250.0
     source = "1500 x 850 x 2350 mm, sash of 700 mm (EN 14175 hoods are alike); from memory"
-    left_out = "gas, water and vacuum do not flow"
+    left_out = "its gas and vacuum lead nowhere; its sink does not drain; no fumes"
 
     @property
     def sash(self) -> Sash:
         return Sash(f"{self.name}_sash", _OPEN)
 
     @property
-    def taps(self) -> tuple[Tap, ...]:
+    def taps(self) -> tuple[Tap, Tap, Tap]:
         """Gas on the left post, water and vacuum on the right one."""
-        looks = {"gas": "yellow", "water": "green", "vacuum": "blue"}
-        return tuple(Tap(f"{self.name}_{line}", 0.050, look) for line, look in looks.items())
+        gas, water, vacuum = (
+            Tap(f"{self.name}_{line}", 0.050, look)
+            for line, look in (("gas", "yellow"), ("water", "green"), ("vacuum", "blue"))
+        )
+        return gas, water, vacuum
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
@@ -88,9 +104,49 @@ class FumeHood(Instrument):
         return Fan(f"{self.name}_air", self.ventilation.name, _FACE_VELOCITY)
 
     @property
+    def spout(self) -> str:
+        """Name of the frame at the end of the spout over its sink; z the way of the water."""
+        return f"{self.name}_outlet"
+
+    @property
+    def bore_area(self) -> float:
+        """Cross-section of the spout [m^2]."""
+        return math.pi * _NOZZLE**2
+
+    @property
+    def contents(self) -> float:
+        """The most that a task may let come of it [m^3]; ours."""
+        return 5e-3
+
+    @property
+    def supply(self) -> Supply:
+        """The water that its tap lets through."""
+        return Supply(f"{self.name}_flow", self.taps[1], _WATER, self)
+
+    @property
+    def stream(self) -> Stream:
+        return Stream(f"{self.name}_stream", self.supply, (self.spout,), _NOZZLE, falls=0.25)
+
+    @property
+    def lines(self) -> tuple[Process, ...]:
+        """What its taps let through: gas, water with its meter and its look, vacuum."""
+        gas, _, vacuum = self.taps
+        opened = Flipped(vacuum)
+        pressure = f"{self.name}_pressure"
+        return (
+            Supply(f"{self.name}_gas_flow", gas, _GAS),
+            self.supply,
+            Drawn(f"{self.name}_drawn", self.supply),
+            self.stream,
+            opened,
+            Vacuum(pressure, opened.name, _END, _END, _VOLUME / _PUMPED, _LEAKS),
+        )
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        """Its fan's switch, its sash and its air."""
-        return self.ventilation, Scale(self.sash, 0, 100, "% open", resolution=5), self.air
+        """Its fan's switch, its sash, its air and its lines."""
+        sash = Scale(self.sash, 0, 100, "% open", resolution=5)
+        return self.ventilation, sash, self.air, *self.lines
 
     @property
     def displays(self) -> tuple[Display, ...]:
@@ -119,6 +175,8 @@ class FumeHood(Instrument):
                 )
             )
         return [
+            Rod((x - 0.165, 0, _TOP + 0.270), (0.185, 0, _TOP + 0.270), 0.014, "chrome"),
+            Rod((0.185, 0, _TOP + 0.277), (0.185, 0, _TOP + 0.240), 0.014, "chrome"),
             Block((-x + 0.03, x), (-y + 0.01, y - 0.01), (0.0, 0.10), "anthracite"),
             Block((-x + 0.012, x), (-y, y), (0.10, _TOP - 0.03), "white"),
             *doors,
@@ -145,6 +203,8 @@ class FumeHood(Instrument):
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         x, y, inner = _DEPTH / 2, _WIDTH / 2, _WIDTH / 2 - _SIDE - 0.004
+        down = towards((0.0, 0.0, -1.0))
+        self.stream.add_to(spec, body, (((0.185, 0.0, _TOP + 0.240), down),))
         sash = self.sash.add_to(spec, body, (-x + 0.230, 0.0, _TOP + 0.004))
         high = 0.76
         frame: list[Form] = [

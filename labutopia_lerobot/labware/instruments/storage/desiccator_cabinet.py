@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
-from labutopia_lerobot.labware.parts.dials import Unmeasured
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drying import Drying
 from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.fittings import feet, tub
 from labutopia_lerobot.labware.parts.form import Block, Form
@@ -32,7 +32,7 @@ class DesiccatorCabinet(Instrument):
     size = (0.391, 0.340, 0.480)
     mass = 9.0
     source = "340 x 340 x 480 mm, as usual; from memory"
-    left_out = "its silica gel does not dry the air"
+    left_out = "its silica gel is never used up, and what stands in it does not dry"
 
     @property
     def door(self) -> Door[Handle]:
@@ -62,10 +62,14 @@ class DesiccatorCabinet(Instrument):
         )
 
     @property
+    def drying(self) -> Drying:
+        """How dry its air is."""
+        return Drying(f"{self.name}_humidity", self.door, self.gel)
+
+    @property
     def displays(self) -> tuple[Display, ...]:
-        shown = Unmeasured(f"{self.name}_humidity", "%RH", 1.0, "DOOR OPEN", self.door)
         ink, paper = (20, 30, 25), (165, 185, 160)
-        return (Display(f"{self.name}_display", (0.080, 0.030), shown, ink, paper),)
+        return (Display(f"{self.name}_display", (0.080, 0.030), self.drying, ink, paper),)
 
     def _forms(self) -> list[Form]:
         half, low, top = 0.170, 0.090, 0.430

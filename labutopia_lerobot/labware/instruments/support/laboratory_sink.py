@@ -9,18 +9,28 @@ import mujoco
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.fittings import tub
-from labutopia_lerobot.labware.parts.form import Block, Form, Rod
+from labutopia_lerobot.labware.parts.form import Block, Form, Rod, towards
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
+from labutopia_lerobot.labware.parts.stream import Stream
+from labutopia_lerobot.labware.parts.supply import Drawn, Supply
 from labutopia_lerobot.labware.parts.valve import Tap
+from labutopia_lerobot.processes import Process
+
+_FLOW = 12.0
+"""Of the open tap [l/min]: what EN 200 wants of taps for sinks at 3 bar (from memory)."""
+_NOZZLE = 0.006
+"""Inner radius of the neck's end [m]; ours."""
 
 
 @dataclass(frozen=True)
 class LaboratorySink(Instrument):
     """A sink in its cupboard: the swan neck swivels, a tap opens the water.
+
+    What a task fills it with comes out of its neck as liquid, and then no more.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -30,12 +40,12 @@ class LaboratorySink(Instrument):
     size = (0.640, 0.600, 1.321)
     mass = 40.0
     source = "600 x 600 x 900 mm, basin of 250 mm depth, as usual; from memory"
-    left_out = "no water comes"
+    left_out = "its basin does not drain; water that no task has filled in fills nothing"
 
     @property
-    def spout(self) -> Rotor:
+    def neck(self) -> Rotor:
         """The swan neck, which swivels to the right by 70 degrees."""
-        return Rotor(f"{self.name}_spout", friction=0.3, effort=2.0, widest=math.radians(70.0))
+        return Rotor(f"{self.name}_neck", friction=0.3, effort=2.0, widest=math.radians(70.0))
 
     @property
     def water(self) -> Tap:
@@ -49,12 +59,42 @@ class LaboratorySink(Instrument):
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
-        return self.spout, self.water, self.door
+        return self.neck, self.water, self.door
 
     @property
     def places(self) -> tuple[Seat, ...]:
         """The floor of the basin, before its drain."""
         return (Seat(f"{self.name}_basin", self.name, (-0.10, 0.10, 0.650), width=0.16),)
+
+    @property
+    def spout(self) -> str:
+        """Name of the frame at the end of the neck; z the way that the water leaves."""
+        return f"{self.name}_outlet"
+
+    @property
+    def bore_area(self) -> float:
+        """Cross-section of the neck's end [m^2]."""
+        return math.pi * _NOZZLE**2
+
+    @property
+    def contents(self) -> float:
+        """The most that a task may let come of it [m^3]: what the basin holds."""
+        return 20e-3
+
+    @property
+    def supply(self) -> Supply:
+        """The water that its tap lets through."""
+        return Supply(f"{self.name}_flow", self.water, _FLOW, self)
+
+    @property
+    def stream(self) -> Stream:
+        name, outlets = f"{self.name}_stream", (self.spout,)
+        return Stream(name, self.supply, outlets, _NOZZLE, falls=0.6, lengths=10)
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """The water, its meter, and what is seen of it."""
+        return self.supply, Drawn(f"{self.name}_drawn", self.supply), self.stream
 
     def _forms(self) -> list[Form]:
         x, y = 0.300, 0.300
@@ -77,7 +117,7 @@ class LaboratorySink(Instrument):
         ]
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
-        spout = self.spout.add_to(spec, body, (0.230, 0.0, 1.031), (0.0, 0.0, 1.0))
+        pipe = self.neck.add_to(spec, body, (0.230, 0.0, 1.031), (0.0, 0.0, 1.0))
         neck: list[Form] = [
             Rod((0, 0, 0), (0, 0, 0.020), 0.032, "chrome"),
             Rod((0, 0, 0.015), (0, 0, 0.180), 0.020, "chrome"),
@@ -89,7 +129,8 @@ class LaboratorySink(Instrument):
         neck += [Rod(p, q, 0.020, "chrome") for p, q in pairwise(points)]
         neck.append(Rod((-0.200, 0, 0.185), (-0.200, 0, 0.120), 0.020, "chrome"))
         neck.append(Rod((-0.200, 0, 0.130), (-0.200, 0, 0.100), 0.014, "chrome"))
-        assemble(spec, spout, self.name, neck, mass=0.9)
+        assemble(spec, pipe, self.name, neck, mass=0.9)
+        self.stream.add_to(spec, pipe, (((-0.200, 0.0, 0.100), towards((0.0, 0.0, -1.0))),))
         half = math.sqrt(0.5)  # z to the left: on the right side
         side = (half, -half, 0.0, 0.0)
         self.water.add_to(spec, self.name, body, (0.230, -0.050, 0.965), side)
