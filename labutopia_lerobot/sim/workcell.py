@@ -17,7 +17,7 @@ from labutopia_lerobot.robots.hand_kinematics import HandKinematics
 from labutopia_lerobot.scenario import Scenario
 from labutopia_lerobot.scenario.distractors import place_distractors
 from labutopia_lerobot.scenario.in_the_way import place_in_the_way
-from labutopia_lerobot.scenes import load_room
+from labutopia_lerobot.scenes import load_room, room_label
 from labutopia_lerobot.setting import DEPTH, SEGMENTATION, Setting
 from labutopia_lerobot.sim.appearance import Appearance
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
@@ -44,6 +44,7 @@ class Workcell:
         task: The task of the episode in play.
         steps: Those of its steps that the episode is about.
         after: Step behind which the episode has begun, or None for the start of the task.
+        room: What rows and datasets call the room.
         simulation: The physics.
         world: The read-only view of it that predicates and skills get.
         progress: The judge of the episode in play.
@@ -59,6 +60,7 @@ class Workcell:
         variation = scenario.variation
         pieces = (*task.start, *variation.distractors, *variation.in_the_way)
         robot = load_robot(setting.robot)
+        self.room = room_label(variation.room or setting.room)
         room = load_room(variation.room or setting.room)
         self._workspace = Workspace.of(room, robot)
         self._ground = room.ground(robot.base) if task.drives and robot.base else None
