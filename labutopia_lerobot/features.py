@@ -16,7 +16,15 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind, picture_names
 from labutopia_lerobot.robots import Robot, load_robot
-from labutopia_lerobot.setting import DEPTH, FORCES, READINGS, Setting, UnknownOptionError
+from labutopia_lerobot.setting import (
+    DEPTH,
+    FORCES,
+    READINGS,
+    ROBOT_NAMES,
+    SCAN,
+    Setting,
+    UnknownOptionError,
+)
 from labutopia_lerobot.substances.filling import Fillable, with_mounted
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, FloatArray, Thing, World
@@ -77,6 +85,24 @@ def _robot_state(robot: Robot) -> Feature:
     return Feature("observation.state", "float32", (len(names),), names, -largest, largest)
 
 
+def _scan(robot: Robot) -> Feature:
+    """Declare what the laser scanner of a robot sees.
+
+    Raises:
+        UnknownOptionError: If it has none.
+    """
+    if robot.base is None:
+        having = [name for name in ROBOT_NAMES if load_robot(name).base is not None]
+        raise UnknownOptionError(
+            f"extras=[{SCAN}]: robot={robot.name!r} stands and has no laser scanner. Leave it out, "
+            f"or choose one that drives: {', '.join(having)}"
+        )
+    scanner = robot.base.scanner
+    return Feature(
+        "observation.scan", "float32", (scanner.beams,), scanner.names, 0.0, scanner.farthest
+    )
+
+
 ACTION = "action"
 """Key of what is commanded."""
 
@@ -96,7 +122,7 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
 
     Returns:
         The path in the environment's observation (`agent_pos`, `environment_state`, `forces`,
-        `readings`, `pixels/<picture>`, `images.<depth>`) -> the feature.
+        `readings`, `scan`, `pixels/<picture>`, `images.<depth>`) -> the feature.
     """
     features = {"agent_pos": _robot_state(load_robot(setting.robot))}
     if setting.obs == "state":
@@ -114,6 +140,8 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
         features[READINGS] = Feature(
             "observation.readings", "float32", (len(names),), names, -np.inf, np.inf
         )
+    if SCAN in setting.extras:
+        features[SCAN] = _scan(load_robot(setting.robot))
     for name in picture_names(setting):
         key, axes = f"observation.images.{name}", ("height", "width", "channels")
         size = setting.height, setting.width

@@ -43,13 +43,13 @@ CAMERAS = ("front", "top", "wrist")
 """Every camera of a scene: facing the robot, overhead, on the hand."""
 
 DEPTH, SEGMENTATION = "depth", "segmentation"
-FORCES, READINGS = "forces", "readings"
-NUMBERS = (FORCES, READINGS)
-"""Extras that need no cameras: forces on the pads, readings of the displays."""
+FORCES, READINGS, SCAN = "forces", "readings", "scan"
+NUMBERS = (FORCES, READINGS, SCAN)
+"""Extras that need no cameras: forces on the pads, readings of the displays, a laser scan."""
 
 EXTRAS = (DEPTH, SEGMENTATION, *NUMBERS)
 """What can be observed beside the usual: depth and segmentation of every camera, forces on
-pads, what displays read."""
+pads, what displays read, what the laser scanner of a base sees."""
 
 ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda", "fetch")
 """Every robot that can play: the keys of `robots.ROBOTS`."""
@@ -123,7 +123,8 @@ class SettingOptions:
     extras: tuple[str, ...] = option(
         (),
         "Observed beside: a list of `depth` [m] and `segmentation` of every camera, with "
-        "`obs=pixels`, `forces` on the pads [N], and `readings` of the displays.",
+        "`obs=pixels`, `forces` on the pads [N], `readings` of the displays, and `scan` of the "
+        "laser scanner of a base [m].",
     )
     width: int = option(IMAGE_SIZE, "Width of the pictures [pixels].")
     height: int = option(IMAGE_SIZE, "Height of the pictures [pixels].")
@@ -209,7 +210,7 @@ class Setting(SettingOptions):
         if self.obs == "state" and not set(self.extras) <= set(NUMBERS):
             raise UnknownOptionError(
                 f"extras={list(self.extras)} needs cameras: choose obs=pixels, or of extras only "
-                f"{' and '.join(NUMBERS)}"
+                f"{', '.join(NUMBERS)}"
             )
         if self.renderer == FILAMENT and not set(self.extras) <= set(NUMBERS):
             raise UnknownOptionError(

@@ -21,6 +21,7 @@ from labutopia_lerobot.scenes import load_room, room_label
 from labutopia_lerobot.setting import DEPTH, SEGMENTATION, Setting
 from labutopia_lerobot.sim.appearance import Appearance
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
+from labutopia_lerobot.sim.laser_scan import LaserScan
 from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.renderers import Renderer, open_renderer
 from labutopia_lerobot.sim.scene import compile_scene
@@ -78,6 +79,12 @@ class Workcell:
     def motion(self) -> ReactiveMotion:
         """The experts' inverse kinematics, compiled at first use."""
         return ReactiveMotion(self.simulation, self.world)
+
+    @cached_property
+    def _scan(self) -> LaserScan:
+        scene = self.simulation.scene
+        assert scene.robot.base is not None
+        return LaserScan(scene, scene.robot.base.scanner)
 
     @cached_property
     def renderer(self) -> Renderer:
@@ -210,6 +217,10 @@ class Workcell:
         """
         self.simulation.draw_liquid()
         return {name: self._picture(*camera_and_kind(name)) for name in names}
+
+    def scan(self) -> NDArray[np.float32]:
+        """Return how far the laser scanner of the base sees along every ray [m], shape (beams,)."""
+        return self._scan.ranges(self.simulation.data)
 
     def depth(self, camera: str) -> NDArray[np.float32]:
         """Return the distance along a camera's optical axis [m], shape (height, width)."""
