@@ -30,7 +30,7 @@ class LaserScanner:
     def angles(self) -> FloatArray:
         """Angles of the rays to the left of straight ahead [rad], from right to left (beams,)."""
         half = math.radians(self.field) / 2
-        angles: FloatArray = np.linspace(-half, half, self.beams)
+        angles: FloatArray = np.linspace(-half, half, self.beams, dtype=np.float64)
         return angles
 
     @property
