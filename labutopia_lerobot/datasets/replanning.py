@@ -8,7 +8,7 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.path import Path
-from labutopia_lerobot.skills.route import Route
+from labutopia_lerobot.navigation.route import Route
 from labutopia_lerobot.skills.way import Way
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -53,8 +53,8 @@ class Replanning:
         while self._due and self._due[0][0] < world.time + 0.5 / CONTROL_HZ:
             _, thing, around = self._due.pop(0)
             try:
-                way, gone_round = Way.of(world), [people[name] for name in around]
-                self._planned.append(Route.planned(way, world, things[thing], gone_round))
+                gone_round = [people[name] for name in around]
+                self._planned.append(Way.of(world).route(world, things[thing], gone_round))
             except (KeyError, UserError):  # the dataset is wrong: the path will be missing
                 return
 

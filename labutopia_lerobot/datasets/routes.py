@@ -46,7 +46,7 @@ def difference(there: Routes | None, here: Routes | None) -> str | None:
 
     Args:
         there: What a dataset says.
-        here: What is so.
+        here: What this environment plans.
     """
     if there is None or here is None:
         return None if there is here else "somebody drives in one of them only"

@@ -10,8 +10,7 @@ from labutopia_lerobot.navigation.path_planner import (
     UnreachableGoalError,
 )
 from labutopia_lerobot.navigation.tracking import PathTracker
-from labutopia_lerobot.skills.route import CLEAR_OF_PEOPLE, Route
-from labutopia_lerobot.skills.way import Way, base_at
+from labutopia_lerobot.skills.way import CLEAR_OF_PEOPLE, Way, base_at
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Obstacle, Thing, World
 
 _AHEAD, _STEP = 1.6, 0.1
@@ -39,7 +38,7 @@ class Driver:
 
     def __init__(self, way: Way, thing: Thing, world: World) -> None:
         self._way, self._thing = way, thing
-        self.routes = [Route.planned(way, world, thing)]
+        self.routes = [way.route(world, thing)]
         path = self.routes[0].path
         self.tracker, self.duration = PathTracker(path, way.limits), path.duration(way.limits)
         self._waited = 0.0
@@ -75,7 +74,7 @@ class Driver:
     def _go_round(self, world: World, walking: list[Obstacle]) -> None:
         """Plan anew, round where they are now; keep the path if there is no way round."""
         try:
-            self.routes.append(Route.planned(self._way, world, self._thing, walking))
+            self.routes.append(self._way.route(world, self._thing, walking))
         except (BlockedPlaceError, UnreachableGoalError):
             return
         self.tracker = PathTracker(self.routes[-1].path, self._way.limits)

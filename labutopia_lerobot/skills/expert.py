@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.navigation.route import Route
 from labutopia_lerobot.robots.braking import longest_step
-from labutopia_lerobot.skills.route import Route
 from labutopia_lerobot.skills.skill import Phase, PhaseError, Skill
 from labutopia_lerobot.world import (
     ARM,

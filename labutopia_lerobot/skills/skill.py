@@ -3,13 +3,11 @@
 import inspect
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol, runtime_checkable
+from typing import Protocol, runtime_checkable
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.navigation.route import Route
 from labutopia_lerobot.world import FloatArray, Pose, Thing, World
-
-if TYPE_CHECKING:
-    from labutopia_lerobot.skills.route import Route
 
 Target = Callable[[World], Pose]
 """Target pose of the gripper frame, computed from the live world."""
@@ -65,7 +63,7 @@ class Phase:
     timeout_s: float = 6.0
     may_fail: bool = False
     drive: Drive | None = None
-    routes: "Sequence[Route]" = ()
+    routes: Sequence[Route] = ()
 
     def __post_init__(self) -> None:
         self._require_callable("target", "(world)")
