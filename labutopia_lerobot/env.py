@@ -40,7 +40,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     Observations: `agent_pos` float32, measured joint angles [rad] and gripper opening [m]; of a
     mobile base also its velocities forward and to the left [m/s] and of turning [rad/s], and where
-    it is in the room, x, y [m] and heading [rad];
+    it is in the room, x, y [m] and heading [rad] (with `odometry="drift"` where it believes to be);
     with `obs="pixels"` also `pixels`, a dict of camera -> (height, width, 3) uint8; with
     `obs="state"` `environment_state`, privileged object poses (see
     `features.environment_state_names`). Of `extras`, `forces` float32, left and right pad [N];

@@ -35,6 +35,10 @@ CLASSIC, FILAMENT = "classic", "filament"
 RENDERERS = (CLASSIC, FILAMENT)
 """What draws: MuJoCo's OpenGL renderer, or its physically based one, which needs Vulkan."""
 
+EXACT, DRIFT = "exact", "drift"
+ODOMETRY = (EXACT, DRIFT)
+"""Where a base is, as it is observed: as it is, or as its wheels say (`robots.odometry`)."""
+
 SPARSE, DENSE = "sparse", "dense"
 REWARDS = (SPARSE, DENSE)
 """The benchmark's reward, and one to learn from by trying (`sim.dense_reward`)."""
@@ -150,6 +154,11 @@ class SettingOptions:
         "FILE.json of one that `labutopia-scene generate` made. With `laboratory`, a task in which "
         "one drives draws a furnished room for each episode.",
     )
+    odometry: str = option(
+        EXACT,
+        "Where the base is, in what is observed: `exact`, or `drift`: as its wheels say, "
+        "the further it has driven and turned the more wrong.",
+    )
     renderer: str = option(
         CLASSIC,
         "`classic` (OpenGL) or `filament` (physically based, needs Vulkan; colours only).",
@@ -198,6 +207,7 @@ class Setting(SettingOptions):
         require_choices("split", [self.split], SPLITS)
         require_choices("liquid", [self.liquid], LIQUID)
         require_choices("robot", [self.robot], (*ROBOT_NAMES, OF_THE_LEVEL))
+        require_choices("odometry", [self.odometry], ODOMETRY)
         require_choices("renderer", [self.renderer], RENDERERS)
         require_choices("reward", [self.reward], REWARDS)
         require_choices("cameras", self.cameras, CAMERAS)

@@ -18,7 +18,7 @@ from labutopia_lerobot.scenario import Scenario
 from labutopia_lerobot.scenario.distractors import place_distractors
 from labutopia_lerobot.scenario.in_the_way import place_in_the_way
 from labutopia_lerobot.scenes import load_room, room_label
-from labutopia_lerobot.setting import DEPTH, SEGMENTATION, Setting
+from labutopia_lerobot.setting import DEPTH, DRIFT, SEGMENTATION, Setting
 from labutopia_lerobot.sim.appearance import Appearance
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
 from labutopia_lerobot.sim.laser_scan import LaserScan
@@ -66,7 +66,14 @@ class Workcell:
         self._workspace = Workspace.of(room, robot)
         self._ground = room.ground(robot.base) if task.drives and robot.base else None
         scene = compile_scene(
-            pieces, robot, room, task.view, task.contents, setting.particles, setting.renderer
+            pieces,
+            robot,
+            room,
+            task.view,
+            task.contents,
+            setting.particles,
+            setting.renderer,
+            drifts=setting.odometry == DRIFT,
         )
         self.simulation = Simulation(scene)
         self.world = SimulatedWorld(self.simulation)
