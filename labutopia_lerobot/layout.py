@@ -289,7 +289,7 @@ def sample_layout(
         for piece in sorted(start, key=lambda piece: not _is_instrument(start[piece])):
             layout[piece] = start[piece].sample(rng, layout, ground)
         if not _overlapping(on_bench, layout):
-            return layout
+            return {piece: layout[piece] for piece in start}
     regions = "; ".join(f"{piece.name}: {region}" for piece, region in start.items())
     raise ImpossibleStartError(
         f"No layout without overlaps in {_TRIES} tries. Widen or part the regions of: {regions}"
