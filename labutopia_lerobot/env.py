@@ -20,7 +20,7 @@ from labutopia_lerobot.features import (
 )
 from labutopia_lerobot.pictures import picture_names
 from labutopia_lerobot.scenario import Scenario
-from labutopia_lerobot.setting import DENSE, FORCES, READINGS, Setting, require_choices
+from labutopia_lerobot.setting import DENSE, FORCES, READINGS, SCAN, Setting, require_choices
 from labutopia_lerobot.sim.dense_reward import advance
 from labutopia_lerobot.sim.workcell import Workcell
 from labutopia_lerobot.sim.workcells import Workcells
@@ -40,11 +40,12 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     Observations: `agent_pos` float32, measured joint angles [rad] and gripper opening [m]; of a
     mobile base also its velocities forward and to the left [m/s] and of turning [rad/s], and where
-    it is in the room, x, y [m] and heading [rad];
+    it is in the room, x, y [m] and heading [rad] (with `odometry="drift"` where it believes to be);
     with `obs="pixels"` also `pixels`, a dict of camera -> (height, width, 3) uint8; with
     `obs="state"` `environment_state`, privileged object poses (see
     `features.environment_state_names`). Of `extras`, `forces` float32, left and right pad [N];
-    `readings` float32 (see `features.readings`); for every camera
+    `readings` float32 (see `features.readings`); `scan` float32, how far the laser scanner of a
+    base sees [m], from right to left (see `robots.laser_scanner`); for every camera
      `pixels["<camera>_segmentation"]` uint8, the number of what is seen in all three
     channels (see `sim.segments`), and `images.<camera>_depth` float32, (height, width, 1) [m].
 
@@ -199,6 +200,8 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         if READINGS in self.setting.extras:
             names = reading_names(self._workcells.task)
             observation[READINGS] = readings(self.workcell.world, names)
+        if SCAN in self.setting.extras:
+            observation[SCAN] = self.workcell.scan()
         return observation
 
     def _info(self) -> Info:

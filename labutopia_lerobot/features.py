@@ -16,7 +16,17 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind, picture_names
 from labutopia_lerobot.robots import Robot, load_robot
-from labutopia_lerobot.setting import DEPTH, FORCES, READINGS, Setting, UnknownOptionError
+from labutopia_lerobot.robots.mobile_base import MobileBase
+from labutopia_lerobot.setting import (
+    DEPTH,
+    DRIFT,
+    FORCES,
+    READINGS,
+    ROBOT_NAMES,
+    SCAN,
+    Setting,
+    UnknownOptionError,
+)
 from labutopia_lerobot.substances.filling import Fillable, with_mounted
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, FloatArray, Thing, World
@@ -77,6 +87,33 @@ def _robot_state(robot: Robot) -> Feature:
     return Feature("observation.state", "float32", (len(names),), names, -largest, largest)
 
 
+def _scan(robot: Robot) -> Feature:
+    """Declare what the laser scanner of a robot sees.
+
+    Raises:
+        UnknownOptionError: If it has none.
+    """
+    scanner = _base_of(robot, f"extras=[{SCAN}]", "has no laser scanner. Leave it out").scanner
+    return Feature(
+        "observation.scan", "float32", (scanner.beams,), scanner.names, 0.0, scanner.farthest
+    )
+
+
+def _base_of(robot: Robot, asked: str, lacks: str) -> MobileBase:
+    """Return the base of a robot.
+
+    Raises:
+        UnknownOptionError: If it has none; the message names the robots that have one.
+    """
+    if robot.base is None:
+        having = [name for name in ROBOT_NAMES if load_robot(name).base is not None]
+        raise UnknownOptionError(
+            f"{asked}: robot={robot.name!r} stands and {lacks}, or a robot that drives: "
+            f"{', '.join(having)}"
+        )
+    return robot.base
+
+
 ACTION = "action"
 """Key of what is commanded."""
 
@@ -96,9 +133,12 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
 
     Returns:
         The path in the environment's observation (`agent_pos`, `environment_state`, `forces`,
-        `readings`, `pixels/<picture>`, `images.<depth>`) -> the feature.
+        `readings`, `scan`, `pixels/<picture>`, `images.<depth>`) -> the feature.
     """
-    features = {"agent_pos": _robot_state(load_robot(setting.robot))}
+    robot = load_robot(setting.robot)
+    if setting.odometry == DRIFT:
+        _base_of(robot, "odometry=drift", "has none. Choose odometry=exact")
+    features = {"agent_pos": _robot_state(robot)}
     if setting.obs == "state":
         names = environment_state_names(load_task())
         features["environment_state"] = _numbers("observation.environment_state", names)
@@ -114,6 +154,8 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
         features[READINGS] = Feature(
             "observation.readings", "float32", (len(names),), names, -np.inf, np.inf
         )
+    if SCAN in setting.extras:
+        features[SCAN] = _scan(robot)
     for name in picture_names(setting):
         key, axes = f"observation.images.{name}", ("height", "width", "channels")
         size = setting.height, setting.width

@@ -141,7 +141,13 @@ class OnSomeBench:
     """Anywhere on a bench of the room that a robot drives to; things that say so are on different.
 
     All benches are equally likely, and so are all places on each.
+
+    Attributes:
+        instrument: Whether it is an instrument, up to 0.34 m long and wide: it stands where there
+            is room for that, its back to the bench, its front to the robot. Things are of any yaw.
     """
+
+    instrument: bool = False
 
     @property
     def shuffled(self) -> tuple[str, ...]:
@@ -153,13 +159,14 @@ class OnSomeBench:
         placed: Mapping[Piece, Placement],
         ground: Ground | None = None,
     ) -> Placement:
-        """Draw one placement, of any yaw; its height is that above the bench of the room.
+        """Draw one placement; its height is that above the bench of the room.
 
         Raises:
             NowhereToDriveError: If the room does not have that many benches.
         """
         taken = {placement.bench for placement in placed.values()}
         spots = () if ground is None else ground.spots
+        spots = tuple(spot for spot in spots if spot.wide or not self.instrument)
         free = list(dict.fromkeys(s.dock.bench for s in spots if s.dock.bench not in taken))
         if not free:
             raise NowhereToDriveError(
@@ -167,9 +174,11 @@ class OnSomeBench:
                 "and a room for that"
             )
         bench = free[int(rng.integers(len(free)))]
-        there = [spot.position for spot in spots if spot.dock.bench == bench]
-        x, y, height = there[int(rng.integers(len(there)))]
-        return Placement(x, y, rng.uniform(-math.pi, math.pi), height, bench=bench)
+        there = [spot for spot in spots if spot.dock.bench == bench]
+        spot = there[int(rng.integers(len(there)))]
+        x, y, height = spot.position
+        yaw = spot.dock.yaw if self.instrument else rng.uniform(-math.pi, math.pi)
+        return Placement(x, y, yaw, height, bench=bench)
 
 
 type Start = OnBench | Inside | OnSomeBench
@@ -243,12 +252,18 @@ def require_drivable(start: Mapping[Piece, Start], ground: Ground, room: str) ->
     Raises:
         NowhereToDriveError: If it has not; the message says how much it has.
     """
-    needed = sum(isinstance(region, OnSomeBench) for region in start.values())
-    if len(ground.benches) < needed:
+    regions = [region for region in start.values() if isinstance(region, OnSomeBench)]
+    instruments = sum(region.instrument for region in regions)
+    for benches, needed, free in (
+        (ground.benches, len(regions), "a free place"),
+        (ground.wide_benches, instruments, "a place free for an instrument"),
+    ):
+        if len(benches) >= needed:
+            continue
         train, test = rooms_to_drive_in()
         raise NowhereToDriveError(
-            f"room={room!r} has {len(ground.benches)} of the {needed} benches that the task needs: "
-            "a robot drives there as a disc of 0.6 m, docks, and its arm reaches a free place. "
+            f"room={room!r} has {len(benches)} of the {needed} benches that the task needs: "
+            f"a robot drives there as a disc of 0.6 m, docks, and its arm reaches {free}. "
             f"Rooms with two or more: {', '.join((*train, *test))}. Or leave room= out: one is "
             "drawn for each episode"
         )
@@ -271,14 +286,19 @@ def sample_layout(
     on_bench = [piece for piece, region in start.items() if not isinstance(region, Inside)]
     for _ in range(_TRIES):
         layout: dict[Piece, Placement] = {}
-        for piece, region in start.items():
-            layout[piece] = region.sample(rng, layout, ground)
+        for piece in sorted(start, key=lambda piece: not _is_instrument(start[piece])):
+            layout[piece] = start[piece].sample(rng, layout, ground)
         if not _overlapping(on_bench, layout):
-            return layout
+            return {piece: layout[piece] for piece in start}
     regions = "; ".join(f"{piece.name}: {region}" for piece, region in start.items())
     raise ImpossibleStartError(
         f"No layout without overlaps in {_TRIES} tries. Widen or part the regions of: {regions}"
     )
+
+
+def _is_instrument(region: Start) -> bool:
+    """Return whether there may be few benches with room for what stands there: it comes first."""
+    return isinstance(region, OnSomeBench) and region.instrument
 
 
 def sample_base(

@@ -35,6 +35,10 @@ CLASSIC, FILAMENT = "classic", "filament"
 RENDERERS = (CLASSIC, FILAMENT)
 """What draws: MuJoCo's OpenGL renderer, or its physically based one, which needs Vulkan."""
 
+EXACT, DRIFT = "exact", "drift"
+ODOMETRY = (EXACT, DRIFT)
+"""Where a base is, as it is observed: as it is, or as its wheels say (`robots.odometry`)."""
+
 SPARSE, DENSE = "sparse", "dense"
 REWARDS = (SPARSE, DENSE)
 """The benchmark's reward, and one to learn from by trying (`sim.dense_reward`)."""
@@ -43,13 +47,13 @@ CAMERAS = ("front", "top", "wrist")
 """Every camera of a scene: facing the robot, overhead, on the hand."""
 
 DEPTH, SEGMENTATION = "depth", "segmentation"
-FORCES, READINGS = "forces", "readings"
-NUMBERS = (FORCES, READINGS)
-"""Extras that need no cameras: forces on the pads, readings of the displays."""
+FORCES, READINGS, SCAN = "forces", "readings", "scan"
+NUMBERS = (FORCES, READINGS, SCAN)
+"""Extras that need no cameras: forces on the pads, readings of the displays, a laser scan."""
 
 EXTRAS = (DEPTH, SEGMENTATION, *NUMBERS)
 """What can be observed beside the usual: depth and segmentation of every camera, forces on
-pads, what displays read."""
+pads, what displays read, what the laser scanner of a base sees."""
 
 ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda", "fetch")
 """Every robot that can play: the keys of `robots.ROBOTS`."""
@@ -123,7 +127,8 @@ class SettingOptions:
     extras: tuple[str, ...] = option(
         (),
         "Observed beside: a list of `depth` [m] and `segmentation` of every camera, with "
-        "`obs=pixels`, `forces` on the pads [N], and `readings` of the displays.",
+        "`obs=pixels`, `forces` on the pads [N], `readings` of the displays, and `scan` of the "
+        "laser scanner of a base [m].",
     )
     width: int = option(IMAGE_SIZE, "Width of the pictures [pixels].")
     height: int = option(IMAGE_SIZE, "Height of the pictures [pixels].")
@@ -148,6 +153,11 @@ class SettingOptions:
         "Where: `laboratory`, a furnished room such as `organic_7` that has a work place, or "
         "FILE.json of one that `labutopia-scene generate` made. With `laboratory`, a task in which "
         "one drives draws a furnished room for each episode.",
+    )
+    odometry: str = option(
+        EXACT,
+        "Where the base is, in what is observed: `exact`, or `drift`: as its wheels say, "
+        "the further it has driven and turned the more wrong.",
     )
     renderer: str = option(
         CLASSIC,
@@ -197,6 +207,7 @@ class Setting(SettingOptions):
         require_choices("split", [self.split], SPLITS)
         require_choices("liquid", [self.liquid], LIQUID)
         require_choices("robot", [self.robot], (*ROBOT_NAMES, OF_THE_LEVEL))
+        require_choices("odometry", [self.odometry], ODOMETRY)
         require_choices("renderer", [self.renderer], RENDERERS)
         require_choices("reward", [self.reward], REWARDS)
         require_choices("cameras", self.cameras, CAMERAS)
@@ -209,7 +220,7 @@ class Setting(SettingOptions):
         if self.obs == "state" and not set(self.extras) <= set(NUMBERS):
             raise UnknownOptionError(
                 f"extras={list(self.extras)} needs cameras: choose obs=pixels, or of extras only "
-                f"{' and '.join(NUMBERS)}"
+                f"{', '.join(NUMBERS)}"
             )
         if self.renderer == FILAMENT and not set(self.extras) <= set(NUMBERS):
             raise UnknownOptionError(

@@ -174,7 +174,8 @@ def start_table() -> list[str]:
                 lines.append(f"| `{task_id}` | {piece.name} | in {region.holder.name} | | any |")
                 continue
             if isinstance(region, OnSomeBench):
-                lines.append(f"| `{task_id}` | {piece.name} | on a bench of the room | | any |")
+                yaw = "facing the robot" if region.instrument else "any"
+                lines.append(f"| `{task_id}` | {piece.name} | on a bench of the room | | {yaw} |")
                 continue
             x, y = (f"{metres(low)} to {metres(high)}" for low, high in (region.x, region.y))
             low, high = np.degrees(region.yaw)

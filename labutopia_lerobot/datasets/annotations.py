@@ -13,6 +13,7 @@ from labutopia_lerobot.datasets.tables import (
     PARAPHRASES,
     PRIVILEGED,
     RENDERER,
+    ROUTES,
     SEED,
     SEGMENTS,
     SETTING,
@@ -20,6 +21,7 @@ from labutopia_lerobot.datasets.tables import (
     Row,
     setting_column,
 )
+from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import SEGMENTATION, Setting
 from labutopia_lerobot.sim.segments import segment_names
@@ -42,12 +44,13 @@ _JSON = {
 def annotations(candidate: Candidate, setting: Setting) -> dict[str, int | str]:
     """Return the columns of our own in the episode table, for one episode."""
     values = asdict(candidate)
-    segmented = SEGMENTATION in setting.extras
+    segmented, base = SEGMENTATION in setting.extras, load_robot(setting.robot).base
     return {
         SETTING: setting_column(setting),
         **{column: values[name] for column, name in _PLAIN.items()},
         **{column: json.dumps(values[name]) for column, name in _JSON.items()},
         **({SEGMENTS: json.dumps(segment_names(canonical_task(setting)))} if segmented else {}),
+        **({ROUTES: json.dumps(values["routes"])} if base is not None else {}),
     }
 
 
@@ -60,6 +63,7 @@ def annotated_candidate(row: Row, first_seed: int) -> Candidate:
     """
     fields: dict[str, Any] = {name: row[column] for column, name in _PLAIN.items()}
     fields |= {name: json.loads(row[column]) for column, name in _JSON.items()}
+    fields["routes"] = json.loads(row.get(ROUTES) or "null")
     return candidate_of(
         fields
         | {

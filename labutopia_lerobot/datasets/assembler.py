@@ -6,7 +6,7 @@ All of it in one process and in one order, so that nothing depends on how many w
 import json
 import os
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
@@ -61,7 +61,7 @@ class DatasetAssembler:
         recording = began_with(self._work) | {
             "machines": sorted({candidate.machine for candidate in candidates}),
             "renderers": sorted({c.renderer for c in candidates} - {""}),
-            "failures": [asdict(candidate) for candidate in candidates if not candidate.success],
+            "failures": [asdict(replace(c, routes=None)) for c in candidates if not c.success],
         }
         (self._root / RECORDING).write_text(json.dumps(recording, indent=2) + "\n")
         _open_to_group(self._root)

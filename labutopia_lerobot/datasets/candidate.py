@@ -14,6 +14,7 @@ import numpy as np
 
 from labutopia_lerobot.datasets.demonstration import Demonstration, Pictures, demonstrate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
+from labutopia_lerobot.datasets.routes import Routes
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.pictures import camera_and_kind, picture_names
@@ -56,6 +57,7 @@ class Candidate:
         instruction: Instruction of the episode, as the episode says it.
         paraphrases: Other ways to say it.
         privileged: What the elements of the privileged state are called.
+        routes: Map and planned paths; None where nobody drives.
     """
 
     task: str
@@ -71,6 +73,7 @@ class Candidate:
     instruction: str
     paraphrases: tuple[str, ...]
     privileged: tuple[str, ...]
+    routes: Routes | None
 
     @property
     def success(self) -> bool:
@@ -191,4 +194,5 @@ def _summary(env: LabEnv, seed: int, index: int, demonstration: Demonstration) -
         instruction=env.task,
         paraphrases=played.paraphrases,
         privileged=environment_state_names(played),
+        routes=demonstration.routes,
     )

@@ -7,6 +7,8 @@ from typing import Any
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.frames import Columns, Frames
+from labutopia_lerobot.datasets.replanning import routes_of
+from labutopia_lerobot.datasets.routes import Routes
 from labutopia_lerobot.env import Info, LabEnv
 from labutopia_lerobot.features import observed_pictures
 from labutopia_lerobot.task import SUCCESS
@@ -28,6 +30,7 @@ class Demonstration:
         columns: Feature key -> values, one row per frame (see `Frames`).
         frames: Number of frames.
         info: The environment's last info.
+        routes: Map and planned paths; None where nobody drives.
     """
 
     outcome: str
@@ -35,6 +38,7 @@ class Demonstration:
     columns: Columns
     frames: int
     info: Info
+    routes: Routes | None
 
 
 def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Demonstration:
@@ -67,4 +71,5 @@ def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Dem
         columns=frames.columns(),
         frames=len(frames),
         info=info,
+        routes=routes_of(env, expert.routes),
     )

@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 from labutopia_lerobot.datasets.declaration import COMMAND, PHASE
 from labutopia_lerobot.datasets.description import DamagedDatasetError
 from labutopia_lerobot.datasets.frames import Columns, Frames
-from labutopia_lerobot.datasets.tables import SEED, Row, column, episode_setting
+from labutopia_lerobot.datasets.replanning import Replanning
+from labutopia_lerobot.datasets.routes import Routes
+from labutopia_lerobot.datasets.tables import ROUTES, SEED, Row, column, episode_setting
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.robots import load_robot
@@ -45,6 +47,7 @@ class Playback:
         drawn: What it draws, as JSON gives it back.
         volumes: Where the liquid is at the end [ml], likewise.
         outcome: Outcome, "running" if the commands ended before the episode.
+        routes: Map, and the paths that are planned when those of the dataset were.
         difference: Where the frames differ, or None: they are the same, bit for bit.
     """
 
@@ -52,6 +55,7 @@ class Playback:
     drawn: Any
     volumes: Any
     outcome: str
+    routes: Routes | None
     difference: Difference | None
 
 
@@ -86,11 +90,13 @@ class Player:
         env = self._environment(setting)
         commands = commands_of(row, frames, setting.robot)
         replayed = Frames(env, setting.obs)
+        replanning = Replanning(json.loads(row.get(ROUTES) or "null"))
         with located_in_play(setting.task, setting.tasks_dir):
             observation, info = env.reset(seed=row[SEED])
             drawn = info["drawn"]
             for number, command in enumerate(commands):
                 look(number, env)
+                replanning.look(env)
                 replayed.begin(observation)
                 observation, reward, terminated, truncated, info = env.step(command)
                 replayed.end(command, reward, terminated or truncated, info)
@@ -102,6 +108,7 @@ class Player:
             drawn=json.loads(json.dumps(drawn)),
             volumes=json.loads(json.dumps(volumes)),
             outcome=info["outcome"],
+            routes=replanning.routes(env),
             difference=_difference(frames, replayed.columns()),
         )
 

@@ -21,6 +21,7 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.description import DamagedDatasetError, present_name
+from labutopia_lerobot.datasets.routes import Routes
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.foreign_files import checked, inside, parse_json, printable
 from labutopia_lerobot.registry import UnknownTaskError
@@ -41,9 +42,11 @@ PRIVILEGED = "labutopia/privileged"
 SEGMENTS = "labutopia/segments"
 MACHINE = "labutopia/machine"
 RENDERER = "labutopia/renderer"
+ROUTES = "labutopia/routes"
 """Columns of the episode table. JSON: every field of `Setting`; axis -> what was drawn on it; where
 the liquid was at the end [ml]; other ways to say the instruction; what the elements of the
-privileged state are called; what the numbers of a segmentation, if there is one, mean. Plain: seed,
+privileged state are called; what the numbers of a segmentation, if there is one, mean; of a robot
+with a base, map and planned paths (`routes.Routes`), null where nobody drives. Plain: seed,
 outcome, cause of a failure (empty for a success), what it was played on, what drew the pictures
 (empty where there are none)."""
 
@@ -67,7 +70,7 @@ _COUNTED = (
 """Columns that every row of the episode table has: whole numbers from 0 on."""
 
 _WORDS = (OUTCOME, CAUSE, MACHINE, RENDERER)
-_JSON = (SETTING, DRAWN, VOLUMES, PARAPHRASES, PRIVILEGED, SEGMENTS)
+_JSON = (SETTING, DRAWN, VOLUMES, PARAPHRASES, PRIVILEGED, SEGMENTS, ROUTES)
 """Our own columns, which a row may lack: texts, and JSON in texts."""
 
 
@@ -136,6 +139,8 @@ def _check_row(row: Row, where: str) -> None:
             said = parse_json(row[name], f"{where}, {name}", DamagedDatasetError)
             if name == SETTING:
                 checked(PlayedIn, said, f"{where}, {name}", DamagedDatasetError)
+            elif name == ROUTES:
+                checked(Routes | None, said, f"{where}, {name}", DamagedDatasetError)
 
 
 def _counts(value: object) -> bool:

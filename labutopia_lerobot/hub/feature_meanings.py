@@ -48,6 +48,9 @@ _MEANINGS = {
     "observation.readings": Meaning(
         "the instrument's", "what displays show before the action, and 1 behind it if settled"
     ),
+    "observation.scan": Meaning(
+        "m", "distance along each ray of the base's laser scanner before the action, right to left"
+    ),
     "observation.images.*_depth": Meaning(
         "m", "distance along the optical axis before the action, in whole millimetres"
     ),

@@ -4,6 +4,7 @@ As in the paper (appendix "Navigation Details"): what is between 0.1 and 1.6 m a
 projected onto it. What is beside the floor is undefined. Neither can be driven over.
 """
 
+import hashlib
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -59,6 +60,12 @@ class Occupancy:
         cells[math.floor(round(size[1] / resolution, 6)) :] = UNDEFINED
         cells[:, math.floor(round(size[0] / resolution, 6)) :] = UNDEFINED
         return cls(cells, (0.0, 0.0), resolution)
+
+    @property
+    def sha256(self) -> str:
+        """Digest of all that it says: kinds of cells, their number, origin and width."""
+        frame = np.array([*self.cells.shape, *self.origin, self.resolution], "<f8")
+        return hashlib.sha256(frame.tobytes() + self.cells.tobytes()).hexdigest()
 
     def copy(self) -> "Occupancy":
         """Return the same map, to be changed on its own."""

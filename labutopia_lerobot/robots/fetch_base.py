@@ -2,6 +2,7 @@
 
 [FR] Fetch Robotics, data sheet "Fetch Mobile Manipulator": 1.0 m/s.
 [URDF] `fetch_description` (ZebraDevs/fetch_ros): frames.
+[TIM] SICK, data sheet "TiM571": 0.05 to 25 m, rays 1/3 deg apart; [FR] has 220 of its 270 deg.
 
 The paper drives the Fetch by "x and y velocity and rotation", as it does the Ridgeback: so do we.
 The real one has two wheels that are driven and cannot go sideways.
@@ -10,6 +11,7 @@ The real one has two wheels that are driven and cannot go sideways.
 import math
 
 from labutopia_lerobot.robots.element import Element
+from labutopia_lerobot.robots.laser_scanner import LaserScanner
 from labutopia_lerobot.robots.mobile_base import MobileBase
 
 _SPEED = 1.0
@@ -44,4 +46,6 @@ FETCH_BASE = MobileBase(
     arm=(0.03265, 0.0, 0.72601),
     ahead=(0.57, 0.82),  # ours: a beaker of 0.25 m further out stays within the reach
     gap=0.10,  # ours: nearer by, the arm has to fold as far as it can
+    # Ours: every third ray, a degree apart.
+    scanner=LaserScanner((0.235, 0.0, 0.2878), 220.0, 221, 0.05, 25.0),  # [URDF] [TIM]
 )

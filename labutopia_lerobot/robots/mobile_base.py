@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from labutopia_lerobot.navigation.path import DrivingLimits
 from labutopia_lerobot.robots.element import Element
+from labutopia_lerobot.robots.laser_scanner import LaserScanner
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,7 @@ class MobileBase:
         ahead: Least and greatest distance before the base of the arm at which it takes things well
             [m].
         gap: Least distance from a bench at which it stands while the arm works there [m].
+        scanner: Its laser scanner.
     """
 
     elements: tuple[Element, Element, Element]
@@ -36,6 +38,7 @@ class MobileBase:
     arm: tuple[float, float, float]
     ahead: tuple[float, float]
     gap: float
+    scanner: LaserScanner
 
     @property
     def radius(self) -> float:

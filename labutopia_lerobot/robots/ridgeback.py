@@ -3,12 +3,14 @@
 [CPR] Clearpath Robotics, data sheet "Ridgeback omnidirectional development platform": 960 x 793 x
 311 mm, payload 100 kg, 1.1 m/s.
 [URDF] `ridgeback_description` 0.3.0 (ridgeback/ridgeback, BSD): frames, wheels, masses.
+[UST] Hokuyo, data sheet "Scanning Laser Range Finder UST-10LX": 0.06 to 10 m, 270 deg by 0.25 deg.
 [ROS] `ridgeback_control`, control.yaml (ridgeback/ridgeback): 1.0 m/s^2.
 """
 
 import math
 
 from labutopia_lerobot.robots.element import Element
+from labutopia_lerobot.robots.laser_scanner import LaserScanner
 from labutopia_lerobot.robots.mobile_base import MobileBase
 
 _SPEED = 1.1
@@ -47,4 +49,7 @@ RIDGEBACK = MobileBase(
     # within the reach of 0.855.
     ahead=(0.45, 0.70),
     gap=0.01,  # ours
+    # Its standard front one: on the chassis, whose frame is 0.0259 m above the floor [URDF]. Ours:
+    # every fourth ray, a degree apart.
+    scanner=LaserScanner((0.3932, 0.0, 0.2330 + 0.0259), 270.0, 271, 0.06, 10.0),  # [URDF] [UST]
 )

@@ -15,10 +15,12 @@ class Spot:
     Attributes:
         dock: Where the base stands.
         position: Of the thing: x, y, and height above the room's first bench, shape (3,) [m].
+        wide: Whether an instrument can stand there: a square of 0.34 m around is level and free.
     """
 
     dock: Dock
     position: FloatArray
+    wide: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,3 +41,8 @@ class Ground:
     def benches(self) -> tuple[str, ...]:
         """Benches with places for things, by their names in the world."""
         return tuple(dict.fromkeys(spot.dock.bench for spot in self.spots))
+
+    @property
+    def wide_benches(self) -> tuple[str, ...]:
+        """Those of them with places for instruments."""
+        return tuple(dict.fromkeys(spot.dock.bench for spot in self.spots if spot.wide))

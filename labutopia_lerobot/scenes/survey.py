@@ -33,6 +33,9 @@ _HEADROOM = 0.50
 """Height over the bench that is free there [m]; ours: a beaker in a hand, lifted by 0.25 m."""
 _FOOT = 0.05
 """Half the width of the level ground that a thing gets [m]; ours: a wide beaker's."""
+_INSTRUMENT = 0.17
+"""Half the width of the level ground, free of other things, on which an instrument stands [m];
+ours: a top-pan balance is 0.32 m long."""
 _LOWEST, _HIGHEST = 0.6, 1.0
 """Heights of benches [m], as for docks."""
 
@@ -60,9 +63,9 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
 
     found = [(dock, in_world(dock)) for dock in docks(plan, base, RADIUS)]
     spots = [
-        Spot(there, np.append(turn @ point[:2] + moved, point[2]))
+        Spot(there, np.append(turn @ point[:2] + moved, point[2]), wide)
         for dock, there in found
-        for point in _points(plan, base, dock)
+        for point, wide in _points(plan, base, dock)
     ]
     occupancy: Occupancy = map_around(plan, place)
     starts = occupancy.middles(largest_part(occupancy.passable(RADIUS)))
@@ -75,10 +78,11 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
     return Ground(floor, tuple(spots), starts)
 
 
-def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[FloatArray]:
+def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArray, bool]]:
     """Yield the places for things that a robot at a dock reaches, shape (3,) [m], room frame.
 
-    Their heights are those above the bench of the work place.
+    Their heights are those above the bench of the work place. With each comes whether an instrument
+    can stand there.
     """
     solids, own = _solids(plan), _bench(plan, dock.bench)
     ahead = np.array([math.cos(dock.yaw), math.sin(dock.yaw)])
@@ -87,18 +91,30 @@ def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[FloatArray]:
     for along in (round(base.ahead[0] + more, 3) for more in _FROM_NEAREST):
         for beside in _LEFT:
             point = arm + along * ahead + beside * left
-            below = (own.low[:, :2] < point - _FOOT) & (own.high[:, :2] > point + _FOOT)
-            height = own.high[below.all(axis=1), 2].max(initial=0.0)
+            height = _level(own, point, _FOOT)
             if not _LOWEST <= height <= _HIGHEST:
                 continue
             (back, front), (right, far_left) = _HAND
             corners = np.array([point + back * ahead + right * left,
                                 point + front * ahead + far_left * left])  # fmt: skip
-            low, high = corners.min(axis=0), corners.max(axis=0)
-            inside = ((solids.low[:, :2] < high) & (solids.high[:, :2] > low)).all(axis=1)
-            standing = solids.high[:, 2] > height + 0.005
-            if not (inside & standing & (solids.low[:, 2] < height + _HEADROOM)).any():
-                yield np.append(point, height - LABORATORY.bench.height)
+            if _clear(solids, corners.min(axis=0), corners.max(axis=0), height):
+                wide = _level(own, point, _INSTRUMENT) == height and _clear(
+                    solids, point - _INSTRUMENT, point + _INSTRUMENT, height
+                )
+                yield np.append(point, height - LABORATORY.bench.height), wide
+
+
+def _level(bench: Boxes, point: FloatArray, half: float) -> float:
+    """Return how high the ground is that reaches so far around a point [m], 0 if there is none."""
+    below = (bench.low[:, :2] < point - half) & (bench.high[:, :2] > point + half)
+    return float(bench.high[below.all(axis=1), 2].max(initial=0.0))
+
+
+def _clear(solids: Boxes, low: FloatArray, high: FloatArray, height: float) -> bool:
+    """Return whether nothing stands on a rectangle of ground of a height [m], or just above it."""
+    inside = ((solids.low[:, :2] < high) & (solids.high[:, :2] > low)).all(axis=1)
+    standing = solids.high[:, 2] > height + 0.005
+    return not (inside & standing & (solids.low[:, 2] < height + _HEADROOM)).any()
 
 
 @cache

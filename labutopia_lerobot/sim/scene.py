@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.processes import Process, slots_of
+from labutopia_lerobot.robots.odometry import Odometry
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.robots.set_points import SPAN
 from labutopia_lerobot.scenes.laboratory_model import add_cameras
@@ -45,6 +46,7 @@ class Scene:
         contents: What vessels hold at the start.
         particles: In how many particles that is divided.
         liquid: How it is drawn, or None where there is none.
+        odometry: Where the base believes to be, or None: it is observed where it is.
     """
 
     model: mujoco.MjModel
@@ -57,6 +59,7 @@ class Scene:
     contents: Mapping[Piece, Filling]
     particles: int
     liquid: LiquidDrawing | None
+    odometry: Odometry | None = None
 
     @property
     def welds(self) -> int:
@@ -72,10 +75,13 @@ def compile_scene(
     contents: Mapping[Piece, Filling] | None = None,
     particles: int = PARTICLES,
     renderer: str = CLASSIC,
+    *,
+    drifts: bool = False,
 ) -> Scene:
     """Put the robot and the pieces into the room and compile.
 
-    Pieces stand at the world's origin; a reset puts them where the layout says.
+    Pieces stand at the world's origin; a reset puts them where the layout says. If the odometry of
+    the robot's base `drifts`, the scene has one.
     """
     pieces = tuple(pieces)
     spec = scene_spec(pieces, robot, room, view)
@@ -89,6 +95,8 @@ def compile_scene(
     for each in seen:
         each.add_to(spec)
     processes += tuple(seen)
+    odometry = Odometry("odometry", robot.base.joints) if drifts and robot.base else None
+    processes += () if odometry is None else (odometry,)
     # MuJoCo keeps what it is given here with its state: the commands that act, then the processes.
     spec.nuserdata = SPAN * len(robot.elements) + slots_of(processes)
     liquid = _drawing(spec, contents, particles, renderer == CLASSIC) if contents else None
@@ -98,7 +106,17 @@ def compile_scene(
     _let_sleep(model, {piece.name for piece in room.pieces})
     groups, group_of_geom = _contact_groups(model, robot)
     return Scene(
-        model, robot, room, pieces, processes, groups, group_of_geom, contents, particles, liquid
+        model,
+        robot,
+        room,
+        pieces,
+        processes,
+        groups,
+        group_of_geom,
+        contents,
+        particles,
+        liquid,
+        odometry,
     )
 
 

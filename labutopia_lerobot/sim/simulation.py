@@ -207,7 +207,8 @@ class Simulation:
     @property
     def robot_state(self) -> FloatArray:
         """State of the robot that is observed, in the order of `Robot.state_names`."""
-        pose = self.base_pose
+        odometry = self.scene.odometry
+        pose = self.base_pose if odometry is None else odometry.pose(self.apparatus)
         pose[2:] -= 2 * np.pi * np.round(pose[2:] / (2 * np.pi))  # however often it has turned
         return np.concatenate([self.measured, pose])
 

@@ -17,10 +17,11 @@ from labutopia_lerobot.robots.hand_kinematics import HandKinematics
 from labutopia_lerobot.scenario import Scenario
 from labutopia_lerobot.scenario.distractors import place_distractors
 from labutopia_lerobot.scenario.in_the_way import place_in_the_way
-from labutopia_lerobot.scenes import load_room
-from labutopia_lerobot.setting import DEPTH, SEGMENTATION, Setting
+from labutopia_lerobot.scenes import load_room, room_label
+from labutopia_lerobot.setting import DEPTH, DRIFT, SEGMENTATION, Setting
 from labutopia_lerobot.sim.appearance import Appearance
 from labutopia_lerobot.sim.contact_shadows import ContactShadows
+from labutopia_lerobot.sim.laser_scan import LaserScan
 from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.renderers import Renderer, open_renderer
 from labutopia_lerobot.sim.scene import compile_scene
@@ -44,6 +45,7 @@ class Workcell:
         task: The task of the episode in play.
         steps: Those of its steps that the episode is about.
         after: Step behind which the episode has begun, or None for the start of the task.
+        room: What rows and datasets call the room.
         simulation: The physics.
         world: The read-only view of it that predicates and skills get.
         progress: The judge of the episode in play.
@@ -59,11 +61,19 @@ class Workcell:
         variation = scenario.variation
         pieces = (*task.start, *variation.distractors, *variation.in_the_way)
         robot = load_robot(setting.robot)
+        self.room = room_label(variation.room or setting.room)
         room = load_room(variation.room or setting.room)
         self._workspace = Workspace.of(room, robot)
         self._ground = room.ground(robot.base) if task.drives and robot.base else None
         scene = compile_scene(
-            pieces, robot, room, task.view, task.contents, setting.particles, setting.renderer
+            pieces,
+            robot,
+            room,
+            task.view,
+            task.contents,
+            setting.particles,
+            setting.renderer,
+            drifts=setting.odometry == DRIFT,
         )
         self.simulation = Simulation(scene)
         self.world = SimulatedWorld(self.simulation)
@@ -76,6 +86,12 @@ class Workcell:
     def motion(self) -> ReactiveMotion:
         """The experts' inverse kinematics, compiled at first use."""
         return ReactiveMotion(self.simulation, self.world)
+
+    @cached_property
+    def _scan(self) -> LaserScan:
+        scene = self.simulation.scene
+        assert scene.robot.base is not None
+        return LaserScan(scene, scene.robot.base.scanner)
 
     @cached_property
     def renderer(self) -> Renderer:
@@ -208,6 +224,10 @@ class Workcell:
         """
         self.simulation.draw_liquid()
         return {name: self._picture(*camera_and_kind(name)) for name in names}
+
+    def scan(self) -> NDArray[np.float32]:
+        """Return how far the laser scanner of the base sees along every ray [m], shape (beams,)."""
+        return self._scan.ranges(self.simulation.data)
 
     def depth(self, camera: str) -> NDArray[np.float32]:
         """Return the distance along a camera's optical axis [m], shape (height, width)."""

@@ -13,7 +13,6 @@ from labutopia_lerobot.skills.way import (
     AT_REST,
     Way,
     base_at,
-    dock_for,
     in_hand,
     parking,
     stowed,
@@ -48,8 +47,7 @@ class DriveTo:
         if not way.planner.free(position):
             out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
             yield parking("leave", Parking(out, yaw, way.limits), hand)
-        dock = dock_for(world, self.thing)
-        driver = Driver(way, dock.before, world)
+        driver = Driver(way, self.thing, world)
 
         def there(world: World, target: Pose, elapsed: float) -> bool:
             still = bool(np.abs(world.base_velocity).max() < AT_REST)
@@ -60,6 +58,7 @@ class DriveTo:
             stowed,
             done=there,
             drive=driver.velocity,
+            routes=driver.routes,
             timeout_s=15.0 + 4.0 * driver.duration + (_WAITING if world.in_the_way else 0.0),
             **hand,
         )

@@ -10,11 +10,9 @@ from labutopia_lerobot.navigation.path_planner import (
     UnreachableGoalError,
 )
 from labutopia_lerobot.navigation.tracking import PathTracker
-from labutopia_lerobot.skills.way import Way, base_at
-from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Obstacle, World
+from labutopia_lerobot.skills.way import CLEAR_OF_PEOPLE, Way, base_at
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Obstacle, Thing, World
 
-_ROOM = 0.10
-"""Distance from a person that is kept beyond both discs [m]; ours: a hand's breadth."""
 _AHEAD, _STEP = 1.6, 0.1
 """How far ahead one looks along the path, and in which steps [m]; ours: from full speed one stops
 in half of that."""
@@ -25,21 +23,23 @@ _PATIENCE = 4.0
 
 
 class Driver:
-    """Yields the velocities that bring a base to a point, from rest to rest.
+    """Yields the velocities that bring a base before a thing, from rest to rest.
 
     Attributes:
+        routes: What it has planned, the present route last.
         tracker: Follows the present path.
         duration: Time that the first path takes [s].
 
     Args:
         way: Map and limits.
-        goal: Where to, shape (2,) [m], world frame.
+        thing: What to drive to.
         world: Where the base is.
     """
 
-    def __init__(self, way: Way, goal: FloatArray, world: World) -> None:
-        self._way, self._goal = way, goal
-        path = way.path(base_at(world)[0], goal)
+    def __init__(self, way: Way, thing: Thing, world: World) -> None:
+        self._way, self._thing = way, thing
+        self.routes = [way.route(world, thing)]
+        path = self.routes[0].path
         self.tracker, self.duration = PathTracker(path, way.limits), path.duration(way.limits)
         self._waited = 0.0
 
@@ -66,16 +66,15 @@ class Driver:
         places = np.array([here + time * speed for time in _SOON])
         far, points = self.tracker.ahead(_AHEAD, _STEP)
         away = np.hypot(*(points[:, None] - places).transpose(2, 0, 1)).min(axis=1)
-        least = RADIUS + other.footprint_radius + _ROOM
+        least = RADIUS + other.footprint_radius + CLEAR_OF_PEOPLE
         near = np.hypot(*(base_at(world)[0] - here))
         met = far[away < min(least, near - 0.01)]
         return max(0.0, float(met[0]) - _STEP) if len(met) else math.inf
 
     def _go_round(self, world: World, walking: list[Obstacle]) -> None:
         """Plan anew, round where they are now; keep the path if there is no way round."""
-        round_them = self._way.round(world, walking, 2.0 * _ROOM)
         try:
-            path = round_them.path(base_at(world)[0], self._goal)
+            self.routes.append(self._way.route(world, self._thing, walking))
         except (BlockedPlaceError, UnreachableGoalError):
             return
-        self.tracker = PathTracker(path, self._way.limits)
+        self.tracker = PathTracker(self.routes[-1].path, self._way.limits)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.navigation.route import Route
 from labutopia_lerobot.robots.braking import longest_step
 from labutopia_lerobot.skills.skill import Phase, PhaseError, Skill
 from labutopia_lerobot.world import (
@@ -85,6 +86,7 @@ class Expert:
         self._reference = self._world.gripper
         self._carrier = self._world.mobile_base
         self._velocity: FloatArray = np.zeros(6)
+        self._driven: list[Sequence[Route]] = []
         self._next_phase()
 
     def _play(self) -> Iterator[tuple[str, Phase]]:
@@ -97,6 +99,7 @@ class Expert:
         if label is None or phase is None:
             return False
         self.label, self._phase, self._began = label, phase, self._world.time
+        self._driven.append(phase.routes)
         widest = self._world.robot.max_opening
         if not -_TINY <= phase.opening <= widest + _TINY:
             raise PhaseError(
@@ -114,6 +117,11 @@ class Expert:
                 "hand_at(world, point_w) or Pose(position_w, rotation_w)"
             )
         return target
+
+    @property
+    def routes(self) -> tuple[Route, ...]:
+        """Every route that was planned so far, in order."""
+        return tuple(route for routes in self._driven for route in routes)
 
     @property
     def shortfall(self) -> str:

@@ -1,11 +1,12 @@
 """A skill is a sequence of phases; a phase moves the gripper until a condition holds."""
 
 import inspect
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.navigation.route import Route
 from labutopia_lerobot.world import FloatArray, Pose, Thing, World
 
 Target = Callable[[World], Pose]
@@ -45,6 +46,7 @@ class Phase:
         drive: Velocity of the base, asked for once at every control step; None where it stands. The
             hand is carried along: a target that is to stay with the base follows
             `world.robot_base`.
+        routes: Routes that it drives, the present one last; it grows where one is planned anew.
 
     Raises:
         PhaseError: If `target` or `done` cannot be called like that.
@@ -61,6 +63,7 @@ class Phase:
     timeout_s: float = 6.0
     may_fail: bool = False
     drive: Drive | None = None
+    routes: Sequence[Route] = ()
 
     def __post_init__(self) -> None:
         self._require_callable("target", "(world)")

@@ -12,12 +12,15 @@ from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.navigation.path_planner import RADIUS, PathPlanner
+from labutopia_lerobot.navigation.route import Route
 from labutopia_lerobot.skills.skill import Phase, PhaseError
 from labutopia_lerobot.world import Dock, FloatArray, Obstacle, Pose, Thing, Wheels, World
 
 _SHARE = 0.6
 """Share of the base's speeds and accelerations that experts use; ours: what is in a beaker stays
 there."""
+CLEAR_OF_PEOPLE = 0.10
+"""Distance from a person that is kept beyond both discs [m]; ours: a hand's breadth."""
 AT_REST = 0.01
 """Speed below which the base stands [m/s and rad/s]; ours."""
 
@@ -70,6 +73,24 @@ class Way:
         """
         occupancy = _with(self.occupancy, world, others, room)
         return replace(self, occupancy=occupancy, planner=PathPlanner.of(occupancy, self.limits))
+
+    def route(self, world: World, thing: Thing, around: Sequence[Obstacle] = ()) -> Route:
+        """Return the route from where a base is now to the bench of a thing.
+
+        Args:
+            world: Where the base is.
+            thing: What to drive to.
+            around: Who walks, and is to be gone round.
+
+        Raises:
+            BlockedPlaceError: If the base is where its disc touches something.
+            UnreachableGoalError: If no way leads there.
+            PhaseError: If the thing is within reach of no place.
+        """
+        dock = dock_for(world, thing)
+        free = self.round(world, around, 2.0 * CLEAR_OF_PEOPLE) if around else self
+        path = free.path(base_at(world)[0], dock.before)
+        return Route(world.time, thing, tuple(around), path, dock)
 
     def path(self, start: FloatArray, goal: FloatArray) -> Path:
         """Return the path from a point to another, both of shape (2,) [m], world frame.

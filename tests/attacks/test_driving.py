@@ -22,7 +22,7 @@ from attacks.plays import (
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.navigation.tracking import PathTracker
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.skills import DriveTo, Face, Pick
+from labutopia_lerobot.skills import DriveTo, Face, Pick, Place
 from labutopia_lerobot.skills.way import Way, base_at, dock_for
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
@@ -163,3 +163,64 @@ def by_a_detour(env: LabEnv) -> Actions:
 @pytest.mark.parametrize("play", [backwards, pytest.param(by_a_detour, marks=pytest.mark.slow)])
 def test_a_person_would_pass(env: LabEnv, play: Play):
     assert outcome(env, play, 0)["outcome"] == "success"
+
+
+def held_on_the_pan(env: LabEnv) -> Actions:
+    """Set the beaker down on the balance and do not let go: it weighs the hand too."""
+    yield from until_phase(env, "place/open", "6_weigh")
+    yield from Arm(env).stay(8.0)
+
+
+def beside_the_pan(env: LabEnv) -> Actions:
+    """Lower the beaker into the console of the balance instead of onto its pan."""
+    yield from until_phase(env, "place/lower", "6_weigh")
+    arm, world = Arm(env), env.workcell.world
+    _, balance = env.workcell.task.start
+    front = -0.19 * world.pose(balance).x_axis
+    yield from arm.go(arm.pose.moved(*front), speed=0.15)
+    yield from arm.go(arm.pose.moved(z=-0.20), speed=0.1)
+
+
+def rolling_on_with_the_scale_settled(env: LabEnv) -> Actions:
+    """Weigh it, and roll to and fro while it counts."""
+    yield from until(env, lambda: env.workcell.progress.ever)
+    for tick in range(10 * CONTROL_HZ):
+        back = 0.06 * math.cos(math.pi * tick / CONTROL_HZ)
+        yield moving(env, np.array([-back, 0.0, 0.02]))
+
+
+def thrown_onto_it(env: LabEnv) -> Actions:
+    """Let the beaker go a hand's breadth above the pan."""
+    yield from until_phase(env, "place/lower", "6_weigh")
+    arm = Arm(env)
+    yield from arm.stay(1.0, env.workcell.simulation.scene.robot.max_opening)
+
+
+def weighed_twice(env: LabEnv) -> Actions:
+    """Weigh it, lift it off before that has counted, and weigh it again."""
+    yield from until_phase(env, "place/done")
+    beaker, balance = env.workcell.task.start
+    pan = balance.pan.place
+    yield from skilled(env, Pick(beaker, 0.05, support=None), Place(beaker, pan))
+
+
+@pytest.fixture(scope="module")
+def weighing() -> LabEnv:
+    return LabEnv(Setting("level5/weigh_across_rooms", obs="state", room="organic_7"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("play", "outcomes"),
+    [
+        (held_on_the_pan, UNFINISHED),
+        (beside_the_pan, {"load_collided", "broken"}),
+        (rolling_on_with_the_scale_settled, {*UNFINISHED, "collided"}),
+        (thrown_onto_it, {"dropped", "broken"}),
+        (weighed_twice, {"success"}),
+    ],
+)
+def test_a_beaker_is_weighed_that_stands_alone_on_the_pan(
+    weighing: LabEnv, play: Play, outcomes: set[str]
+):
+    assert outcome(weighing, play, 0)["outcome"] in outcomes

@@ -151,7 +151,22 @@ def test_a_recording_writes_lines_into_a_log_file(monkeypatch):
     log = Console(file=StringIO())
     shown = RecordingBars(3, log)
     shown.resumed([])
-    what = ("level1/pick", 0, 0, "success", "", 90, "machine", "", {}, {}, "Pick it up.", (), ())
+    what = (
+        "level1/pick",
+        0,
+        0,
+        "success",
+        "",
+        90,
+        "machine",
+        "",
+        {},
+        {},
+        "Pick it up.",
+        (),
+        (),
+        None,
+    )
     shown.played(Candidate(*what))
     assert log.file.getvalue().startswith("Playing 1/3, ")  # type: ignore[attr-defined]
     assert "0 failed" in log.file.getvalue()  # type: ignore[attr-defined]

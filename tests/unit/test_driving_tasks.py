@@ -7,6 +7,7 @@ import pytest
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.labware.instruments.weighing.precision_balance import PrecisionBalance
 from labutopia_lerobot.layout import OnSomeBench, sample_base, sample_layout
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.parking import Parking
@@ -99,6 +100,28 @@ def test_things_stand_on_benches_of_their_own_and_the_base_where_it_gets_to_all(
             dock = min(docks, key=lambda dock: math.dist(dock.position, there))
             assert math.dist(dock.position, there) < 1.1
             assert planner.plan(start, dock.before).length > 0.5
+
+
+def test_an_instrument_stands_level_and_free_with_its_front_to_the_robot(ground):
+    beaker, balance = glassware("beaker", "250 ml"), PrecisionBalance("balance")
+    start = {beaker: OnSomeBench(), balance: OnSomeBench(instrument=True)}
+    length, width, _ = balance.size
+    wide = [spot for spot in ground.spots if spot.wide]
+    assert 0 < len(wide) < len(ground.spots)
+    for seed in range(5):
+        layout = sample_layout(start, np.random.default_rng(seed), ground)
+        assert list(layout) == [beaker, balance]
+        placement = layout[balance]
+        assert placement.bench != layout[beaker].bench
+        here = (placement.x, placement.y)
+        (dock, *_) = (spot.dock for spot in wide
+                      if math.dist(spot.position[:2], here) < 1e-9
+                      and spot.dock.yaw == placement.yaw)  # fmt: skip
+        c, s = math.cos(dock.yaw), math.sin(dock.yaw)
+        ahead = c * (here[0] - dock.position[0]) + s * (here[1] - dock.position[1])
+        front = RIDGEBACK.size[0] / 2
+        assert ahead - length / 2 > front  # all of it is on the bench, before which the base stands
+        assert max(length, width) / 2 <= 0.17
 
 
 def test_an_episode_begins_with_the_arm_stowed_and_the_base_where_it_was_drawn(env):

@@ -15,10 +15,12 @@ from labutopia_lerobot.datasets.declaration import dataset_features
 from labutopia_lerobot.datasets.demonstration import EXPERT_FAILED
 from labutopia_lerobot.datasets.description import INFO
 from labutopia_lerobot.datasets.playback import Playback, Player
+from labutopia_lerobot.datasets.routes import difference
 from labutopia_lerobot.datasets.tables import (
     DRAWN,
     MACHINE,
     OUTCOME,
+    ROUTES,
     SEGMENTS,
     VOLUMES,
     Row,
@@ -139,6 +141,9 @@ def _compare(row: Row, playback: Playback) -> Iterator[str]:
         there = json.loads(row[column]) if row.get(column) is not None else here
         if there != here:
             yield f"{column} is {there}, but the environment {name} {here}"
+    planned = json.loads(row[ROUTES]) if row.get(ROUTES) is not None else playback.routes
+    if other := difference(planned, playback.routes):
+        yield f"{ROUTES}: {other}"
     outcome = RUNNING if row[OUTCOME] == EXPERT_FAILED else row[OUTCOME]
     if playback.outcome != outcome:
         yield f"{OUTCOME} is {row[OUTCOME]}, but replayed it is {playback.outcome}"
