@@ -10,13 +10,14 @@ import colorsys
 import math
 from collections.abc import Mapping
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.chemistry.network import network
 
-_WAVELENGTHS = np.arange(380.0, 781.0, 10.0)
+_WAVELENGTHS = np.arange(380.0, 781.0, 10.0, dtype=np.float64)
 """Of light [nm]."""
 
 _WIDTH = 4000.0
@@ -60,6 +61,22 @@ def spectrum_of(key: str) -> Floats:
     return _spectrum(key) if one.colour is None or _is_in_sight(key) else 0.0 * _spectrum(key)
 
 
+def absorptivity(key: str, nanometres: float) -> float:
+    """Return the molar absorptivity of a species at one wavelength [l/(mol cm)].
+
+    0 of what is colourless: next to nothing of that absorbs between 325 and 1000 nm. Not a number
+    of what has a colour and no known bands.
+
+    Args:
+        key: Such as `Cu^2+(aq)`.
+        nanometres: Of the light.
+    """
+    one = network().species.get(key)
+    if one is None or (one.colour is not None and not one.absorption):
+        return math.nan
+    return float(_bands(key, np.asarray([nanometres]))[0])
+
+
 @cache
 def tint_of(key: str) -> Floats:
     """Return what a species absorbs in each channel of linear sRGB [l/(mol cm)], shape (3,).
@@ -81,8 +98,13 @@ def _is_in_sight(key: str) -> bool:
 @cache
 def _spectrum(key: str) -> Floats:
     """Return the molar absorptivity at each wavelength [l/(mol cm)]."""
-    wavenumbers = 1e7 / _WAVELENGTHS
-    total = np.zeros(len(_WAVELENGTHS))
+    return _bands(key, np.asarray(_WAVELENGTHS))
+
+
+def _bands(key: str, wavelengths: NDArray[Any]) -> Floats:
+    """Return the sum of the bands of a species at wavelengths [nm], [l/(mol cm)]."""
+    wavenumbers: Floats = 1e7 / wavelengths
+    total = np.zeros(len(wavelengths))
     for band in network().species[key].absorption:
         distance = (wavenumbers - 1e-2 / band.wavelength) / _WIDTH
         total += 10.0 * band.absorptivity * np.exp(-4.0 * math.log(2.0) * distance**2)

@@ -113,6 +113,8 @@ class Network:
     by_composition: dict[tuple[frozenset[tuple[str, int]], int, str], str] = field(
         default_factory=dict
     )
+    heatless: set[str] = field(default_factory=set)
+    """Keys of components whose enthalpy is not known: what they make forms without heat."""
 
     def add(self, record: SpeciesRecord) -> Species:
         """Return the species of a record, in terms of components, after adding it."""
@@ -129,9 +131,12 @@ class Network:
                 formed += count * one.enthalpy
                 for component, number in one.components.items():
                     components[component] = components.get(component, 0) + count * number
-            enthalpy = formed if enthalpy is None else enthalpy
+            heatless = self.heatless & components.keys()
+            enthalpy = formed if enthalpy is None or heatless else enthalpy
         else:
             components[key] = 1.0
+            if enthalpy is None:
+                self.heatless.add(key)
         one = Species(
             key=key,
             name=record.name,

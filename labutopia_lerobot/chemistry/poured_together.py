@@ -6,16 +6,20 @@ import numpy as np
 
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute
 from labutopia_lerobot.chemistry.speciation import ph_of
+from labutopia_lerobot.substances.substance import ZERO_C
 
-_ROOM = 293.15
-"""Temperature of the room [K]."""
+_ROOM = 20.0
+"""Temperature of the room [degrees C]."""
 
 
-def ph_together(parts: Iterable[tuple[Sequence[Solute], float]]) -> float:
+def ph_together(
+    parts: Iterable[tuple[Sequence[Solute], float]], celsius: float | None = None
+) -> float:
     """Return the pH of solutions in water that have been poured together and stirred.
 
     Args:
         parts: Of each its solutes and its volume [ml].
+        celsius: How warm they are [degrees C]; None for as warm as the room.
 
     Raises:
         NotDissolvedError: A compound does not dissolve, or not as much of it.
@@ -24,5 +28,7 @@ def ph_together(parts: Iterable[tuple[Sequence[Solute], float]]) -> float:
     inventory = Inventory.of([solutes for solutes, _ in held])
     rows = [inventory.filled(solutes, volume) for solutes, volume in held]
     total = sum(volume for _, volume in held)
-    settled, _ = inventory.settled(np.sum(rows, axis=0), total, _ROOM)
+    settled, _ = inventory.settled(
+        np.sum(rows, axis=0), total, (_ROOM if celsius is None else celsius) + ZERO_C
+    )
     return ph_of(inventory.amounts(settled), total)

@@ -90,6 +90,14 @@ class Handling(LiquidHandling):
         return float(liquid.solutions.given_off[liquid.names.index(vessel)].sum())
 
     @override
+    def drop_at(self, point_w: FloatArray) -> Solution | None:
+        liquid, near = self._liquid, self._within_reach(point_w)
+        near = near[liquid.accounted[near] < 0]
+        if liquid.solutions is None or not len(near):
+            return None
+        return liquid.solutions.drop(liquid.what.part(near), self._capacities()[near])
+
+    @override
     def gather(self, vessel: str) -> None:
         liquid, holder = self._liquid, self._liquid.names.index(vessel)
         if len(liquid.positions):

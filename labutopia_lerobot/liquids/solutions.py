@@ -5,7 +5,7 @@ common comes to equilibrium, and everybody gets back as much as he gave. So noth
 than it mixes, and what has been poured in is seen as it was until it has mixed.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -148,8 +148,20 @@ class Solutions:
             what: The particles in it.
             capacities: What warms each by 1 K, shape (m,) [J/K].
         """
+        return self._of(what, capacities, self.inventory.amounts(self.given_off[vessel]))
+
+    def drop(self, what: Portion, capacities: FloatArray) -> Solution:
+        """Return what is in a drop.
+
+        Args:
+            what: Its particles.
+            capacities: What warms each by 1 K, shape (m,) [J/K].
+        """
+        return self._of(what, capacities, {})
+
+    def _of(self, what: Portion, capacities: FloatArray, gas: Mapping[str, float]) -> Solution:
+        """Return what particles are together, which gas has left."""
         inventory, contents = self.inventory, what.contents
-        gas = inventory.amounts(self.given_off[vessel])
         if not len(contents):
             return Solution.nothing(gas)
         warm = float(capacities @ what.temperatures / capacities.sum())

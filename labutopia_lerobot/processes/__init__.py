@@ -1,10 +1,12 @@
 """Processes: things that pieces do by themselves, and the readings that they give."""
 
-from labutopia_lerobot.processes.electrode import PhElectrode
+from labutopia_lerobot.processes.electrode import ConductivityCell, PhElectrode
 from labutopia_lerobot.processes.energy_regulator import EnergyRegulator
 from labutopia_lerobot.processes.heat import DoorGap, HeatZone, ThermalMass
 from labutopia_lerobot.processes.heat_exchange import HeatExchange
 from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
+from labutopia_lerobot.processes.photometer import Photometer
+from labutopia_lerobot.processes.prisms import Prisms
 from labutopia_lerobot.processes.probe import Probe
 from labutopia_lerobot.processes.process import (
     AMBIENT,
@@ -20,12 +22,15 @@ from labutopia_lerobot.processes.thermostat import Thermostat
 __all__ = [
     "AMBIENT",
     "Apparatus",
+    "ConductivityCell",
     "DoorGap",
     "EnergyRegulator",
     "HeatExchange",
     "HeatZone",
     "LiquidHandling",
     "PhElectrode",
+    "Photometer",
+    "Prisms",
     "Probe",
     "Process",
     "ProcessError",

@@ -69,6 +69,13 @@ class LiquidHandling(Protocol):
         """Return how much gas has left what a vessel holds, since the start [mol]."""
         ...
 
+    def drop_at(self, point_w: FloatArray) -> Solution | None:
+        """Return what is dissolved in a drop that lies around a point, in no vessel.
+
+        None where none does, or nothing is dissolved in the scene.
+        """
+        ...
+
     def gather(self, vessel: str) -> None:
         """Add what has come into a narrow vessel to the column that stands there."""
         ...

@@ -125,7 +125,7 @@ class Draw:
         self._asked |= dict.fromkeys(axes, shifted)
 
     def varies(self, axis: str) -> bool:
-        """Return whether an axis that every task has varies, for the user or for the task."""
+        """Return whether an axis that is left alone by default varies, for the user or the task."""
         return axis in self._asked or axis in self._axes or ALL in self._axes
 
     @property

@@ -1,4 +1,4 @@
-"""Choices that tasks of level 3 draw from: vessels by name, and liquids."""
+"""Choices that tasks draw from: vessels by name, liquids, and how warm solutions begin."""
 
 from collections.abc import Callable
 from functools import partial
@@ -38,3 +38,18 @@ def draw_filling(draw: Draw, ml: float) -> Filling:
     named = {f"{filling.ml:g} ml of {filling.of}": filling for filling in fillings}
     names = list(named)
     return named[draw.choice("liquid", train=names[:5], test=names[5:])]
+
+
+def start_temperature(draw: Draw) -> float | None:
+    """Return how warm solutions begin [degrees C]; None where the axis does not vary: as the room.
+
+    The room has 20 degrees meanwhile. Ours: training is what has stood in a room, a test what comes
+    out of a refrigerator, or off a hot plate some time ago.
+
+    Args:
+        draw: The episode's draw.
+    """
+    if not draw.varies("start_temperature"):
+        return None
+    cold, hot = (8.0, 15.0), (30.0, 40.0)
+    return draw.uniform("start_temperature", train=(18.0, 25.0), test=[cold, hot])

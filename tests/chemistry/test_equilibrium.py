@@ -11,6 +11,7 @@ import pytest
 from labutopia_lerobot.chemistry.compound import substances
 from labutopia_lerobot.chemistry.equilibrium import NoEquilibriumError, solve
 from labutopia_lerobot.chemistry.formula import parse
+from labutopia_lerobot.chemistry.inventory import Inventory, Solute
 from labutopia_lerobot.chemistry.network import PROTON, network
 from labutopia_lerobot.chemistry.speciation import ph_of, settle
 
@@ -207,3 +208,12 @@ def test_every_species_has_the_atoms_of_what_it_is_made_of() -> None:
                 atoms[element] = atoms.get(element, 0.0) + n * count
         assert {e: n for e, n in atoms.items() if n} == dict(one.composition.atoms), key
         assert charge == one.composition.charge, key
+
+
+@pytest.mark.parametrize(("of", "molar"), [("sucrose", 1.0), ("glucose", 1.0), ("urea", 5.0)])
+def test_what_dissolves_well_stays_dissolved_in_a_room_of_20_degrees(of: str, molar: float) -> None:
+    """2000, 909 and 1079 g/l dissolve (CRC Handbook); their enthalpy in water is not known."""
+    solutes = (Solute(of, molar),)
+    inventory = Inventory.of([solutes])
+    held = inventory.amounts(inventory.filled(solutes, 1e-3))
+    assert max(held[key] for key in held if key.endswith("(aq)")) == pytest.approx(molar)

@@ -17,11 +17,12 @@ from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.slide import Slide
 from labutopia_lerobot.processes import PhElectrode
+from labutopia_lerobot.processes.solution_sensor import SolutionSensor
 from labutopia_lerobot.world.model import COLLISION_GROUP
 
 _ARM = 0.158
 """Height of the arm: the electrode hangs over a beaker of 400 ml, and goes down into it [m]."""
-_TIP = -0.020
+TIP = -0.020
 """Height of the electrode's tip over the arm before it is pushed down [m]."""
 
 
@@ -73,7 +74,7 @@ class PhMeter(Instrument):
         return self.keys
 
     @property
-    def reads(self) -> PhElectrode:
+    def reads(self) -> SolutionSensor:
         """What its display shows."""
         return PhElectrode(f"{self.name}_ph", f"{self.name}_tip")
 
@@ -93,6 +94,16 @@ class PhMeter(Instrument):
             *feet(0.190, 0.180, 0.006),
         ]
 
+    def _probe(self) -> list[Form]:
+        """Return what is pushed down."""
+        bulb = ((0, 0), (0.005, 0.004), (0.007, 0.010), (0.006, 0.014))
+        return [
+            Rod((0, 0, TIP + 0.012), (0, 0, 0.140), 0.012, "glass_edge"),
+            Turned(tuple((r, TIP + z) for r, z in bulb), "glass_edge"),
+            Rod((0, 0, 0.140), (0, 0, 0.160), 0.014, "blue"),
+            Rod((0, 0, 0.160), (0, 0, 0.175), 0.006, "black"),
+        ]
+
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         lean = leaning(73.0)
         self.displays[0].add_to(spec, body, (0.010, 0.010, 0.0622), lean)
@@ -110,12 +121,5 @@ class PhMeter(Instrument):
         electrode = self.electrode.add_to(
             spec, arm, start, down, balanced=True, begins=self.lowered
         )
-        bulb = ((0, 0), (0.005, 0.004), (0.007, 0.010), (0.006, 0.014))
-        probe: list[Form] = [
-            Rod((0, 0, _TIP + 0.012), (0, 0, 0.140), 0.012, "glass_edge"),
-            Turned(tuple((r, _TIP + z) for r, z in bulb), "glass_edge"),
-            Rod((0, 0, 0.140), (0, 0, 0.160), 0.014, "blue"),
-            Rod((0, 0, 0.160), (0, 0, 0.175), 0.006, "black"),
-        ]
-        assemble(spec, electrode, self.name, probe, mass=0.06)
-        electrode.add_site(name=f"{self.name}_tip", pos=(0, 0, _TIP), group=COLLISION_GROUP)
+        assemble(spec, electrode, self.name, self._probe(), mass=0.06)
+        electrode.add_site(name=f"{self.name}_tip", pos=(0, 0, TIP), group=COLLISION_GROUP)

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
-from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
 from labutopia_lerobot.labware.parts.fittings import feet
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod
@@ -15,11 +14,13 @@ from labutopia_lerobot.labware.parts.knob import Knob
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.rotor import Rotor
+from labutopia_lerobot.processes import Prisms
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 
 @dataclass(frozen=True)
 class Refractometer(Instrument):
-    """An Abbe refractometer: a drop lies between its prisms, two knobs bring the shadow's edge in.
+    """An Abbe refractometer: it shows the index of a drop that its prisms have been shut on.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -29,7 +30,7 @@ class Refractometer(Instrument):
     size = (0.186, 0.140, 0.301)
     mass = 2.8
     source = "180 x 140 x 260 mm, as usual; from memory"
-    left_out = "no light is bent: the scale shows where its knob stands"
+    left_out = "no light is bent: the display finds the edge, and its knobs need not be turned"
 
     @property
     def prism(self) -> Rotor:
@@ -52,8 +53,13 @@ class Refractometer(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        n = Scale(self.index, 1.3, 1.7, "nD", resolution=0.0001)
-        return (Display(f"{self.name}_display", (0.062, 0.022), n, (20, 30, 25), (165, 185, 160)),)
+        ink, paper = (20, 30, 25), (165, 185, 160)
+        return (Display(f"{self.name}_display", (0.062, 0.022), self.reads, ink, paper),)
+
+    @property
+    def reads(self) -> Prisms:
+        """What its display shows: the index of what lies between the prisms."""
+        return Prisms(f"{self.name}_index_of_film", f"{self.name}_stage", self.prism.joint)
 
     def _forms(self) -> list[Form]:
         tilt = math.radians(40.0)
@@ -77,6 +83,8 @@ class Refractometer(Instrument):
         self.index.add_to(spec, self.name, body, (0.020, -0.045, 0.080), side)
         self.dispersion.add_to(spec, self.name, body, (0.020, -0.045, 0.140), side)
         self.displays[0].add_to(spec, body, (-0.0888, 0.0, 0.044), ON_FRONT)
+        stage = (-0.056, 0.0, 0.1128)
+        body.add_site(name=f"{self.name}_stage", pos=stage, group=COLLISION_GROUP)
         axis = (-1.0, 0.0, 0.0)
         prism = self.prism.add_to(spec, body, (-0.056, 0.030, 0.114), axis, balanced=True)
         forms: list[Form] = [

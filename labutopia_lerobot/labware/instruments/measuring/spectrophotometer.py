@@ -17,6 +17,8 @@ from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import leaning
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Slide
+from labutopia_lerobot.processes import Photometer
+from labutopia_lerobot.world.model import COLLISION_GROUP
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,9 @@ class Spectrophotometer(Instrument):
     size = (0.410, 0.480, 0.220)
     mass = 14.0
     source = "480 x 400 x 220 mm, usual for 325 to 1000 nm; from memory"
-    left_out = "it measures nothing: the display shows the wavelength"
+    left_out = (
+        "square cuvettes hold no liquid: round tubes of 12 mm are read, as if of 10 mm inside"
+    )
 
     @property
     def lid(self) -> Lid:
@@ -66,9 +70,23 @@ class Spectrophotometer(Instrument):
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        knob = self.wavelength
-        nm = Scale(knob, 325, 1000, "nm")
-        return (Display(f"{self.name}_display", (0.100, 0.034), nm),)
+        return (
+            Display(f"{self.name}_display", (0.100, 0.034), self.reads),
+            Display(f"{self.name}_wavelength_display", (0.070, 0.024), self.set_to),
+        )
+
+    @property
+    def set_to(self) -> Scale:
+        """The wavelength that its knob sets."""
+        return Scale(self.wavelength, 325, 1000, "nm")
+
+    @property
+    def reads(self) -> Photometer:
+        """The absorbance of what stands in the beam."""
+        lid, beam = self.lid, f"{self.name}_beam"
+        return Photometer(
+            f"{self.name}_absorbance", beam, self.set_to.name, lid.joint, lid.closed_within
+        )
 
     def _forms(self) -> list[Form]:
         low, top = 0.014, 0.176
@@ -82,14 +100,17 @@ class Spectrophotometer(Instrument):
             Block((0.060, 0.200), (-0.240, -0.090), (low, top), "white", edge=0.008),
             Block((-0.085, 0.070), (-0.240, -0.228), (low, top), "white", edge=0.002),
             Block((-0.085, 0.070), (-0.232, -0.100), (low, 0.070), "anthracite", edge=0.002),
-            Block((-0.0010, 0.0010), (-0.1010, -0.0990), (0.090, 0.110), "glow", touch=False),
+            Block((-0.0125, -0.0105), (-0.1010, -0.0990), (0.090, 0.110), "glow", touch=False),
             *feet(0.400, 0.480, 0.014),
         ]
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         lean = leaning(40.3)
         self.wavelength.add_to(spec, self.name, body, (-0.1700, 0.170, 0.1053), lean)
-        self.displays[0].add_to(spec, body, (-0.1530, 0.050, 0.1258), lean)
+        for display, y in zip(self.displays, (0.050, -0.070), strict=True):
+            display.add_to(spec, body, (-0.1530, y, 0.1258), lean)
+        # Where the carriage brings each of its places when it is out by 0, 18, 36 and 54 mm.
+        body.add_site(name=f"{self.name}_beam", pos=(-0.0115, -0.165, 0.100), group=COLLISION_GROUP)
         carriage = self.carriage.add_to(spec, body, (0.0155, -0.165, 0.072), (-1.0, 0.0, 0.0))
         cells: list[Form] = [
             Block((-0.040, 0.040), (-0.022, 0.022), (0.000, 0.006), "black"),

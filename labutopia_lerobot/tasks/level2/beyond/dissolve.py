@@ -16,6 +16,7 @@ from labutopia_lerobot.skills import Stir
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Step, Substep, Task
 from labutopia_lerobot.tasks import actions, failures
+from labutopia_lerobot.tasks.variety import start_temperature
 
 _WATER_ML = 60.0
 """As `level2/stir_glassrod` [ml]."""
@@ -37,7 +38,12 @@ def dissolve(draw: Draw) -> Task:
     )
     grams = draw.choice("mass", train=(2.0, 1.0, 3.0), test=(1.5, 2.5), shifted=True)
     rod, rack, vessel = GlassRod("glass_rod"), TestTubeRack("rack"), glassware("beaker", "150 ml")
-    filling = Filling(_WATER_ML, dissolved=(_ACID,), crystals=(Crystals(salt, grams, _GRAIN_MM),))
+    filling = Filling(
+        _WATER_ML,
+        celsius=start_temperature(draw),
+        dissolved=(_ACID,),
+        crystals=(Crystals(salt, grams, _GRAIN_MM),),
+    )
     clear = dissolved(vessel)
     inside = (gripped(rod), immersed(rod, vessel, filling_ml=filling.ml))
     return Task(

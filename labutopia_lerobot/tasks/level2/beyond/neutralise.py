@@ -13,11 +13,14 @@ from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions, failures
+from labutopia_lerobot.tasks.variety import start_temperature
 
 _ACID_ML, _BASE_ML = 100.0, 130.0
 """What the beakers hold [ml]; ours: what turns the strongest acid leaves a quarter of the base."""
 _BASE = 0.12
 """Sodium hydroxide [mol/l]; ours."""
+_ACIDS = ("acetic acid", "propanoic acid", "butanoic acid")
+"""Ours: of one strength, pKa 4.76 to 4.87, so that the indicator turns at the same share."""
 _INDICATOR = Solute("bromothymol blue", 1.2e-4)
 """Ours: some drops of a 0.1 % solution."""
 _LOW, _HIGH, _OVER = 5.8, 7.0, 7.6
@@ -26,7 +29,7 @@ _LOW, _HIGH, _OVER = 5.8, 7.0, 7.6
 `chemistry.colour` says green."""
 _SHARE = 0.975
 """Share of the acid that the expert neutralises: it is green from 95 to 99 %, up to a pH of
-6.75 (acetic acid, pKa 4.76)."""
+6.75 with acetic acid and 6.86 with the weakest."""
 _WITHIN = 0.05
 """How near to where it stood the beaker is to be put back [m]; ours, as `pour_to_mass`."""
 
@@ -34,10 +37,13 @@ _WITHIN = 0.05
 def neutralise(draw: Draw) -> Task:
     """Return the task that an episode has drawn."""
     molar = draw.choice("concentration", train=(0.10, 0.08, 0.12), test=(0.09, 0.11), shifted=True)
+    acid, celsius = _ACIDS[0], start_temperature(draw)
+    if draw.varies("substance"):
+        acid = draw.choice("substance", train=_ACIDS[:2], test=_ACIDS[2:])
     source = glassware("beaker", "250 ml", "base_beaker")
     wrong = glassware("erlenmeyer_narrow", "100 ml", "acid_flask")
     target = glassware("beaker", "800 ml", "yellow_beaker")
-    back = WhereItStood(source)
+    back, base = WhereItStood(source), Solute("sodium hydroxide", _BASE)
     needed = _SHARE * _ACID_ML * molar / _BASE
     return Task(
         instruction=(
@@ -66,10 +72,10 @@ def neutralise(draw: Draw) -> Task:
             *actions.left_standing(source, back, within=_WITHIN),
         ),
         contents={
-            source: Filling(_BASE_ML, dissolved=(Solute("sodium hydroxide", _BASE),)),
-            target: Filling(_ACID_ML, dissolved=(Solute("acetic acid", molar), _INDICATOR)),
+            source: Filling(_BASE_ML, celsius=celsius, dissolved=(base,)),
+            target: Filling(_ACID_ML, celsius=celsius, dissolved=(Solute(acid, molar), _INDICATOR)),
             # As clear as the base, and no base.
-            wrong: Filling(40.0, dissolved=(Solute("hydrochloric acid", 0.1),)),
+            wrong: Filling(40.0, celsius=celsius, dissolved=(Solute("hydrochloric acid", 0.1),)),
         },
         never={
             **failures.handling(source, spill=0.02, into=target),

@@ -27,6 +27,7 @@ from labutopia_lerobot.skills import TryEach
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Step, Substep, Task
 from labutopia_lerobot.tasks import actions, failures
+from labutopia_lerobot.tasks.variety import start_temperature
 
 # What is asked for -> what holds it, the reagent that it clouds with, and what that leaves clear
 # (the classical tests for anions, as in any textbook of qualitative analysis).
@@ -38,32 +39,30 @@ _TESTS = {
 }
 _UNKNOWN, _REAGENT = 0.02, 0.05
 """Concentrations [mol/l]; ours: what is not asked for stays clear, however much reagent it gets."""
-_UNKNOWN_ML, _REAGENT_ML = 30.0, 50.0
-"""What the vessels hold [ml]; ours."""
-_TRIED_ML = 0.5
-"""How much reagent is a test [ml]; ours: some drops."""
+_UNKNOWN_ML, _REAGENT_ML, _TRIED_ML = 30.0, 50.0, 0.5
+"""What the vessels hold, and how much reagent is a test, some drops [ml]; ours."""
 _PLATE, _BACK = 0.04, 0.05
 """How near to the plate's middle [m], as `level2/transport_beaker`; to where it stood, ours."""
 
 
 def identify_unknown(draw: Draw) -> Task:
     """Return the task that an episode has drawn."""
-    names = list(_TESTS)
+    names, places = list(_TESTS), ("middle", "left", "right")
     content = draw.choice("content", train=names[:2], test=names[2:], shifted=True)
-    places = ("middle", "left", "right")
     place = draw.choice("place", train=places)
+    molar, celsius = _UNKNOWN, start_temperature(draw)
+    if draw.varies("concentration"):
+        molar = draw.choice("concentration", train=(_UNKNOWN, 0.015), test=(0.0175, 0.0125))
     asked_for, reagent, others = _TESTS[content]
-    holds = dict(
-        zip([place, *(p for p in places if p != place)], (asked_for, *others), strict=True)
-    )
+    order = [place, *(p for p in places if p != place)]
+    holds = dict(zip(order, (asked_for, *others), strict=True))
     unknown = {p: glassware("beaker", "150 ml", f"{p}_beaker") for p in places}
     right, row = unknown[place], tuple(unknown.values())
-    wrong = [vessel for p, vessel in unknown.items() if p != place]
+    wrong = [vessel for vessel in row if vessel is not right]
     bottle = glassware("beaker_tall", "150 ml", "reagent_beaker")
     plate = TargetPlate("target_plate")
     tried = [received(bottle, v, low_ml=_TRIED_ML, high_ml=_REAGENT_ML) for v in wrong]
-    # Who has tried both others, and seen that they stay clear, knows it too.
-    identified = clouded(right) | reduce(and_, tried)
+    identified = clouded(right) | reduce(and_, tried)  # who has seen both others stay clear knows
     test = Step(
         "test",
         (TryEach(bottle, tuple((v, clouded(v)) for v in row), ml=3.0, within_ml=1.5),),
@@ -74,7 +73,7 @@ def identify_unknown(draw: Draw) -> Task:
         (bottle,),
         transfers=tuple(Transfer(bottle, v) for v in row),
     )
-    # The hand may take the wrong one too: only then can it be distinguished from a knock.
+    # The hand may take the wrong one too: else that would look like a knock.
     choose = replace(actions.pick(right, by=actions.OFF_THE_BENCH).named("choose"), touches=row)
     present = actions.place(right, OnTop(plate), within=_PLATE).named("present")
     return Task(
@@ -103,9 +102,9 @@ def identify_unknown(draw: Draw) -> Task:
         ),
         goal=(identified, *actions.left_standing(right, OnTop(plate), within=_PLATE)),
         contents={
-            bottle: Filling(_REAGENT_ML, dissolved=(Solute(reagent, _REAGENT),)),
+            bottle: Filling(_REAGENT_ML, celsius=celsius, dissolved=(Solute(reagent, _REAGENT),)),
             **{
-                unknown[p]: Filling(_UNKNOWN_ML, dissolved=(Solute(of, _UNKNOWN),))
+                unknown[p]: Filling(_UNKNOWN_ML, celsius=celsius, dissolved=(Solute(of, molar),))
                 for p, of in holds.items()
             },
         },

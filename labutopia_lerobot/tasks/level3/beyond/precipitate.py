@@ -24,6 +24,7 @@ from labutopia_lerobot.skills import Pour, WaitUntil
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Step, Substep, Task
 from labutopia_lerobot.tasks import actions, failures
+from labutopia_lerobot.tasks.variety import start_temperature
 
 # What is to be made -> its solid, what the large beaker holds, what makes it of that, how much of
 # it one formula unit takes, and what makes another solid or none (solubility rules, as in any
@@ -31,19 +32,13 @@ from labutopia_lerobot.tasks import actions, failures
 _MADE_OF = {
     "barium sulfate": ("BaSO4(s)", "copper(II) sulfate", "barium chloride", 1, "sodium hydroxide"),
     "copper(II) hydroxide": (
-        "Cu(OH)2(s)",
-        "copper(II) sulfate",
-        "sodium hydroxide",
-        2,
+        *("Cu(OH)2(s)", "copper(II) sulfate", "sodium hydroxide", 2),
         "barium chloride",
     ),
     "silver chloride": ("AgCl(s)", "sodium chloride", "silver nitrate", 1, "sodium nitrate"),
     "lead(II) iodide": ("PbI2(s)", "lead(II) nitrate", "potassium iodide", 2, "sodium sulfate"),
     "calcium carbonate": (
-        "CaCO3(s)",
-        "calcium chloride",
-        "sodium carbonate",
-        1,
+        *("CaCO3(s)", "calcium chloride", "sodium carbonate", 1),
         "sodium chloride",
     ),
 }
@@ -72,6 +67,7 @@ def precipitate(draw: Draw) -> Task:
     in_the_tall_one = draw.choice("object", train=("tall beaker", "low beaker")) == "tall beaker"
     source, wrong = (tall, low) if in_the_tall_one else (low, tall)
     in_tall, in_low = (reagent, other) if in_the_tall_one else (other, reagent)
+    celsius = start_temperature(draw)
     formed = precipitated(target, solid=solid, mmol=_ALL * _THERE_ML * molar)
     both, back = (tall, low), WhereItStood(source)
     return Task(
@@ -106,9 +102,12 @@ def precipitate(draw: Draw) -> Task:
         ),
         goal=(formed, *actions.left_standing(source, back, within=_WITHIN)),
         contents={
-            source: Filling(_POURED_ML, dissolved=(Solute(reagent, each * _REAGENT),)),
-            wrong: Filling(_POURED_ML, dissolved=(Solute(other, _REAGENT),)),
-            target: Filling(_THERE_ML, dissolved=(Solute(there, molar),)),
+            vessel: Filling(ml, celsius=celsius, dissolved=(solute,))
+            for vessel, ml, solute in (
+                (source, _POURED_ML, Solute(reagent, each * _REAGENT)),
+                (wrong, _POURED_ML, Solute(other, _REAGENT)),
+                (target, _THERE_ML, Solute(there, molar)),
+            )
         },
         never={
             **failures.of_any(*(failures.handling(v, spill=0.05, into=target) for v in both)),

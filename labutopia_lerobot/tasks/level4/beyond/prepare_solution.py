@@ -25,6 +25,7 @@ from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions, failures
+from labutopia_lerobot.tasks.variety import start_temperature
 
 # What is made up -> the ion that it is judged by; one for each formula unit.
 _SALTS = {
@@ -52,7 +53,7 @@ def prepare_solution(draw: Draw) -> Task:
     names = list(_SALTS)
     salt = draw.choice("substance", train=names[:2], test=names[2:], shifted=True)
     molar = draw.choice("concentration", train=(0.20, 0.15, 0.25), test=(0.18, 0.22), shifted=True)
-    share = _TOTAL_G * molar / _STOCK
+    celsius, share = start_temperature(draw), _TOTAL_G * molar / _STOCK
     balance, target = PrecisionBalance("balance"), glassware("beaker", "250 ml", "large")
     stock = glassware("beaker", "150 ml", "stock_beaker")
     water = glassware("beaker", "150 ml", "water_beaker")
@@ -97,8 +98,8 @@ def prepare_solution(draw: Draw) -> Task:
             *actions.left_standing(water, homes[water], within=_BACK),
         ),
         contents={
-            stock: Filling(_STOCK_ML, dissolved=(Solute(salt, _STOCK),)),
-            water: Filling(_WATER_ML),
+            stock: Filling(_STOCK_ML, celsius=celsius, dissolved=(Solute(salt, _STOCK),)),
+            water: Filling(_WATER_ML, celsius=celsius),
         },
         never={
             **failures.of_any(

@@ -28,6 +28,7 @@ from labutopia_lerobot.scenes.views import TITRATION_VIEW
 from labutopia_lerobot.skills import Titrate
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.task import Step, Substep, Task
+from labutopia_lerobot.tasks.variety import start_temperature
 
 _SAMPLE_ML, _BURETTE_ML = 45.0, 20.0
 """What the beaker and the burette hold [ml]; ours: the electrode's bulb is covered, and a particle
@@ -52,16 +53,15 @@ def titrate(draw: Draw) -> Task:
     molar = draw.choice(
         "concentration", train=(0.015, 0.012, 0.018), test=(0.0135, 0.0165), shifted=True
     )
+    needed, celsius = _SAMPLE_ML * molar / _BASE, start_temperature(draw)
     sample, base = (Solute(acid, molar),), (Solute("sodium hydroxide", _BASE),)
-    needed = _SAMPLE_ML * molar / _BASE
 
     def ph_at(ml: float) -> float:
-        return ph_together(((sample, _SAMPLE_ML), (base, ml)))
+        return ph_together(((sample, _SAMPLE_ML), (base, ml)), celsius)
 
     low, high = ph_at(needed - _WITHIN_ML), ph_at(needed + _WITHIN_ML)
     stand, beaker = BuretteStand("stand"), glassware("beaker", "150 ml", "beaker")
-    # Behind the burette, its electrode beside the jet, its display to the front camera.
-    meter = PhMeter("meter", turned=math.radians(45), lowered=0.112)
+    meter = PhMeter("meter", turned=math.radians(45), lowered=0.112)  # electrode beside the jet
     burette, wing = stand.burette, stand.stopcock
     reached = ph_between(beaker, low=low, high=high)
     enough = received(burette, beaker, low_ml=needed - _WITHIN_ML, high_ml=needed + _WITHIN_ML)
@@ -105,8 +105,8 @@ def titrate(draw: Draw) -> Task:
         ),
         goal=(reached, enough, closed(wing), clear),
         contents={
-            burette: Filling(_BURETTE_ML, dissolved=base),
-            beaker: Filling(_SAMPLE_ML, dissolved=sample),
+            burette: Filling(_BURETTE_ML, celsius=celsius, dissolved=base),
+            beaker: Filling(_SAMPLE_ML, celsius=celsius, dissolved=sample),
         },
         never={
             "overshot": more_basic(beaker, than=high),
