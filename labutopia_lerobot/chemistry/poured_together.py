@@ -6,10 +6,9 @@ import numpy as np
 
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute
 from labutopia_lerobot.chemistry.speciation import ph_of
-from labutopia_lerobot.substances.substance import ZERO_C
 
-_ROOM = 20.0
-"""Temperature of the room [degrees C]."""
+_ROOM, _ZERO = 20.0, 273.15
+"""Temperature of the room [degrees C], and 0 degrees C [K]."""
 
 
 def ph_together(
@@ -29,6 +28,6 @@ def ph_together(
     rows = [inventory.filled(solutes, volume) for solutes, volume in held]
     total = sum(volume for _, volume in held)
     settled, _ = inventory.settled(
-        np.sum(rows, axis=0), total, (_ROOM if celsius is None else celsius) + ZERO_C
+        np.sum(rows, axis=0), total, (_ROOM if celsius is None else celsius) + _ZERO
     )
     return ph_of(inventory.amounts(settled), total)
