@@ -55,7 +55,7 @@ EXTRAS = (DEPTH, SEGMENTATION, *NUMBERS)
 """What can be observed beside the usual: depth and segmentation of every camera, forces on
 pads, what displays read, what the laser scanner of a base sees."""
 
-ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda", "fetch")
+ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda", "fetch", "fetch_differential")
 """Every robot that can play: the keys of `robots.ROBOTS`."""
 
 DEFAULT_ROBOT = ROBOT_NAMES[0]

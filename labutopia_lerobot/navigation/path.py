@@ -18,12 +18,14 @@ class DrivingLimits:
         acceleration: Greatest acceleration, whichever way [m/s^2].
         turning: Greatest speed of turning [rad/s].
         turning_acceleration: Greatest angular acceleration [rad/s^2].
+        sideways: Whether it can go sideways; one that cannot turns to where it drives.
     """
 
     speed: float
     acceleration: float
     turning: float
     turning_acceleration: float
+    sideways: bool = True
 
     @property
     def widest_bend(self) -> float:

@@ -3,7 +3,8 @@
 A speed along the path, and a pull back onto it in proportion to how far off it the base is: the
 controller of Kanayama, Kimura, Miyazaki and Noguchi (1990, "A Stable Tracking Control Method for an
 Autonomous Mobile Robot"), without its detour by the heading, since the base moves any way. It looks
-where it goes: as far as it still has to turn it drives slower.
+where it goes: as far as it still has to turn it drives slower. One that cannot go sideways is
+steered back (`steering`).
 """
 
 import math
@@ -11,6 +12,7 @@ import math
 import numpy as np
 
 from labutopia_lerobot.navigation.path import DrivingLimits, Path
+from labutopia_lerobot.navigation.steering import heading_towards, share_of_speed
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 _PULL = 2.0
@@ -54,10 +56,15 @@ class PathTracker:
         path, limits = self._path, self._limits
         self.travelled = self._nearest(position)
         ahead = path.direction(min(self.travelled + _AHEAD, path.length))
-        off = math.remainder(math.atan2(ahead[1], ahead[0]) - yaw, 2.0 * math.pi)
+        back, speed = path.at(self.travelled) - position, min(self._speed(), fastest)
+        heading = math.atan2(ahead[1], ahead[0])
+        if not limits.sideways:
+            heading = heading_towards(ahead, back, speed)
+        off = math.remainder(heading - yaw, 2.0 * math.pi)
         turning = turning_speed(off, self._velocity_b[2], limits)
-        speed = min(self._speed(), fastest) * max(0.0, math.cos(off))
-        back = path.at(self.travelled) - position
+        if not limits.sideways:
+            return self._rolled(speed * share_of_speed(off), turning)
+        speed *= max(0.0, math.cos(off))
         velocity = speed * path.direction(self.travelled) + _PULL * back
         velocity *= min(1.0, limits.speed / max(float(np.hypot(*velocity)), 1e-9))
         middle = yaw + 0.5 * turning / CONTROL_HZ  # how it is turned on average until the next one
@@ -67,6 +74,13 @@ class PathTracker:
         most = limits.acceleration / CONTROL_HZ
         change *= min(1.0, most / max(float(np.hypot(*change)), 1e-9))
         self._velocity_b = np.append(self._velocity_b[:2] + change, turning)
+        return self._velocity_b.copy()
+
+    def _rolled(self, speed: float, turning: float) -> FloatArray:
+        """Return the next velocity of a base that goes straight ahead."""
+        most = self._limits.acceleration / CONTROL_HZ
+        change = min(max(speed - self._velocity_b[0], -most), most)
+        self._velocity_b = np.array([self._velocity_b[0] + change, 0.0, turning])
         return self._velocity_b.copy()
 
     def ahead(self, most: float, step: float) -> tuple[FloatArray, FloatArray]:

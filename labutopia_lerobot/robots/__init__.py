@@ -1,14 +1,14 @@
 """Robots: names, limits and postures as data; kinematics and servos as MuJoCo specs, on demand."""
 
 from labutopia_lerobot.robots.element import Element
-from labutopia_lerobot.robots.fetch import FETCH
+from labutopia_lerobot.robots.fetch import FETCH, FETCH_DIFFERENTIAL
 from labutopia_lerobot.robots.iiwa import IIWA
 from labutopia_lerobot.robots.mobile_base import MobileBase
 from labutopia_lerobot.robots.panda import PANDA
 from labutopia_lerobot.robots.ridgeback_panda import RIDGEBACK_PANDA
 from labutopia_lerobot.robots.robot import ParallelGripper, Robot, UnknownRobotError
 
-ROBOTS = {robot.name: robot for robot in (PANDA, IIWA, RIDGEBACK_PANDA, FETCH)}
+ROBOTS = {robot.name: robot for robot in (PANDA, IIWA, RIDGEBACK_PANDA, FETCH, FETCH_DIFFERENTIAL)}
 """Every robot by its name."""
 
 
@@ -25,6 +25,7 @@ def load_robot(name: str) -> Robot:
 
 __all__ = [
     "FETCH",
+    "FETCH_DIFFERENTIAL",
     "IIWA",
     "PANDA",
     "RIDGEBACK_PANDA",

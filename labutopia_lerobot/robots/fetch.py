@@ -5,10 +5,11 @@
 """
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from labutopia_lerobot.robots.element import Element
-from labutopia_lerobot.robots.fetch_base import FETCH_BASE
+from labutopia_lerobot.robots.fetch_base import FETCH_BASE, FETCH_DIFFERENTIAL_BASE
 from labutopia_lerobot.robots.fetch_gripper import FETCH_GRIPPER
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.world import Approach
@@ -68,3 +69,6 @@ FETCH = Robot(
     trunk=(FETCH_BASE.body, "torso_fixed", "torso_lift_link", "head_pan_link"),
     stowed=(0.345, 0.523, -1.089, 0.215, 2.03, 2.023, -1.822, -0.519),
 )
+
+FETCH_DIFFERENTIAL = replace(FETCH, name="fetch_differential", base=FETCH_DIFFERENTIAL_BASE)
+"""The same on two driven wheels, as the real one is: it cannot go sideways."""

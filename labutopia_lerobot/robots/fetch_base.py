@@ -1,14 +1,15 @@
-"""The base of the Fetch, here holonomic: names and limits.
+"""The base of the Fetch, as holonomic as the paper's or as it is: names and limits.
 
 [FR] Fetch Robotics, data sheet "Fetch Mobile Manipulator": 1.0 m/s.
 [URDF] `fetch_description` (ZebraDevs/fetch_ros): frames.
 [TIM] SICK, data sheet "TiM571": 0.05 to 25 m, rays 1/3 deg apart; [FR] has 220 of its 270 deg.
 
 The paper drives the Fetch by "x and y velocity and rotation", as it does the Ridgeback: so do we.
-The real one has two wheels that are driven and cannot go sideways.
+The real one has two wheels that are driven and cannot go sideways: `FETCH_DIFFERENTIAL_BASE`.
 """
 
 import math
+from dataclasses import replace
 
 from labutopia_lerobot.robots.element import Element
 from labutopia_lerobot.robots.laser_scanner import LaserScanner
@@ -48,4 +49,13 @@ FETCH_BASE = MobileBase(
     gap=0.10,  # ours: nearer by, the arm has to fold as far as it can
     # Ours: every third ray, a degree apart.
     scanner=LaserScanner((0.235, 0.0, 0.2878), 220.0, 221, 0.05, 25.0),  # [URDF] [TIM]
+)
+
+FETCH_DIFFERENTIAL_BASE = replace(
+    FETCH_BASE,
+    elements=(
+        FETCH_BASE.elements[0],
+        replace(FETCH_BASE.elements[1], lower=0.0, upper=0.0),
+        FETCH_BASE.elements[2],
+    ),
 )

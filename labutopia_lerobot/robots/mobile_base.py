@@ -12,6 +12,8 @@ from labutopia_lerobot.robots.laser_scanner import LaserScanner
 class MobileBase:
     """A base that moves any way over the floor (paper: x and y velocity and rotation).
 
+    One on two driven wheels has a range of nothing sideways.
+
     Its frame has x forward, y to the left, z up, and its origin in the middle of it on the floor.
 
     Attributes:
@@ -48,8 +50,10 @@ class MobileBase:
     @property
     def limits(self) -> DrivingLimits:
         """Speed and acceleration, for planning."""
-        forward, _, turning = self.elements
-        return DrivingLimits(forward.upper, forward.speed, turning.upper, turning.speed)
+        forward, sideways, turning = self.elements
+        return DrivingLimits(
+            forward.upper, forward.speed, turning.upper, turning.speed, sideways.upper > 0.0
+        )
 
     @property
     def pose_names(self) -> tuple[str, str, str]:

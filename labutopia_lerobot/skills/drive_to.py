@@ -46,7 +46,8 @@ class DriveTo:
         position, yaw = base_at(world)
         if not way.planner.free(position):
             out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
-            yield parking("leave", Parking(out, yaw, way.limits), hand)
+            near = 0.01 if way.limits.sideways else 0.03
+            yield parking("leave", Parking(out, yaw, way.limits), hand, within=near)
         driver = Driver(way, self.thing, world)
 
         def there(world: World, target: Pose, elapsed: float) -> bool:

@@ -56,6 +56,7 @@ class Way:
             share * pace.acceleration,
             share * pace.turning,
             share * pace.turning_acceleration,
+            pace.sideways,
         )
         known = Occupancy(floor.cells, floor.origin, floor.resolution)
         standing = [thing for thing in world.in_the_way if not thing.walks]
@@ -169,12 +170,19 @@ def in_hand(world: World, thing: Thing | None) -> InHand:
     return InHand(opening=world.commanded_opening, touches=frozenset({thing.name}), holds=thing)
 
 
-def parking(name: str, way: Parking, hand: InHand) -> Phase:
-    """Return the phase in which the base goes straight to a place and stops there, arm stowed."""
+def parking(name: str, way: Parking, hand: InHand, within: float = 0.01) -> Phase:
+    """Return the phase in which the base goes straight to a place and stops there, arm stowed.
+
+    Args:
+        name: Of the phase.
+        way: To the place.
+        hand: What is in it.
+        within: How near the base comes [m].
+    """
 
     def there(world: World, target: Pose, elapsed: float) -> bool:
         still = bool(np.abs(world.base_velocity).max() < AT_REST)
-        return still and way.arrived(*base_at(world), within=0.01, within_rad=0.015)
+        return still and way.arrived(*base_at(world), within=within, within_rad=0.015)
 
     return Phase(
         name,

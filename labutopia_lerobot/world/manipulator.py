@@ -40,6 +40,11 @@ class Pace(Protocol):
         """Greatest angular acceleration [rad/s^2]."""
         ...
 
+    @property
+    def sideways(self) -> bool:
+        """Whether it can go sideways."""
+        ...
+
 
 class Wheels(Protocol):
     """The view of a base that skills have: its footprint, and how fast it is."""

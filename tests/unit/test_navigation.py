@@ -3,6 +3,7 @@
 import math
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from scipy.sparse import csgraph
 
 from labutopia_lerobot.navigation.clearance import Clearance
 from labutopia_lerobot.navigation.occupancy import COARSE, FREE, Occupancy
+from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.navigation.path_planner import (
     RADIUS,
@@ -68,9 +70,11 @@ def shortest(occupancy: Occupancy, start: FloatArray, goal: FloatArray) -> float
     return float(csgraph.dijkstra(graph, indices=first)[last]) * occupancy.resolution
 
 
-def drive(path: Path, yaw: float, push: FloatArray | None = None) -> FloatArray:
+def drive(
+    path: Path, yaw: float, push: FloatArray | None = None, limits: DrivingLimits = LIMITS
+) -> FloatArray:
     """Follow a path with a base that does as it is bidden; return x, y, yaw, velocity: (n, 6)."""
-    tracker, trace = PathTracker(path, LIMITS), []
+    tracker, trace = PathTracker(path, limits), []
     x, y = path.points[0]
     for step in range(CONTROL_HZ * 60):
         velocity = tracker.velocity(np.array([x, y]), yaw)
@@ -203,6 +207,42 @@ def test_a_base_that_is_pushed_off_its_path_comes_back_to_it():
     off = np.hypot(*np.moveaxis(trace[:, None, :2] - path.points, -1, 0)).min(axis=1)
     assert off.max() > 0.1
     assert off[-CONTROL_HZ:].max() < 0.02
+
+
+@pytest.mark.parametrize("yaw", [0.0, 2.5])
+def test_a_base_on_two_wheels_follows_a_path_and_comes_back_to_it_without_going_sideways(yaw):
+    planner = PathPlanner.of(HALL, LIMITS)
+    path = planner.plan(np.array([1.0, 5.0]), np.array([18.0, 5.0]))
+    rolling = replace(LIMITS, sideways=False)
+    trace = drive(path, yaw=yaw, limits=rolling)
+    off = np.hypot(*np.moveaxis(trace[:, None, :2] - path.points, -1, 0)).min(axis=1)
+    assert off.max() < 0.08
+    assert np.abs(trace[:, 4]).max() == 0.0
+    changes = np.diff(trace[:, 3:], axis=0) * CONTROL_HZ
+    assert np.abs(changes[:, 0]).max() <= LIMITS.acceleration + 1e-9
+    pushed = drive(path, yaw=0.0, push=np.array([0.15, -0.15]), limits=rolling)
+    off = np.hypot(*np.moveaxis(pushed[:, None, :2] - path.points, -1, 0)).min(axis=1)
+    assert off.max() > 0.1
+    assert off[-CONTROL_HZ:].max() < 0.02
+
+
+@pytest.mark.parametrize(("left", "ahead"), [(0.02, 0.4), (-0.02, 0.4), (0.02, -0.6)])
+def test_a_base_on_two_wheels_docks_from_beside_the_line_ahead_and_in_reverse(left, ahead):
+    rolling = replace(LIMITS, sideways=False)
+    yaw = 0.7
+    along = np.array([math.cos(yaw), math.sin(yaw)])
+    aside = np.array([-along[1], along[0]])
+    goal = np.array([2.0, 3.0])
+    way, place, heading = Parking(goal, yaw, rolling), goal - ahead * along + left * aside, yaw
+    for _ in range(10 * CONTROL_HZ):
+        forward, sideways, turning = way.velocity(place, heading)
+        assert sideways == 0.0
+        middle = heading + turning / CONTROL_HZ / 2
+        place = place + forward / CONTROL_HZ * np.array([math.cos(middle), math.sin(middle)])
+        heading += turning / CONTROL_HZ
+    assert abs((place - goal) @ along) < 0.005
+    assert abs((place - goal) @ aside) < 0.015
+    assert abs(heading - yaw) < 0.01
 
 
 def test_a_turn_ends_where_one_looks_at_rest():
