@@ -71,7 +71,7 @@ def test_crystals_that_were_never_dissolved_are_not_hot_and_clear(env: LabEnv) -
     brought_to(env, 5.0)
     *_, info = env.step(env.workcell.filter.applied.copy())
     assert facts(env)[:2] == [False, True]
-    assert info["substeps"]["dissolve/dissolved"] == np.inf
+    assert info["substeps"]["dissolved"] == np.inf
 
 
 def test_what_stays_warm_does_not_crystallise(env: LabEnv) -> None:
