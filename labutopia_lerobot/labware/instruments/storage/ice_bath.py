@@ -70,6 +70,7 @@ class IceBath(Instrument):
         return [
             Rod((0, 0, 0), (0, 0, _FLOOR - 0.002), 0.180, "blue"),
             Rod((0, 0, _FLOOR - 0.002), (0, 0, _FLOOR), 0.160, "steel"),
+            Rod((0, 0, _FLOOR), (0, 0, _FLOOR + 0.0012), 0.156, "glass_edge", touch=False),
             Ring(0.156, 0.180, (_FLOOR - 0.002, _RIM), "blue"),
             *around,
         ]
