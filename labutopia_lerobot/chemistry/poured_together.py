@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute
 from labutopia_lerobot.chemistry.speciation import ph_of
 
@@ -31,3 +32,21 @@ def ph_together(
         np.sum(rows, axis=0), total, (_ROOM if celsius is None else celsius) + _ZERO
     )
     return ph_of(inventory.amounts(settled), total)
+
+
+def solid_at(solutes: Sequence[Solute], crystals: Crystals, ml: float, celsius: float) -> float:
+    """Return how much of some crystals is left in a solution in the end, or comes back [mol].
+
+    Args:
+        solutes: What is dissolved in the solution beside.
+        crystals: What is put into it.
+        ml: Its volume [ml].
+        celsius: How warm it is [degrees C].
+
+    Raises:
+        NotDissolvedError: A compound does not dissolve, or not as much of it.
+    """
+    volume, inventory = 1e-6 * ml, Inventory.of([solutes], [crystals.species])
+    row = inventory.filled(solutes, volume) + inventory.row({crystals.species: crystals.mol})
+    settled, _ = inventory.settled(row, volume, celsius + ZERO_C)
+    return inventory.amounts(settled).get(crystals.species, 0.0)

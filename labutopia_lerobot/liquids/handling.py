@@ -158,9 +158,16 @@ class Handling(LiquidHandling):
     def react(self, period: float) -> None:
         liquid = self._liquid
         if liquid.solutions is not None:
-            heights, capacity = liquid.positions[:, 2], self._capacities()
+            heights = liquid.positions[:, 2]
+            beds = liquid.over_bottoms() if liquid.solutions.has_crystals else heights
             liquid.solutions.react(
-                liquid.what, heights, capacity, liquid.accounted, liquid.speeds, period
+                liquid.what,
+                heights,
+                beds,
+                self._capacities(),
+                liquid.accounted,
+                liquid.speeds,
+                period,
             )
 
     @override

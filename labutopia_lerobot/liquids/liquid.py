@@ -25,6 +25,8 @@ _SETTLE_STEPS = 120
 """Steps in which a new filling comes to rest, the vessels standing still."""
 
 _SETTLE_DAMPING = 0.9
+_LEANS = 0.996
+"""Cosine of the tilt from which on a vessel leans: 5 degrees; ours."""
 _FASTEST = 50.0
 """Speed [m/s] that no liquid on a bench has: beyond it the solver has diverged."""
 
@@ -250,6 +252,20 @@ class Liquid:
         self._pressure = np.delete(self._pressure, which)
         self._touching = np.delete(self._touching, which)
         return taken
+
+    def over_bottoms(self) -> FloatArray:
+        """Return how high particles are for crystals, which stay on a bottom, shape (n,) [m].
+
+        In a vessel that stands, their height; in one that leans, how far they are from its base
+        along its axis: wet grains hold together (Hornbaker and others, "What keeps sandcastles
+        standing?", Nature 387, 1997), and do not slide along the wall to the lip.
+        """
+        heights, now = self.positions[:, 2].copy(), self._around.glass.now
+        for vessel in np.flatnonzero(now.rotation[: len(self.vessels), 2, 2] < _LEANS):
+            held = self.accounted == vessel
+            along = self.positions[held] - now.origin[vessel]
+            heights[held] = along @ now.rotation[vessel][:, 2]
+        return heights
 
     def inside(self) -> NDArray[np.int64]:
         """Return which of `names` each particle is in, shape (n,); -1 none."""

@@ -71,5 +71,5 @@ def _of(liquid: Liquid, what: Portion, tints: FloatArray) -> FloatArray:
 def _lying(liquid: Liquid) -> FloatArray:
     """Return what of each particle's contents lies on a bottom, shape (n, species) [mol]."""
     assert liquid.solutions is not None
-    heights = liquid.positions[:, 2]
-    return liquid.solutions.lying(liquid.what.contents, heights, liquid.accounted)
+    over = liquid.over_bottoms()
+    return liquid.solutions.lying(liquid.what.contents, over, liquid.accounted)

@@ -87,6 +87,7 @@ class Solutions:
         self,
         what: Portion,
         heights: FloatArray,
+        beds: FloatArray,
         capacities: FloatArray,
         inside: NDArray[np.int64],
         speeds: FloatArray,
@@ -101,6 +102,7 @@ class Solutions:
         Args:
             what: The particles.
             heights: Of them, shape (n,) [m].
+            beds: The same, for crystals: over the base of a vessel that leans, shape (n,) [m].
             capacities: What warms each by 1 K, shape (n,) [J/K].
             inside: Which vessel each is in, shape (n,); -1 none.
             speeds: Mean speed in each vessel [m/s].
@@ -120,11 +122,13 @@ class Solutions:
             mean = _mean(own)
             goal, why = self._settled(mean, warm)
             self.unreacted = tuple(dict.fromkeys([*self.unreacted, *([why] if why else [])]))
-            floating = np.flatnonzero(self._floats & (mean > 0.0))
-            if len(floating):
-                solids, sinking = own[:, floating], self._sinking[floating]
-                let_sink(solids, heights[held], sinking, self._layer, speed, period)
-                own[:, floating] = contents[np.ix_(held, floating)] = solids
+            grains = self._dissolving.columns
+            for these, over in ((~grains, heights), (grains, beds)):
+                floating = np.flatnonzero(self._floats & these & (mean > 0.0))
+                if len(floating):
+                    solids, sinking = own[:, floating], self._sinking[floating]
+                    let_sink(solids, over[held], sinking, self._layer, speed, period)
+                    own[:, floating] = contents[np.ix_(held, floating)] = solids
             end = _where_it_is(own, mean, goal, self._floats)
             apart = np.abs(own - end).max()
             if apart == 0.0:

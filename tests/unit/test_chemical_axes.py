@@ -16,6 +16,7 @@ AXES = {
     "level2/neutralise": ("substance", "concentration", "start_temperature"),
     "level3/identify_unknown": ("content", "concentration", "start_temperature"),
     "level3/precipitate": ("product", "concentration", "start_temperature"),
+    "level4/crystallise": ("mass",),
     "level4/prepare_solution": ("substance", "concentration", "start_temperature"),
     "level4/titrate": ("substance", "concentration", "start_temperature"),
 }
@@ -91,7 +92,7 @@ def test_the_end_point_of_a_titration_is_that_of_its_temperature() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("split", ["id", "ood"])
-@pytest.mark.parametrize("task", AXES)
+@pytest.mark.parametrize("task", [task for task, axes in AXES.items() if len(axes) == 3])
 def test_the_expert_plays_it_with_all_three(task: str, split: str) -> None:
     env = begun(task, split=split, axes=AXES[task], particles=1000)
     assert play(env, seed=1)["outcome"] == "success"

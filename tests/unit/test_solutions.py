@@ -107,7 +107,7 @@ def test_any_vessel_keeps_atoms_charge_and_energy(held: list[list[Solute]], seed
 
     before, warm = totals()
     for _ in range(40):
-        solutions.react(what, heights, weights, inside, np.array([0.05]), 1.0)
+        solutions.react(what, heights, heights, weights, inside, np.array([0.05]), 1.0)
     after, later = totals()
     assert later == pytest.approx(warm, rel=1e-9)
     assert (contents >= 0.0).all()
@@ -134,7 +134,9 @@ def test_what_stirs_mixes_faster() -> None:
         what = Portion(*(np.zeros(2, int),) * 2, np.full(2, 293.15), np.ones((2, 1)), contents)
         sodium = solutions.inventory.species.index("Na^+(aq)")
         at_first = contents[1, sodium]
-        solutions.react(what, np.zeros(2), np.ones(2), np.zeros(2, int), np.array([speed]), 1.0)
+        solutions.react(
+            what, np.zeros(2), np.zeros(2), np.ones(2), np.zeros(2, int), np.array([speed]), 1.0
+        )
         assert contents[0, sodium] == pytest.approx(0.5 * wanted * at_first)
 
 

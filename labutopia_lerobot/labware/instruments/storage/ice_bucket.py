@@ -1,6 +1,7 @@
 """An ice bucket."""
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import mujoco
@@ -13,6 +14,29 @@ from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.processes import HeatZone, Process, ThermalMass
 from labutopia_lerobot.processes.hot_surface import IN_ICE
+
+
+def lumps(places: Iterable[tuple[float, float]], height: float, half: float = 0.010) -> list[Form]:
+    """Return lumps of ice, which are seen but not touched.
+
+    Args:
+        places: Where they lie [m].
+        height: Of their middles [m].
+        half: Half their width [m].
+    """
+    low = 0.9 * half
+    return [
+        Block(
+            (x - half, x + half),
+            (y - half, y + half),
+            (height - low, height + low),
+            "glass_edge",
+            0.3 * half,
+            about((0.6, 0.64, 0.48), 47.0 * n),
+            touch=False,
+        )
+        for n, (x, y) in enumerate(places)
+    ]
 
 
 @dataclass(frozen=True)
@@ -62,22 +86,8 @@ class IceBucket(Instrument):
         return (ice,)
 
     def _forms(self) -> list[Form]:
-        lumps: list[Form] = []
-        for n in range(24):
-            a, r = 2.4 * n, 0.016 * math.sqrt(n + 0.5)
-            x, y, z = r * math.cos(a), r * math.sin(a), 0.166
-            turn = about((0.6, 0.64, 0.48), 47.0 * n)
-            lumps.append(
-                Block(
-                    (x - 0.010, x + 0.010),
-                    (y - 0.010, y + 0.010),
-                    (z - 0.009, z + 0.009),
-                    "glass_edge",
-                    0.003,
-                    turn,
-                    touch=False,
-                )
-            )
+        spiral = [(2.4 * n, 0.016 * math.sqrt(n + 0.5)) for n in range(24)]
+        ice = lumps([(r * math.cos(a), r * math.sin(a)) for a, r in spiral], 0.166)
         wall = ((0.098, 0.004), (0.105, 0.100), (0.112, 0.210), (0.120, 0.214), (0.120, 0.230))
         return [
             Turned((*wall, (0.100, 0.230)), "blue", edge=0.003, touch=False),
@@ -86,7 +96,7 @@ class IceBucket(Instrument):
             Ring(0.200, 0.238, (0.212, 0.2295), "blue", touch=True),
             Rod((0, 0, 0.0), (0, 0, 0.020), 0.196, "blue"),
             Rod((0, 0, 0.020), (0, 0, 0.168), 0.188, "ceramic"),
-            *lumps,
+            *ice,
         ]
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
