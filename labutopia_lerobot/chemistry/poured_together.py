@@ -48,5 +48,5 @@ def solid_at(solutes: Sequence[Solute], crystals: Crystals, ml: float, celsius: 
     """
     volume, inventory = 1e-6 * ml, Inventory.of([solutes], [crystals.species])
     row = inventory.filled(solutes, volume) + inventory.row({crystals.species: crystals.mol})
-    settled, _ = inventory.settled(row, volume, celsius + ZERO_C)
+    settled, _ = inventory.settled(row, volume, celsius + _ZERO)
     return inventory.amounts(settled).get(crystals.species, 0.0)
