@@ -38,8 +38,8 @@ def solid_at(solutes: Sequence[Solute], crystals: Crystals, ml: float, celsius: 
     """Return how much of some crystals is left in a solution in the end, or comes back [mol].
 
     Args:
-        solutes: What is dissolved in the solution beside.
-        crystals: What is put into it.
+        solutes: Others in the solution.
+        crystals: Those that are put into it.
         ml: Its volume [ml].
         celsius: How warm it is [degrees C].
 
