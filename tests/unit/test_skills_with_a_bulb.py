@@ -21,7 +21,8 @@ from labutopia_lerobot.task import Step, Substep, Task
 def bulb():
     pipette = BulbPipette("pipette")
     stands_in = glassware("graduated_cylinder", "5 ml", "holder")
-    source, target = (glassware("beaker_low", "50 ml", name) for name in ("source", "target"))
+    source = glassware("beaker_low", "25 ml", "source")
+    target = glassware("beaker_low", "50 ml", "target")
     held = in_hand(pipette)
     given = received(source, target, low_ml=9.0, high_ml=10.0)  # so that no episode ends before
     grips = (pipette, *pipette.grips)
@@ -99,7 +100,7 @@ def test_a_millilitre_is_one_every_time_within_two_percent(tmp_path, seed):
     env.reset(seed=seed)
     given, before = [], 0.0
     aspirate, dispense = (step.skills[0] for step in env.workcell.task.steps)
-    for _ in range(5):
+    for _ in range(3):  # from less than 7 ml, 9 mm deep, its tip may draw air
         expert = env.workcell.expert((aspirate, dispense))
         expert.start()
         for _ in range(LONGEST):
