@@ -12,7 +12,8 @@ from labutopia_lerobot.world import OpenVessel, World
 class Aspirate:
     """Go over the vessel, press to the first stop, dip, release, wait, lift out.
 
-    A little more than to the stop: the weight of the column keeps back 0.7 % (docs/small_volumes).
+    A little more than to the stop: the weight of the column keeps back 0.7 %, of a bulb 7.5 %
+    (docs/small_volumes).
 
     Attributes:
         pipette: The pipette in the hand.
@@ -38,7 +39,8 @@ class Aspirate:
         rest = world.commanded_opening
         over = held.tip_over(world, vessel, self.clearance)
         yield Phase("over", over, rest, away, own, pipette, timeout_s=10.0)
-        yield from held.press(world, "press", over, (1.0 + self.further) * pipette.stroke)
+        stroke = held.at_rest(world) + (1.0 + self.further) * pipette.stroke
+        yield from held.press(world, "press", over, stroke)
         pressed = world.commanded_opening
         deep = held.tip_over(world, vessel, self.gap - vessel.height)
         yield Phase("dip", deep, pressed, there, held.touches, pipette, speed=0.06)

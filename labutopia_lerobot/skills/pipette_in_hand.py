@@ -29,12 +29,17 @@ class Workable(Pipette, Graspable, Protocol):
 
     @property
     def stroke(self) -> float:
-        """Travel of both grips together to the first stop [m]."""
+        """Travel of both grips together to the first stop, or that displaces as much [m]."""
         ...
 
     @property
     def full_stroke(self) -> float:
-        """Travel of both grips together to the second stop [m]."""
+        """Travel of both grips together to the second stop, or as far as they go [m]."""
+        ...
+
+    @property
+    def stops_at_rest(self) -> bool:
+        """Whether springs keep its grips at a stop while a hand holds it; else it squeezes them."""
         ...
 
 
@@ -61,11 +66,15 @@ class Held:
         hand = carrier(world, self.pipette)(upright_in_hand(world, self.pipette, point))
         return lambda world: hand
 
+    def at_rest(self, world: World) -> float:
+        """Return the travel of both grips together at which the hand holds it now [m]."""
+        return 0.0 if self.pipette.stops_at_rest else self._travel(world)
+
     def press(self, world: World, name: str, target: Target, stroke: float) -> Iterator[Phase]:
         """Yield what brings the travel of both grips together to `stroke` [m] by what it is."""
         shut, still = world.commanded_opening, 0
         for _ in range(_MOST):
-            missing = stroke - sum(world.joint(grip.joint) for grip in self.pipette.grips)
+            missing = stroke - self._travel(world)
             still = still + 1 if abs(missing) < _CLOSE else 0
             if still == _STILL:
                 return
@@ -79,6 +88,9 @@ class Held:
         while shut < rest:
             shut = min(rest, shut + _PRESSING / CONTROL_HZ)
             yield self._worked("release", target, shut)
+
+    def _travel(self, world: World) -> float:
+        return sum(world.joint(grip.joint) for grip in self.pipette.grips)
 
     def _worked(self, name: str, target: Target, shut: float) -> Phase:
         step = waited(0.0)

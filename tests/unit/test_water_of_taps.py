@@ -86,6 +86,8 @@ def test_a_stream_falls_into_the_basin_and_grows_thin_as_it_gets_faster():
     bench.wait(0.1)
     turned = stream(bench, "laboratory_sink_stream")
     assert np.linalg.norm(turned[0][0][:2] - seen[0][0][:2]) > 0.15
+    bench.put(bench.piece.water, 0.0)
+    assert not stream(bench, "laboratory_sink_stream")
 
 
 def test_the_jets_of_an_eyewash_rise_as_high_as_the_standard_wants_and_fall_into_its_bowl():

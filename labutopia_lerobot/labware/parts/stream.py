@@ -55,7 +55,7 @@ class Stream(Process):
             names = [f"{self.name}_{number}_{n}" for n in range(self.lengths)]
             if speed:
                 self._run(apparatus, outlet, speed, names)
-            else:
+            elif apparatus.model.geom(names[0]).rgba[3]:  # it has just run dry
                 for name in names:
                     apparatus.model.geom(name).rgba[3] = 0.0
 

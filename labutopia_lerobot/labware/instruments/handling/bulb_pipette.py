@@ -88,6 +88,21 @@ class BulbPipette(Instrument):
         return self.size[1]
 
     @property
+    def stroke(self) -> float:
+        """Travel of both walls together that displaces 1 ml [m]; no stop marks it."""
+        return 1e-6 / _DISPLACES
+
+    @property
+    def full_stroke(self) -> float:
+        """Travel of both walls together until the bulb is flat [m]."""
+        return 2 * _SQUEEZED
+
+    @property
+    def stops_at_rest(self) -> bool:
+        """Whether springs keep its walls at a stop: a hand that holds it squeezes it a little."""
+        return False
+
+    @property
     def draws_at(self) -> str:
         """Name of the frame at the end of its tip; z the way that liquid leaves."""
         return f"{self.name}_tip"

@@ -89,6 +89,11 @@ class PistonPipette(Instrument):
         return 2 * _SECOND
 
     @property
+    def stops_at_rest(self) -> bool:
+        """Whether springs keep its grips at a stop while a hand holds it."""
+        return True
+
+    @property
     def draws_at(self) -> str:
         """Name of the frame at the end of its tip; z the way that liquid leaves."""
         return f"{self.name}_tip"
