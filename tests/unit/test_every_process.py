@@ -18,6 +18,8 @@ HERE = Path(__file__).parent
 CHECKED_BY = {
     "Balanced": "test_guards_and_timers::test_what_is_uneven_trips_it_and_what_is_even_does_not",
     "CompressedGas": "test_gas_and_pressure::test_a_cylinder_empties_by_what_has_left_it",
+    "ConductivityCell": "test_meters_in_solutions::"
+    "test_the_conductivity_meter_reads_a_standard_and_dashes_in_air",
     "Conveying": "test_transfer_pump::test_it_moves_two_millilitres_with_every_turn_of_its_head",
     "Countdown": "test_guards_and_timers::test_a_knob_with_a_timer_counts_what_it_is_set_to",
     "Dosing": "test_drives::test_a_syringe_pump_gives_what_its_rate_says_until_it_is_stopped",
@@ -35,9 +37,13 @@ CHECKED_BY = {
     "MagneticStirring": "test_drives::test_a_bar_on_a_stirrer_turns_the_water_around_it",
     "PhElectrode": "test_electrodes::"
     "test_after_three_time_constants_it_shows_95_percent_of_a_change",
+    "Photometer": "test_meters_in_solutions::test_absorbance_is_proportional_to_concentration",
+    "Prisms": "test_meters_in_solutions::test_a_drop_is_read_once_the_prisms_are_shut_on_it",
     "Probe": "test_heat::test_a_probe_follows_what_it_is_in_as_a_lag_of_two_seconds",
     "PushButton": "test_push_buttons::test_two_newtons_do_not_click_it_and_three_and_a_half_do",
     "Rocking": "test_drives::test_a_rocking_platform_goes_to_and_fro_as_often_as_it_says",
+    "SolutionSensor": "test_electrodes::"
+    "test_after_three_time_constants_it_shows_95_percent_of_a_change",
     "Squeezing": "test_soft_bodies::test_each_further_stroke_gives_more_and_nothing_returns",
     "Stopwatch": "test_guards_and_timers::test_a_stopwatch_starts_stops_and_is_set_to_zero",
     "Supply": "test_water_of_taps::"
