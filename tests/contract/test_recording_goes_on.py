@@ -77,7 +77,7 @@ def test_stopped_while_assembling_it_resumes(filmed: Path, tmp_path: Path) -> No
 @pytest.mark.parametrize(
     "moved",
     [
-        ["videos"],
+        pytest.param(["videos"], marks=pytest.mark.slow),
         pytest.param(["videos", "data"], marks=pytest.mark.slow),
         ["videos", "data", "meta"],
     ],

@@ -104,15 +104,16 @@ def is_long(task: str, liquid: str) -> bool:
 
 @pytest.hookimpl(tryfirst=True)  # before pytest selects by marks
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark as slow what plays more episodes in tasks that are not one of each level."""
+    """Mark as slow what draws, or plays more episodes, in tasks that are not one of each level."""
     here = Path(__file__).parent
     for item in items:
         if item.path.parent == here and isinstance(item, pytest.Function):
             played = getattr(item, "callspec", None)
-            if played is None or "check" not in played.params:
+            if played is None or "env" not in played.params:
                 continue
-            (task, liquid), check = played.params["env"], played.params["check"]
-            more = check in MORE_EPISODES and task not in ONE_OF_EACH_LEVEL
+            (task, liquid), check = played.params["env"], played.params.get("check")
+            draws = check is None  # both cameras show what is picked
+            more = (draws or check in MORE_EPISODES) and task not in ONE_OF_EACH_LEVEL
             long = check in WHOLE_EPISODE | MORE_EPISODES and is_long(task, liquid)
             if check in TEN_EPISODES or more or long:
                 item.add_marker(pytest.mark.slow)
