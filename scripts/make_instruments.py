@@ -28,12 +28,13 @@ _OPENED = 0.9
 
 def main() -> None:
     """Write the page and its pictures."""
-    PAGE.write_text(page())
     PICTURES.mkdir(exist_ok=True)
-    for file in PICTURES.glob("*.jpg"):
-        file.unlink()
     for kind in catalogue():
         picture(kind).save(PICTURES / f"{kind}.jpg", quality=78, optimize=True)
+    for file in PICTURES.glob("*.jpg"):
+        if file.stem not in catalogue():
+            file.unlink()
+    PAGE.write_text(page())
 
 
 def page() -> str:
