@@ -153,6 +153,17 @@ def test_what_a_task_fills_into_a_sink_runs_into_the_vessel_under_its_neck_and_t
     assert simulation.scene.model.geom("it_stream_0_0").rgba[3] == 0.0  # liquid is drawn by itself
 
 
+def test_it_goes_on_bit_for_bit_from_a_saved_state():
+    simulation = at_a_sink({SINK: Filling(ml=ML)})
+    run(simulation, 0.4, 0.2)
+    saved = simulation.state()
+    run(simulation, 0.4, 0.2)
+    once = simulation.state()
+    simulation.restore(saved)
+    run(simulation, 0.4, 0.2)
+    assert simulation.state().tobytes() == once.tobytes()
+
+
 def test_a_tap_that_no_task_has_filled_fills_nothing():
     simulation = at_a_sink({BEAKER: Filling(ml=ML)})
     run(simulation, 1.0, 0.5)
