@@ -176,7 +176,7 @@ def parking(name: str, way: Parking, hand: InHand, within: float = 0.01) -> Phas
     Args:
         name: Of the phase.
         way: To the place.
-        hand: What is in it.
+        hand: Opening, load and touches of the hand.
         within: How near the base comes [m].
     """
 
