@@ -11,6 +11,8 @@ from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 _PULL = 2.0
 """Speed of the last bit per distance that is left [1/s]; ours, as in `tracking`."""
+_NEAR, _NEAR_ROLLING = 0.01, 0.03
+"""How near it comes, and how near if it cannot go sideways [m]; ours: docks are 0.2 m apart."""
 _STRAIGHT = 0.15
 """Distance from the end within which a base that cannot go sideways is steered ever less [m]; ours.
 """
@@ -31,6 +33,11 @@ class Parking:
         self._position, self._yaw, self._limits = position, yaw, limits
         self._velocity_w: FloatArray = np.zeros(2)
         self._turning = 0.0
+
+    @property
+    def near(self) -> float:
+        """How near to the place it surely comes [m]."""
+        return _NEAR if self._limits.sideways else _NEAR_ROLLING
 
     def velocity(self, position: FloatArray, yaw: float) -> FloatArray:
         """Return the velocity of the next control period, base frame, shape (3,).

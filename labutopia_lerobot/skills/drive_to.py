@@ -46,8 +46,7 @@ class DriveTo:
         position, yaw = base_at(world)
         if not way.planner.free(position):
             out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
-            near = 0.01 if way.limits.sideways else 0.03
-            yield parking("leave", Parking(out, yaw, way.limits), hand, within=near)
+            yield parking("leave", Parking(out, yaw, way.limits), hand)
         driver = Driver(way, self.thing, world)
 
         def there(world: World, target: Pose, elapsed: float) -> bool:

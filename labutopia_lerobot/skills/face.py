@@ -10,8 +10,6 @@ from labutopia_lerobot.world import Thing, World
 
 _IN = 0.4
 """Share of the base's speeds with which it goes in; ours: centimetres before furniture."""
-_ASIDE = 0.03
-"""How near to the place a base docks that cannot go sideways [m]; ours: docks are 0.2 m apart."""
 
 
 @dataclass(frozen=True)
@@ -33,5 +31,4 @@ class Face:
         yield parking("turn", Parking(base_at(world)[0], dock.yaw, limits), hand)
         if limits.sideways:
             yield parking("line up", Parking(dock.before, dock.yaw, limits), hand)
-        near = 0.01 if limits.sideways else _ASIDE
-        yield parking("dock", Parking(dock.position, dock.yaw, limits), hand, within=near)
+        yield parking("dock", Parking(dock.position, dock.yaw, limits), hand)

@@ -170,19 +170,12 @@ def in_hand(world: World, thing: Thing | None) -> InHand:
     return InHand(opening=world.commanded_opening, touches=frozenset({thing.name}), holds=thing)
 
 
-def parking(name: str, way: Parking, hand: InHand, within: float = 0.01) -> Phase:
-    """Return the phase in which the base goes straight to a place and stops there, arm stowed.
-
-    Args:
-        name: Of the phase.
-        way: To the place.
-        hand: Thing in it, if any.
-        within: How near the base comes [m].
-    """
+def parking(name: str, way: Parking, hand: InHand) -> Phase:
+    """Return the phase in which the base goes straight to a place and stops there, arm stowed."""
 
     def there(world: World, target: Pose, elapsed: float) -> bool:
         still = bool(np.abs(world.base_velocity).max() < AT_REST)
-        return still and way.arrived(*base_at(world), within=within, within_rad=0.015)
+        return still and way.arrived(*base_at(world), within=way.near, within_rad=0.015)
 
     return Phase(
         name,
