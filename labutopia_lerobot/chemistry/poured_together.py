@@ -8,8 +8,9 @@ from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute
 from labutopia_lerobot.chemistry.speciation import ph_of
 
-_ROOM, _ZERO = 20.0, 273.15
-"""Temperature of the room [degrees C], and 0 degrees C [K]."""
+_ZERO_C = 273.15
+_ROOM = 20.0
+"""Temperature of the room [degrees C]."""
 
 
 def ph_together(
@@ -29,7 +30,7 @@ def ph_together(
     rows = [inventory.filled(solutes, volume) for solutes, volume in held]
     total = sum(volume for _, volume in held)
     settled, _ = inventory.settled(
-        np.sum(rows, axis=0), total, (_ROOM if celsius is None else celsius) + _ZERO
+        np.sum(rows, axis=0), total, (_ROOM if celsius is None else celsius) + _ZERO_C
     )
     return ph_of(inventory.amounts(settled), total)
 
@@ -38,8 +39,8 @@ def solid_at(solutes: Sequence[Solute], crystals: Crystals, ml: float, celsius: 
     """Return how much of some crystals is left in a solution in the end, or comes back [mol].
 
     Args:
-        solutes: Others in the solution.
-        crystals: Those that are put into it.
+        solutes: Those of the solution.
+        crystals: Those that lie in it.
         ml: Its volume [ml].
         celsius: How warm it is [degrees C].
 
@@ -48,5 +49,5 @@ def solid_at(solutes: Sequence[Solute], crystals: Crystals, ml: float, celsius: 
     """
     volume, inventory = 1e-6 * ml, Inventory.of([solutes], [crystals.species])
     row = inventory.filled(solutes, volume) + inventory.row({crystals.species: crystals.mol})
-    settled, _ = inventory.settled(row, volume, celsius + _ZERO)
+    settled, _ = inventory.settled(row, volume, celsius + _ZERO_C)
     return inventory.amounts(settled).get(crystals.species, 0.0)
