@@ -109,6 +109,7 @@ def test_a_person_would_fail(env: LabEnv, play: Play, outcomes: set[str]):
     assert outcome(env, play, 0)["outcome"] in outcomes
 
 
+@pytest.mark.slow
 def test_who_never_halts_has_not_arrived(env: LabEnv):
     def by(env: LabEnv) -> Actions:
         yield from until_phase(env, "driveto/drive")

@@ -67,6 +67,7 @@ def test_tasks_recorded_together_are_one_dataset(together: Path) -> None:
     assert [setting.task for setting in settings if setting is not None] == TASKS
 
 
+@pytest.mark.slow
 def test_their_frames_are_those_of_each_task_alone(together: Path, apart: Path) -> None:
     frames = read_frames(together)
     for row, task in zip(read_episodes(together), TASKS, strict=True):

@@ -15,7 +15,7 @@ FILES = dict(re.findall(r"`(my_tasks/\S+\.py)`:\n\n```python\n(.*?)```", PAGE, r
 CONSOLES = re.findall(r"```console\n(.*?)```", PAGE, re.DOTALL)
 
 SLOW = "labutopia-(check|record|eval)"
-"""Blocks with these take ten seconds or more."""
+"""Blocks with these take ten seconds or more; of the others `make test` runs the first ones."""
 
 SMALL = ["--headless", "--width", "32", "--height", "32"]
 """What a display would show at real time is drawn small here; no outcome depends on it."""
@@ -55,8 +55,8 @@ def test_the_first_file_is_the_example_of_the_readme():
 @pytest.mark.parametrize(
     "console",
     [
-        pytest.param(text, marks=[pytest.mark.slow] if re.search(SLOW, text) else [])
-        for text in CONSOLES
+        pytest.param(text, marks=[pytest.mark.slow] if n > 3 or re.search(SLOW, text) else [])
+        for n, text in enumerate(CONSOLES)
     ],
     ids=[re.sub(r"\W+", "_", text.splitlines()[-1])[:40] for text in CONSOLES],
 )

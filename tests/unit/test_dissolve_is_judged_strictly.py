@@ -38,7 +38,7 @@ def test_without_liquid_it_is_refused() -> None:
         LabEnv(Setting(TASK, obs="state", liquid="off"))
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in (1, 2))])
 @pytest.mark.parametrize("split", ["id", "ood"])
 def test_waiting_until_the_time_is_up_leaves_crystals(split: str, seed: int) -> None:
     limit = begun(TASK).workcell.task.time_limit_s

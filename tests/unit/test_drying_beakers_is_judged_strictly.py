@@ -66,6 +66,7 @@ def test_a_beaker_that_touches_the_other_or_a_wall_does_not_stand_free(env, afte
     assert play_on(env, SEED, after, choose)["outcome"] == "struck"
 
 
+@pytest.mark.slow
 def test_a_beaker_six_centimetres_off_is_not_where_it_should_be(env):
     info = play_on(env, SEED, "4_pick", lambda skills: [moved(skills[0], left=0.06)])
     assert info["outcome"] == "running"
@@ -95,6 +96,7 @@ def test_a_beaker_two_centimetres_off_will_do(env):
     assert play_on(env, SEED, "4_pick", choose)["outcome"] == "success"
 
 
+@pytest.mark.slow
 def test_a_door_may_be_closed_in_two_goes(env):
     def choose(skills):
         go, close = skills
