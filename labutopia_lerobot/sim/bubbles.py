@@ -86,11 +86,12 @@ class Bubbles(Process):
         mine = slice(first, first + _RISING + _FOAM)
         opacities = apparatus.model.geom_rgba[mine, 3]
         opacities[:] = 0.0
-        if held is None or rate <= _LEAST:
+        if held is None:
             return
         profile, rim = self.vessel.profile, apparatus.site(f"{self.vessel.name}_rim")
         level = profile.bottom + profile.depth(held.volume)
-        rising = math.ceil(_RISING * min(1.0, math.sqrt(rate / _DENSEST)))
+        dense = math.sqrt(rate / _DENSEST) if rate > _LEAST else 0.0
+        rising = math.ceil(_RISING * min(1.0, dense))
         frothing = min(_FOAM, int(foam * _PACKED / (4 / 3 * math.pi * _FROTH**3)))
         opacities[:rising] = opacities[_RISING : _RISING + frothing] = _OPACITY
         across = profile.inner_radius(level) - _FROTH
