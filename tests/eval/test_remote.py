@@ -256,13 +256,15 @@ def test_a_lerobot_server_that_is_slow_and_then_stops(
 ) -> None:
     folder = save_checkpoint(cameras=("front",))
     address, server = lerobot_server(inference_latency=0.5)
-    options = {"actions": 1, "patience": 0.05, "timeout": 1.5}
-    policy, observation = started(over_lerobot(address, folder, **options), LabEnv(PIXELS))
-    first = policy.act(observation)
+    slow = over_lerobot(address, folder, actions=1, patience=0.05)
+    policy, observation = started(slow, LabEnv(PIXELS))
+    first = policy.act(observation)  # the server loads the checkpoint first
     assert (policy.act(observation) == first).all(), "it holds its position"
+    hasty = over_lerobot(address, folder, patience=0.05, timeout=0.5)
+    impatient, observation = started(hasty, LabEnv(PIXELS))
     server.stop(None)
     with pytest.raises(PolicyUnreachable):
-        act_often(policy, observation)
+        impatient.act(observation)
 
 
 def test_what_lerobots_server_cannot_load_is_reported(lerobot_server: Start) -> None:
