@@ -12,7 +12,6 @@ import pytest
 from attacks.plays import (
     FAILING,
     PASSING,
-    SEEDS,
     Play,
     begun,
     drop,
@@ -26,6 +25,7 @@ from labutopia_lerobot.registry import task_files
 FEW = ("level1/open_drawer", "level1/pick", "level1/press")
 """A mechanism, a thing that is taken, a button: what the other tasks are made of."""
 DRY = [pytest.param(task, marks=[] if task in FEW else [pytest.mark.slow]) for task in task_files()]
+SEEDS = [pytest.param((0,), id="0"), pytest.param(range(1, 5), id="1-4", marks=pytest.mark.slow)]
 WET = [
     pytest.param(task, marks=[] if task == "level1/pour" else [pytest.mark.slow])
     for task in task_files()
@@ -79,30 +79,34 @@ def judged(env: LabEnv, play: Play, seed: int) -> str:
 def check_failure(env: LabEnv, play: Play, seed: int) -> None:
     """Check that a play is not won, and that a ram into the bench is reported as what it is."""
     reported = judged(env, play, seed)
-    assert reported != "success"
+    assert reported != "success", seed
     if play is ram_the_bench:
-        assert reported not in {"running", "timeout", "interrupted"}
+        assert reported not in {"running", "timeout", "interrupted"}, seed
 
 
 @pytest.mark.parametrize("play", FAILING, ids=lambda play: play.__name__)
-@pytest.mark.parametrize("seed", SEEDS)
-def test_a_person_would_fail(env: LabEnv, play: Play, seed: int):
-    check_failure(env, play, seed)
+@pytest.mark.parametrize("seeds", SEEDS)
+def test_a_person_would_fail(env: LabEnv, play: Play, seeds: Sequence[int]):
+    for seed in seeds:
+        check_failure(env, play, seed)
 
 
 @pytest.mark.parametrize("play", PASSING, ids=lambda play: play.__name__)
-@pytest.mark.parametrize("seed", SEEDS)
-def test_a_person_would_pass(env: LabEnv, play: Play, seed: int):
-    assert outcome(env, play, seed)["outcome"] == "success"
+@pytest.mark.parametrize("seeds", SEEDS)
+def test_a_person_would_pass(env: LabEnv, play: Play, seeds: Sequence[int]):
+    for seed in seeds:
+        assert outcome(env, play, seed)["outcome"] == "success", seed
 
 
 @pytest.mark.parametrize("play", few(FAILING), ids=lambda play: play.__name__)
-@pytest.mark.parametrize("seed", SEEDS)
-def test_a_person_would_fail_with_liquid(wet: LabEnv, play: Play, seed: int):
-    check_failure(wet, play, seed)
+@pytest.mark.parametrize("seeds", SEEDS)
+def test_a_person_would_fail_with_liquid(wet: LabEnv, play: Play, seeds: Sequence[int]):
+    for seed in seeds:
+        check_failure(wet, play, seed)
 
 
 @pytest.mark.parametrize("play", few(PASSING), ids=lambda play: play.__name__)
-@pytest.mark.parametrize("seed", SEEDS)
-def test_a_person_would_pass_with_liquid(wet: LabEnv, play: Play, seed: int):
-    assert outcome(wet, play, seed)["outcome"] == "success"
+@pytest.mark.parametrize("seeds", SEEDS)
+def test_a_person_would_pass_with_liquid(wet: LabEnv, play: Play, seeds: Sequence[int]):
+    for seed in seeds:
+        assert outcome(wet, play, seed)["outcome"] == "success", seed

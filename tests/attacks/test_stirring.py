@@ -170,7 +170,7 @@ UNDONE = (
     slow("level1/stir", along(crescent()), "on", "running or timeout"),
     slow("level1/stir", along(line()), "off", "running or timeout"),
     slow("level1/stir", along(eight()), "off", "running or timeout"),
-    ("level1/stir", along(arc(6.0, radius=0.0015)), "off", "running or timeout"),
+    slow("level1/stir", along(arc(6.0, radius=0.0015)), "off", "running or timeout"),
     ("level1/stir", circled(4.0, 135.0), "off", "interrupted or running or timeout"),
     ("level1/stir", circled(5.2, 0.0, higher=0.025), "off", "running or timeout"),
 )
@@ -181,8 +181,8 @@ PASSING = (
     slow("level1/stir", circled(-5.2, 45.0), "off"),
     slow("level1/stir", circled(-5.2, 45.0), "on"),
     slow("level1/stir", along(WITH_A_PAUSE), "off"),
-    ("level1/stir", along(BOTH_WAYS), "off"),
-    ("level1/stir", near_the_wall(0.75), "off"),
+    slow("level1/stir", along(BOTH_WAYS), "off"),
+    slow("level1/stir", near_the_wall(0.75), "off"),
     ("level1/stir", brush_the_wall, "off"),
     slow("level1/stir", along(EGG), "off"),
 )

@@ -20,6 +20,7 @@ def digest(file: Path) -> str:
     return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("renderer", ["classic", pytest.param("filament", marks=needs_vulkan)])
 def test_the_same_command_gives_the_same_bytes_and_another_seed_others(tmp_path, capsys, renderer):
     for name, seed in (("a", 0), ("b", 0), ("c", 1)):

@@ -67,6 +67,7 @@ def test_policies_get_pictures_channels_first_and_the_right_types() -> None:
     assert state["observation.environment_state"].type is FeatureType.ENV
 
 
+@pytest.mark.slow
 def test_importing_the_plugin_imports_no_mujoco() -> None:
     program = (
         "import sys, lerobot_env_labutopia;"

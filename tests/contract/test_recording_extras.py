@@ -152,6 +152,7 @@ def test_what_lerobot_keeps_of_them_it_keeps_bit_for_bit(sensed: Path, tmp_path:
     assert kept.meta.depth_keys == [DEPTH]
 
 
+@pytest.mark.slow
 def test_a_dataset_without_them_can_be_drawn_with_them(picked: Path, tmp_path: Path) -> None:
     size: dict[str, Any] = {"width": 64, "height": 48, "cameras": ["top"]}
     with pytest.raises(UserError, match="has no forces"):

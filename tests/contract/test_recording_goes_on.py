@@ -38,6 +38,7 @@ def test_killed_while_playing_it_resumes_without_loss(picked: Path, tmp_path: Pa
     assert_same_dataset(picked, root)
 
 
+@pytest.mark.slow
 def test_workers_end_when_the_recorder_is_killed(tmp_path: Path) -> None:
     root = tmp_path / "dataset"
     arguments = ["task=level1/pick", "obs=state", "episodes=1000", f"root={root}", "workers=1"]
@@ -67,6 +68,7 @@ def wait_until(condition: Callable[[], bool], seconds: float = 60.0) -> None:
         time.sleep(0.02)
 
 
+@pytest.mark.slow
 def test_stopped_while_assembling_it_resumes(filmed: Path, tmp_path: Path) -> None:
     root = tmp_path / "dataset"
     with pytest.raises(StoppedError):
@@ -74,13 +76,9 @@ def test_stopped_while_assembling_it_resumes(filmed: Path, tmp_path: Path) -> No
     assert_same_dataset(filmed, recording(root, *FILM))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
-    "moved",
-    [
-        pytest.param(["videos"], marks=pytest.mark.slow),
-        pytest.param(["videos", "data"], marks=pytest.mark.slow),
-        ["videos", "data", "meta"],
-    ],
+    "moved", [["videos"], ["videos", "data"], ["videos", "data", "meta"]], ids="-".join
 )
 def test_killed_while_moving_it_resumes(
     moved: list[str], filmed: Path, tmp_path: Path, stopped: Path

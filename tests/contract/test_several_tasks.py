@@ -57,6 +57,7 @@ def apart(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return root
 
 
+@pytest.mark.slow
 def test_tasks_recorded_together_are_one_dataset(together: Path) -> None:
     assert verify(together) == Verdict([], [])
     dataset = LeRobotDataset("local/together", root=together)

@@ -55,7 +55,7 @@ def test_the_first_file_is_the_example_of_the_readme():
 @pytest.mark.parametrize(
     "console",
     [
-        pytest.param(text, marks=[pytest.mark.slow] if n > 3 or re.search(SLOW, text) else [])
+        pytest.param(text, marks=[pytest.mark.slow] if n > 2 or re.search(SLOW, text) else [])
         for n, text in enumerate(CONSOLES)
     ],
     ids=[re.sub(r"\W+", "_", text.splitlines()[-1])[:40] for text in CONSOLES],

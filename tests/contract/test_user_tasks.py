@@ -46,6 +46,7 @@ def test_its_expert_succeeds_in_the_environment(tasks_dir):
     assert info["outcome"] == "success"
 
 
+@pytest.mark.slow
 def test_the_evaluator_plays_it_from_the_command_line(tasks_dir, tmp_path):
     out = tmp_path / "result"
     command = [

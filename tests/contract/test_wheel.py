@@ -56,6 +56,7 @@ def test_the_table_of_compounds_is_in_the_wheel(site, tmp_path):
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.slow
 def test_recording_from_an_empty_folder_leaves_a_dataset_and_nothing_else(site, tmp_path):
     code = (
         "import sys, labutopia_lerobot; from labutopia_lerobot.cli.record import main\n"

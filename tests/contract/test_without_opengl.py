@@ -23,6 +23,7 @@ def test_state_is_recorded_without_opengl(tmp_path, backend):
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.slow
 def test_pixels_without_opengl_are_a_clear_error(tmp_path):
     done = record("pixels", tmp_path / "pick", "disable")
     assert done.returncode == 2

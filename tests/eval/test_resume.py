@@ -140,6 +140,7 @@ def test_only_missing_episodes_are_played(unfinished: Path) -> None:
     assert rows[1]["seconds"] < 99.0
 
 
+@pytest.mark.slow
 def test_half_a_row_is_dropped_and_played_again(unfinished: Path) -> None:
     file = unfinished / "rows.jsonl"
     whole = file.read_text()
@@ -236,6 +237,7 @@ def test_rows_of_nobody_knows_what_are_refused(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["rows.jsonl"]
 
 
+@pytest.mark.slow
 def test_the_actions_of_an_earlier_run_are_kept_and_filmed(
     unfinished: Path, tmp_path: Path
 ) -> None:

@@ -113,6 +113,7 @@ def test_a_policy_of_pictures_is_played_and_the_renderer_is_named(
     assert result["provenance"]["renderer"]
 
 
+@pytest.mark.slow
 def test_a_mistake_of_the_users_in_a_worker_stops_the_run_in_one_place(
     evaluate_program: Program, tmp_path: Path
 ) -> None:

@@ -135,6 +135,7 @@ def test_a_step_alone_begins_in_the_very_state_in_which_its_policy_takes_over() 
         np.testing.assert_array_equal(alone[key], values)
 
 
+@pytest.mark.slow
 def test_a_step_alone_is_counted_by_itself(tmp_path: Path) -> None:
     rows = evaluated(tmp_path / "open", step="open", episodes=1)[0]["rows"]
     rows += evaluated(tmp_path / "close", step="close", episodes=1)[0]["rows"]

@@ -44,7 +44,7 @@ MORE_EPISODES: set[Check] = {
     training_and_evaluation_splits_share_no_scene,
 }
 """Episodes beside the one that all other checks look at: `make test` plays them in one task of
-each level, `make test-slow` in all others."""
+each of the first levels, `make test-slow` in all others."""
 
 WHOLE_EPISODE: set[Check] = {
     *experts.CHECKS,
@@ -59,10 +59,9 @@ LONG_S = 60.0
 LONGEST_S = 150.0
 """Time limit above which it takes as long without liquid [s]: `make test-slow` plays it."""
 
+ONE_OF_THE_FIRST_LEVELS = ("level1/pick", "level2/pour_liquid", "level3/pick_sizes")
 ONE_OF_EACH_LEVEL = (
-    "level1/pick",
-    "level2/pour_liquid",
-    "level3/pick_sizes",
+    *ONE_OF_THE_FIRST_LEVELS,
     "level4/clean_beaker",
     "level5/navigation_and_manipulation",
 )
@@ -113,7 +112,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
                 continue
             (task, liquid), check = played.params["env"], played.params.get("check")
             draws = check is None  # both cameras show what is picked
-            more = (draws or check in MORE_EPISODES) and task not in ONE_OF_EACH_LEVEL
+            played_more = ONE_OF_EACH_LEVEL if draws else ONE_OF_THE_FIRST_LEVELS
+            more = (draws or check in MORE_EPISODES) and task not in played_more
             long = check in WHOLE_EPISODE | MORE_EPISODES and is_long(task, liquid)
             if check in TEN_EPISODES or more or long:
                 item.add_marker(pytest.mark.slow)

@@ -115,6 +115,7 @@ def test_a_finger_that_stays_on_the_button_is_not_away(env):
     assert info["facts"]["oven_switch on"]
 
 
+@pytest.mark.slow
 def test_a_button_may_be_pressed_with_two_fingers_and_for_long(env):
     def choose(skills):
         go, press = skills

@@ -89,6 +89,7 @@ def test_an_oven_that_is_left_open_dries_nothing(env):
     assert not np.isfinite(info["substeps"]["6_close/moved"])
 
 
+@pytest.mark.slow
 def test_a_beaker_two_centimetres_off_will_do(env):
     def choose(skills):
         return [moved(skills[0], left=0.02, inward=0.01), *skills[1:]]

@@ -142,6 +142,7 @@ def test_what_is_uneven_trips_it_and_what_is_even_does_not(grams, even):
     assert (text == "UNBALANCED") is not even
 
 
+@pytest.mark.slow
 def test_water_counts_for_its_balance():
     assert not balanced(spun({}, {0: 10.0, 6: 1.0}))
     assert balanced(spun({}, {0: 6.0, 6: 6.0}))

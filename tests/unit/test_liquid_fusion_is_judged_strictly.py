@@ -73,6 +73,7 @@ def test_less_than_four_fifths_of_a_liquid_is_not_poured(monkeypatch):
 POURED = "80 % of what was in {0} poured out of {0} into large_beaker"
 
 
+@pytest.mark.slow
 def test_one_liquid_does_not_count_for_another(monkeypatch):
     env = shortened(monkeypatch, 50.0, particles=150)
     skills = env.workcell.task.skills[:6]

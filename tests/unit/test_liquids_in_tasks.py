@@ -162,7 +162,7 @@ def test_a_solver_that_diverges_ends_the_episode_and_reports_no_nonsense(env, po
 
 def test_another_substance_weighs_and_flows_otherwise(monkeypatch):
     weights = {}
-    for name in (*DYES, "mercury", "diethyl ether"):
+    for name in (next(iter(DYES)), "mercury", "diethyl ether"):
         task = canonical_task(Setting("level1/pour"))
         task = replace(task, contents={next(iter(task.start)): Filling(100, name)})
         env = begun_with("level1/pour", task, monkeypatch, particles=100)

@@ -20,6 +20,7 @@ def test_without_liquid_it_is_refused():
         LabEnv(Setting("level2/pour_to_mass", obs="state", liquid="off"))
 
 
+@pytest.mark.slow
 def test_three_grams_too_much_are_overshot(env):
     tare, pick, pour, _ = env.workcell.task.skills
     info = play(env, tare, pick, replace(pour, amount=pour.amount + 4.0))

@@ -83,6 +83,7 @@ def test_the_unspoilt_expert_succeeds(env):
     assert squeezed(env, bottle) >= 20.0
 
 
+@pytest.mark.slow
 def test_a_bottle_of_glass_gives_nothing(env, monkeypatch):
     (bottle, region), (beaker, place) = env.workcell.task.start.items()
     rigid = replace(bottle, material=replace(bottle.material, young=GLASS))
@@ -103,6 +104,7 @@ def test_half_of_it_is_not_enough(env):
     assert info["substeps"]["dispensed"] == np.inf
 
 
+@pytest.mark.slow
 def test_two_small_strokes_are_as_good_as_one(env):
     bottle, _ = things(env)
     small = [Squeeze(bottle, amount_ml=amount, deep=0.045) for amount in (12.0, 21.0)]
@@ -118,6 +120,7 @@ def test_air_that_is_squeezed_gives_nothing(env):
     assert squeezed(env, bottle) == 0.0
 
 
+@pytest.mark.slow
 def test_a_hand_that_does_not_let_go_has_not_finished(env):
     bottle, _ = things(env)
     info = play(env, Clutch(bottle, amount_ml=21.0))

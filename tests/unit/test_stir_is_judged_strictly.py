@@ -136,6 +136,7 @@ def test_a_rod_let_go_in_the_beaker_fails(env):
     assert info["outcome"] in {"interrupted", "dropped", "struck", "broken"}
 
 
+@pytest.mark.slow
 def test_a_rod_four_centimetres_above_the_beaker_is_not_withdrawn(env):
     info = play(env, replace(stir(env), clearance=0.04))
     assert info["outcome"] == "running"
@@ -149,6 +150,7 @@ def test_a_rod_let_go_after_one_and_a_half_seconds_is_dropped(env):
     assert info["outcome"] == "dropped"
 
 
+@pytest.mark.slow
 def test_a_rod_carried_away_from_the_beaker_is_not_held_over_it(env):
     info = play(env, spoil=turning(0.2, "stir/hold", joint=0))
     assert info["outcome"] == "running"
@@ -156,6 +158,7 @@ def test_a_rod_carried_away_from_the_beaker_is_not_held_over_it(env):
     assert info["facts"]["glass_rod gripped"]
 
 
+@pytest.mark.slow
 def test_the_unspoilt_skills_succeed_from_the_rack(from_the_rack):
     assert play(from_the_rack)["outcome"] == "success"
 

@@ -66,6 +66,7 @@ def test_it_moves_two_millilitres_with_every_turn_of_its_head(simulation):
     assert simulation.account.counts.sum() == 600
 
 
+@pytest.mark.slow
 def test_it_runs_dry_where_its_hose_ends(simulation):
     run(simulation, 300.0, 10.0)  # 100 ml, of 60
     left = inside(simulation, "source")

@@ -139,8 +139,8 @@ def test_distractors_find_a_place_beside_an_open_door():
 )
 def test_the_expert_copes(split, axes):
     env = begun(PICK, split=split, axes=axes)
-    outcomes = [play(env, seed=seed)["outcome"] for seed in range(5)]
-    assert outcomes == ["success"] * 5
+    outcomes = [play(env, seed=seed)["outcome"] for seed in range(3)]
+    assert outcomes == ["success"] * 3
 
 
 def test_an_axis_that_does_not_exist_is_refused_before_anything_is_compiled():
