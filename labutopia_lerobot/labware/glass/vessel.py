@@ -141,7 +141,7 @@ class Vessel(Loose):
         """Inner radius of the mouth [m]."""
         return self.profile.inner_radius(self.height)
 
-    @property
+    @cached_property
     def footprint_radius(self) -> float:
         """Radius of the circle around its axis that it needs on the bench [m]: its largest."""
         arms = (np.hypot(*form.shell()[0][:, :2].T).max() for form in self.joined)
