@@ -76,12 +76,19 @@ def episodes(
         ),
     ],
 )
+@pytest.mark.parametrize(
+    "batches",
+    [
+        pytest.param([(4, False), (4, True)], id="of_all"),
+        pytest.param([(2, False), (1, True), (2, True)], id="of_fewer", marks=pytest.mark.slow),
+    ],
+)
 def test_an_episode_is_the_same_bit_for_bit_in_every_batch_and_process(
-    options: dict[str, Any],
+    options: dict[str, Any], batches: list[tuple[int, bool]]
 ) -> None:
     alone = episodes(1, False, STEPS, **options)
     assert not np.array_equal(alone[0][0], alone[1][1])
-    for batch, asynchronous in [(2, False), (4, False), (1, True), (2, True), (4, True)]:
+    for batch, asynchronous in batches:
         together = episodes(batch, asynchronous, STEPS, **options)
         for seed in SEEDS:
             pairs = zip(alone[seed], together[seed], strict=True)

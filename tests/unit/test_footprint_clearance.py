@@ -31,7 +31,7 @@ def test_it_is_the_distance_of_the_nearest_points_of_both(occupancy):
     things = cKDTree((middles[:, None] + grid).reshape(-1, 2))
     x, y = np.meshgrid(np.linspace(-0.48, 0.48, 97), np.linspace(-0.3965, 0.3965, 81))
     rng, far = np.random.default_rng(0), 0
-    for _ in range(60):
+    for _ in range(30):
         position, yaw = rng.uniform((0.0, 0.0), (4.5, 4.0)), rng.uniform(-math.pi, math.pi)
         c, s = math.cos(yaw), math.sin(yaw)
         own = np.column_stack([(c * x - s * y).ravel(), (s * x + c * y).ravel()]) + position
@@ -42,7 +42,7 @@ def test_it_is_the_distance_of_the_nearest_points_of_both(occupancy):
             far += 1
         elif expected < 0.001:
             assert found < 0.02
-    assert far > 10
+    assert far > 5
 
 
 def test_a_base_before_a_bench_is_as_far_from_it_as_it_stands(occupancy):
