@@ -29,6 +29,8 @@ CHECKED_BY = {
     "Drive": "test_drives::test_it_reaches_the_set_speed_along_its_ramp_reads_it_and_stops",
     "Drying": "test_gas_and_pressure::"
     "test_silica_gel_dries_a_shut_cabinet_and_an_open_door_undoes_it",
+    "EvacuatedChamber": "test_evacuation::"
+    "test_a_pump_evacuates_it_exponentially_towards_its_end_vacuum",
     "Fan": "test_drives::test_a_fan_moves_the_air_as_a_lag_of_three_seconds",
     "HeatExchange": "test_heat::test_what_is_supplied_is_in_the_things_or_was_lost",
     "Latched": "test_drives::test_a_syringe_pump_gives_what_its_rate_says_until_it_is_stopped",
