@@ -34,6 +34,8 @@ CHECKED_BY = {
     "Fan": "test_drives::test_a_fan_moves_the_air_as_a_lag_of_three_seconds",
     "HeatExchange": "test_heat::test_what_is_supplied_is_in_the_things_or_was_lost",
     "Latched": "test_drives::test_a_syringe_pump_gives_what_its_rate_says_until_it_is_stopped",
+    "LiquidNitrogen": "test_liquid_nitrogen::"
+    "test_open_it_boils_off_by_what_the_room_radiates_down_its_neck_as_well",
     "Lock": "test_guards_and_timers::"
     "test_a_shut_centrifuge_opens_only_after_its_latch_is_pressed_at_a_standstill",
     "MagneticStirring": "test_drives::test_a_bar_on_a_stirrer_turns_the_water_around_it",
