@@ -1,4 +1,4 @@
-"""Liquid nitrogen: it boils off by the heat that gets in, and what is let down into it gets cold."""
+"""Liquid nitrogen: it boils off by the heat that gets in; what is let down into it gets cold."""
 
 import math
 
