@@ -23,6 +23,7 @@ CHECKED_BY = {
     "Conveying": "test_transfer_pump::test_it_moves_two_millilitres_with_every_turn_of_its_head",
     "Countdown": "test_guards_and_timers::test_a_knob_with_a_timer_counts_what_it_is_set_to",
     "Dosing": "test_drives::test_a_syringe_pump_gives_what_its_rate_says_until_it_is_stopped",
+    "Drain": "test_drains::test_a_basin_empties_as_torricelli_has_it",
     "Draining": "test_stopcocks::test_it_empties_in_the_time_that_head_and_bore_say",
     "Drawing": "test_bulb_pipettes::"
     "test_what_it_takes_in_is_what_the_bulb_displaced_less_what_the_column_stretches",

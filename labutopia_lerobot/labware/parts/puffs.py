@@ -23,7 +23,7 @@ _GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
 
 @dataclass(frozen=True)
 class Puffs:
-    """What is seen of vapour that leaves a mouth.
+    """The visible part of vapour that leaves a mouth.
 
     Attributes:
         name: Beginning of the names of its geoms.

@@ -73,7 +73,7 @@ class NitrogenDewar(Instrument):
 
     @property
     def nitrogen(self) -> LiquidNitrogen:
-        """What is left of it, and its level."""
+        """The nitrogen that is left, and its level."""
         half = _INSIDE / 2
         zone = HeatZone((-half, -half, _FLOOR), (half, half, _SHOULDER), _IN_NITROGEN)
         cold = ThermalMass(
