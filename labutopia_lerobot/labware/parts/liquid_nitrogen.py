@@ -27,7 +27,7 @@ _BOILING = BOILS + ZERO_C
 
 @dataclass(frozen=True)
 class LiquidNitrogen(Process):
-    """The nitrogen that is left; its reading is how high it stands over the floor of its vessel [mm].
+    """The nitrogen that is left; its reading is how high it stands over its vessel's floor [mm].
 
     It is boiling. The heat of its `ThermalMass` is what comes through the insulation and from
     things that are put in; through an open neck the room radiates onto it besides, as onto a black
