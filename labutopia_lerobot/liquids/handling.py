@@ -9,7 +9,7 @@ from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.temperature import capacities, mix, warmth
 from labutopia_lerobot.liquids.vortex import stir
-from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Stock, Warmth
+from labutopia_lerobot.processes.liquid_handling import LiquidHandling, Pool, Stock, Warmth
 from labutopia_lerobot.substances.filling import Dispenser
 from labutopia_lerobot.world import FloatArray, Pose, Solution
 
@@ -128,6 +128,21 @@ class Handling(LiquidHandling):
         return len(portion.origins)
 
     @override
+    def lying_in(self, pool: Pool) -> float:
+        return len(self._pooled(pool)[0]) * self._liquid.volume
+
+    @override
+    def run_down(self, into: str, count: int, pool: Pool) -> int:
+        liquid = self._liquid
+        if not count or into not in liquid.names:
+            return 0
+        pooled, places = self._pooled(pool)
+        order = np.argsort(np.linalg.norm(places, axis=1), kind="stable")
+        portion = liquid.take(pooled[order[:count]])
+        liquid.kept.add(liquid.names.index(into), portion)
+        return len(portion.origins)
+
+    @override
     def warmth(self, vessel: str) -> Warmth | None:
         liquid = self._liquid
         held = self._held(vessel) if vessel in liquid.names else None
@@ -189,6 +204,21 @@ class Handling(LiquidHandling):
         liquid = self._liquid
         held: NDArray[np.bool_] = liquid.accounted == liquid.names.index(vessel)
         return held
+
+    def _pooled(self, pool: Pool) -> tuple[NDArray[np.intp], FloatArray]:
+        """Return which particles stand in a pool, the lowest first, and where in its frame [m].
+
+        Each stands on those below: it is no higher than their level, but for the slope of the floor
+        and two spacings (ours).
+        """
+        liquid, frame = self._liquid, pool.frame
+        places = (liquid.positions - frame.position_w) @ frame.rotation_w
+        there = ((places >= pool.low) & (places <= pool.high)).all(axis=1) & (liquid.accounted < 0)
+        order = np.flatnonzero(there)[np.argsort(places[there, 2], kind="stable")]
+        levels = np.arange(len(order)) * liquid.volume / pool.area
+        over = places[order, 2] - levels > pool.rise + 2.0 * liquid.spacing
+        standing = order[: over.argmax()] if over.any() else order
+        return standing, places[standing]
 
     def _capacities(self) -> FloatArray:
         liquid = self._liquid

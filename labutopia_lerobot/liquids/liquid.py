@@ -37,18 +37,19 @@ class Liquid:
     Args:
         model: The compiled scene.
         data: Its state; the walls are where it says at every step.
-        vessels: All that can hold the liquid: vessels, bottles that it comes from, pipettes.
+        vessels: All that can hold the liquid: vessels, bottles that it comes from, pipettes,
+            drains.
         fillings: Everything that is to be filled in: what it is, and how much of it in all.
         particles: Number of particles.
         robot: Root body of what can carry vessels, if anything.
 
     Attributes:
-        vessels: Those that liquid flows among: neither bottles nor pipettes.
+        vessels: Those that liquid flows among: neither bottles, pipettes nor drains.
         substances: All that there are, each once.
         volume: Of a particle [m^3].
         positions: Shape (n, 3), metres, world frame; none before `fill`.
         velocities: Shape (n, 3), m/s, world frame.
-        names: Of all vessels, bottles and pipettes.
+        names: Of all vessels, bottles, pipettes and drains.
         bottles: What waits in squeeze bottles.
         solutions: All that is dissolved; None where nothing is.
         kept: What stands in narrow tubes; `positions` and all other arrays are without it.

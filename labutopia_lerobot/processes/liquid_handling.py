@@ -34,6 +34,21 @@ class Warmth(NamedTuple):
     """Share of it that is water, by volume."""
 
 
+class Pool(NamedTuple):
+    """A basin, and the liquid that stands in it, in no vessel."""
+
+    frame: Pose
+    """Its frame, in the lowest point of its floor, z up."""
+    low: FloatArray
+    """Least corner, shape (3,) [m]."""
+    high: FloatArray
+    """Greatest corner, shape (3,) [m]."""
+    area: float
+    """Of its floor [m^2]."""
+    rise: float
+    """How far the floor rises towards its walls [m]."""
+
+
 class LiquidHandling(Protocol):
     """Liquid leaves vessels and is drawn into pipettes, a whole number of particles at a time."""
 
@@ -104,6 +119,23 @@ class LiquidHandling(Protocol):
             into: Its name.
             count: How many, at most.
             tip_w: Where it draws from.
+
+        Returns:
+            How many there were.
+        """
+        ...
+
+    def lying_in(self, pool: Pool) -> float:
+        """Return the volume that stands in a basin; what falls into it is not there yet [m^3]."""
+        ...
+
+    def run_down(self, into: str, count: int, pool: Pool) -> int:
+        """Move particles of a pool down a hole: those nearest to it.
+
+        Args:
+            into: Name of the drain; nothing moves where it only furnishes a room.
+            count: How many, at most.
+            pool: Its frame lies in the middle of the hole.
 
         Returns:
             How many there were.

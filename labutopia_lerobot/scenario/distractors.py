@@ -115,6 +115,7 @@ def place_distractors(
     workspace: Workspace,
     approach: float,
     rng: np.random.Generator,
+    spots: Sequence[FloatArray] = (),
 ) -> dict[Piece, Placement]:
     """Draw where things stand that the task does not need: in view, but out of the way.
 
@@ -126,6 +127,7 @@ def place_distractors(
         workspace: The bench and the robot.
         approach: Yaw of the hand that comes to a vessel, to the left of the bearing [rad].
         rng: Where the placements come from.
+        spots: Free points of the bench that things are brought to, shape (2,) each [m].
 
     Raises:
         ImpossibleStartError: If there is no room for them.
@@ -134,7 +136,8 @@ def place_distractors(
     for _ in range(_ARRANGEMENTS):
         placed: dict[Piece, Placement] = {}
         for piece in distractors:
-            stands = _place(piece, middle, {**layout, **placed}, workspace, approach, rng)
+            others = {**layout, **placed}
+            stands = _place(piece, middle, others, workspace, approach, rng, spots)
             if stands is None:
                 break
             placed[piece] = stands
@@ -151,6 +154,7 @@ def _place(
     workspace: Workspace,
     approach: float,
     rng: np.random.Generator,
+    spots: Sequence[FloatArray],
 ) -> Placement | None:
     """Draw where a thing stands around a point; return None if no place is found."""
     inner = piece.footprint_radius + CLEARANCE
@@ -159,7 +163,10 @@ def _place(
         around = np.column_stack([middle - spread, middle + spread])
         x, y = rng.uniform(*np.clip(around, bench[:, :1], bench[:, 1:]).T)
         placement = Placement(x, y, rng.uniform(-math.pi, math.pi))
-        if _out_of_the_way(piece, placement, others, workspace, approach):
+        least = piece.footprint_radius + _WIDEST + DISTRACTOR_GAP
+        point = np.array([x, y])
+        clear = all(_from_arm(point, spot, workspace, approach) >= least for spot in spots)
+        if clear and _out_of_the_way(piece, placement, others, workspace, approach):
             return placement
     return None
 
@@ -172,7 +179,7 @@ def _out_of_the_way(
     approach: float,
 ) -> bool:
     """Return whether a thing is in the way of neither the arm nor the hand."""
-    point, robot = np.array([at.x, at.y]), np.array(workspace.robot)
+    point = np.array([at.x, at.y])
     for other, placement in layout.items():
         thing = np.array([placement.x, placement.y])
         beside = piece.footprint_radius + other.footprint_radius
@@ -181,11 +188,17 @@ def _out_of_the_way(
                 return False
             continue
         least = beside + (DISTRACTOR_GAP if other.movable else INSTRUMENT_GAP)
-        yaw = math.atan2(*(thing - robot)[::-1]) + approach
-        hand = thing - HAND_REACH * np.array([math.cos(yaw), math.sin(yaw)])
-        if min(_distance(point, thing, end) for end in (robot, hand)) < least:
+        if _from_arm(point, thing, workspace, approach) < least:
             return False
     return True
+
+
+def _from_arm(point: FloatArray, thing: FloatArray, workspace: Workspace, approach: float) -> float:
+    """Return how far a point is from the arm, and from the hand, that come to a thing [m]."""
+    robot = np.array(workspace.robot)
+    yaw = math.atan2(*(thing - robot)[::-1]) + approach
+    hand = thing - HAND_REACH * np.array([math.cos(yaw), math.sin(yaw)])
+    return min(_distance(point, thing, end) for end in (robot, hand))
 
 
 def _is_behind(instrument: Placement, point: FloatArray) -> bool:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.layout import Workspace, sample_base, sample_layout
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
+from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.processes import AMBIENT
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.robots import load_robot
@@ -29,9 +30,11 @@ from labutopia_lerobot.sim.segments import segment_names, segment_of_body
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.skills.expert import Expert
+from labutopia_lerobot.skills.place import Place
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.substances.substance import ZERO_C
-from labutopia_lerobot.task import DIVERGED, SUCCESS, Step, TaskError
+from labutopia_lerobot.task import DIVERGED, SUCCESS, Step, Task, TaskError
+from labutopia_lerobot.world import FloatArray
 
 
 class Workcell:
@@ -169,6 +172,7 @@ class Workcell:
             self._workspace,
             self.world.robot.vessel_approach.yaw,
             rng,
+            self._brought_to(task) if variation.distractors else (),
         )
         self.simulation.reset(layout, variation.robot_start, rng, base_pose)
         self.simulation.fill(rng)
@@ -180,6 +184,15 @@ class Workcell:
         self.progress = Progress(task, self.after, until)
         self.progress.update(self.world)
         return True
+
+    def _brought_to(self, task: Task) -> tuple[FloatArray, ...]:
+        """Return the points of the bench that the task's things are set down on [m]."""
+        skills = (skill for step in task.steps for skill in step.skills)
+        return tuple(
+            skill.on.position_w(self.world)[:2]
+            for skill in skills
+            if isinstance(skill, Place) and isinstance(skill.on, OverBench)
+        )
 
     def step(self, action: NDArray[np.float32]) -> None:
         """Command the robot for one control period, and judge what has come of it.

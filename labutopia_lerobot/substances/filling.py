@@ -61,21 +61,21 @@ class Narrow(Fillable, Protocol):
 
 @runtime_checkable
 class Mounting(Thing, Protocol):
-    """An instrument on which ware is mounted for good, as a burette is on its stand."""
+    """An instrument with mounted ware, as a burette is on its stand, or with a drain."""
 
     @property
-    def mounted(self) -> tuple[Fillable, ...]:
-        """The ware, each a body of its own."""
+    def mounted(self) -> "tuple[Fillable | Intake, ...]":
+        """The ware, each a body of its own, and drains."""
         ...
 
 
 @runtime_checkable
 class Intake(Thing, Protocol):
-    """What draws liquid in at a tip and gives it out there: pipettes, syringes."""
+    """What draws liquid in and keeps it: pipettes and syringes at their tip; drains."""
 
     @property
     def draws_at(self) -> str:
-        """Name of the frame at the end of its tip; z the way that liquid leaves."""
+        """Name of the frame at the end of its tip or in its hole; z the way that liquid leaves."""
         ...
 
 

@@ -21,8 +21,8 @@ class LiquidAccount:
     one: inside vessels, spilled, clinging and in flight are all of it, exactly.
 
     Attributes:
-        vessels: Names of all vessels and bottles. Any of them may be an origin: what held a
-            particle when the scene was filled.
+        vessels: Names of all vessels, bottles, pipettes and drains. Any of them may be an origin:
+            what held a particle when the scene was filled.
         counts: Particles by origin, after the vessels none, and by place: inside each vessel, then
             spilled, clinging, in flight; shape (vessels + 1, vessels + 3).
         moves: Particles that since the previous control step have arrived in a vessel (column)

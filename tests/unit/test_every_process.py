@@ -23,15 +23,20 @@ CHECKED_BY = {
     "Conveying": "test_transfer_pump::test_it_moves_two_millilitres_with_every_turn_of_its_head",
     "Countdown": "test_guards_and_timers::test_a_knob_with_a_timer_counts_what_it_is_set_to",
     "Dosing": "test_drives::test_a_syringe_pump_gives_what_its_rate_says_until_it_is_stopped",
+    "Drain": "test_drains::test_a_basin_empties_as_torricelli_has_it",
     "Draining": "test_stopcocks::test_it_empties_in_the_time_that_head_and_bore_say",
     "Drawing": "test_bulb_pipettes::"
     "test_what_it_takes_in_is_what_the_bulb_displaced_less_what_the_column_stretches",
     "Drive": "test_drives::test_it_reaches_the_set_speed_along_its_ramp_reads_it_and_stops",
     "Drying": "test_gas_and_pressure::"
     "test_silica_gel_dries_a_shut_cabinet_and_an_open_door_undoes_it",
+    "EvacuatedChamber": "test_evacuation::"
+    "test_a_pump_evacuates_it_exponentially_towards_its_end_vacuum",
     "Fan": "test_drives::test_a_fan_moves_the_air_as_a_lag_of_three_seconds",
     "HeatExchange": "test_heat::test_what_is_supplied_is_in_the_things_or_was_lost",
     "Latched": "test_drives::test_a_syringe_pump_gives_what_its_rate_says_until_it_is_stopped",
+    "LiquidNitrogen": "test_liquid_nitrogen::"
+    "test_open_it_boils_off_by_what_the_room_radiates_down_its_neck_as_well",
     "Lock": "test_guards_and_timers::"
     "test_a_shut_centrifuge_opens_only_after_its_latch_is_pressed_at_a_standstill",
     "MagneticStirring": "test_drives::test_a_bar_on_a_stirrer_turns_the_water_around_it",

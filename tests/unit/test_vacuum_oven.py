@@ -19,7 +19,7 @@ from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.tasks.level1.open_door import open_oven
 
-OVEN = VacuumOven("oven")
+OVEN = VacuumOven("oven", set_to=None)
 DOOR, LEVER = OVEN.door.joint, OVEN.door.handle.joint
 
 

@@ -1,5 +1,6 @@
 """The axes that every task has: what they change, what they leave alone, and that it is undone."""
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
@@ -125,6 +126,20 @@ def test_distractors_find_a_place_beside_an_open_door():
         rng, scenario = np.random.default_rng(seed), draw_scenario(setting, seed)
         layout = sample_layout(scenario.task.start, rng)
         assert len(place_distractors(pieces, layout, workspace, 0.0, rng)) == 3
+
+
+def test_distractors_leave_free_where_the_task_sets_something_down():
+    setting = Setting("level4/titrate_by_volume", obs="state", split="ood", axes=("layout",))
+    workspace = Workspace.of(load_room(setting.room), load_robot(setting.robot))
+    spot = np.add(workspace.robot, (0.55, 0.25))
+    for seed in range(20):
+        rng, scenario = np.random.default_rng(seed), draw_scenario(setting, seed)
+        layout = sample_layout(scenario.task.start, rng)
+        pieces = held_out_sets()["three flasks"]
+        around = place_distractors(pieces, layout, workspace, 0.0, rng, [spot])
+        for piece, at in around.items():
+            away = math.dist((at.x, at.y), spot) - piece.footprint_radius
+            assert away > 0.13 + 0.08  # an open hand, and what it sets down
 
 
 @pytest.mark.parametrize(

@@ -1,16 +1,30 @@
-"""A bench-top vacuum oven: a thick door that is shut by a lever with a tongue."""
+"""A bench-top vacuum oven: a thick door that is shut by a lever with a tongue.
+
+It is heated and evacuated, or stands there cold.
+"""
 
 import math
 from dataclasses import dataclass
 
 import mujoco
 
+from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.dial_gauge import DialGauge
+from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.evacuation import AirLoad, EvacuatedChamber, Pump
+from labutopia_lerobot.labware.parts.finish import finish
+from labutopia_lerobot.labware.parts.guard import Flipped, Shut
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.lever import Lever
 from labutopia_lerobot.labware.parts.materials import add_materials
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door
+from labutopia_lerobot.labware.parts.panel import ON_FRONT
+from labutopia_lerobot.labware.parts.rocker import Rocker
 from labutopia_lerobot.labware.parts.solid import CYLINDER, Vector, add_feet, add_look, add_part
+from labutopia_lerobot.labware.parts.valve import Tap
+from labutopia_lerobot.labware.parts.warmth import Regulated, chamber
+from labutopia_lerobot.processes import DoorGap, Process
 
 _DEPTH, _WIDTH, _HEIGHT = 0.560, 0.620, 0.700
 """Outer size [m]; ours. The original's third oven is 1.13 m deep, which no bench of 0.8 m takes."""
@@ -25,6 +39,16 @@ _FOOT = 0.020
 _WALL = 0.040
 """Chamber wall with its jacket [m]; ours."""
 
+_INSIDE: tuple[Vector, Vector] = (
+    (-_DEPTH / 2, _WIDTH / 2 - _DOOR_WIDTH, _DOOR_BOTTOM),
+    (_DEPTH / 2 - _WALL, _WIDTH / 2 - _WALL, _DOOR_BOTTOM + _DOOR_HEIGHT),
+)
+"""Least and greatest corner of the chamber [m]."""
+_OPENING = (_DOOR_WIDTH - _WALL) * _DOOR_HEIGHT
+"""What the door closes [m^2]."""
+_PANEL: Vector = (-_DEPTH / 2, 0.0, (_DOOR_BOTTOM + _DOOR_HEIGHT + _HEIGHT) / 2)
+"""Middle of the panel above the door [m]."""
+
 _DOOR_MASS = 7.5
 """A frame of aluminium (5 kg) around a pane of 10 mm glass (2.5 kg); ours."""
 _WIDEST = math.radians(110.0)
@@ -36,6 +60,17 @@ _FRICTION = 0.5
 _DAMPING = 1.0
 """Grease in the hinge [N m s/rad]; ours, as of the drying oven."""
 
+_WATT, _LEAK = 1200.0, 1.5
+"""Power [W] and loss through its walls [W/K]; ours, as of the drying oven."""
+_SPEED, _END = 0.5e-3, 10.0
+"""Pumping speed [m^3/s] and end vacuum [mbar] of its pump: those of `vacuum_pump`."""
+_BORE = 0.008
+"""Of its taps [m]; ours: hoses of vacuum ovens have 8 to 10 mm."""
+_TIGHT = 1000.0 / 3600.0
+"""How fast the pressure rises in it [Pa/s]: 10 mbar/h is what a maker allows (from memory)."""
+_HIGHEST = 1200.0
+"""Last mark of its gauge [mbar]; ours: every mark is 200 mbar, absolute."""
+
 _ALONG_X = (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
 
 
@@ -43,17 +78,21 @@ _ALONG_X = (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
 class VacuumOven(Equipment):
     """A vacuum oven whose door is hinged on the left and opens once its lever is turned down.
 
-    Its front faces -x of its own frame. It weighs 60 kg, stays where it is and is not evacuated.
+    Its front faces -x of its own frame. It weighs 60 kg and stays where it is. While its rocker is
+    on it heats, and a pump evacuates it through its right tap; the left one lets air in.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
+        set_to: What its thermostat holds while its rocker is on [degrees C]; None for an oven that
+            is cold and full of air, whose gauge and taps are painted on.
     """
 
     name: str
+    set_to: float | None = 60.0
     size = (0.68, 0.620, 0.700)
     mass = 60.0
     source = "ours"
-    left_out = "it neither heats nor is evacuated"
+    left_out = "evacuated, it warms things as if there were air in it; nothing dries in it"
 
     @property
     def door(self) -> Door[Lever]:
@@ -61,8 +100,80 @@ class VacuumOven(Equipment):
         return Door(f"{self.name}_door", lever, widest=_WIDEST, closed_within=_SEAL)
 
     @property
+    def vent(self) -> Tap:
+        """Tap that lets air in, on the left."""
+        return Tap(f"{self.name}_valve_in", look="blue")
+
+    @property
+    def outlet(self) -> Tap:
+        """Tap to the pump, on the right."""
+        return Tap(f"{self.name}_valve_out", look="chrome")
+
+    @property
+    def power(self) -> Rocker:
+        """Switch of heater and pump."""
+        return Rocker(f"{self.name}_power", look="green")
+
+    @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
-        return (self.door.handle, self.door)
+        works = () if self.set_to is None else (self.vent, self.outlet, self.power)
+        return (self.door.handle, self.door, *works)
+
+    @property
+    def heat(self) -> tuple[Process, ...]:
+        """What keeps its inside warm while it is on."""
+        if self.set_to is None:
+            return ()
+        by = Regulated(_WATT, self.set_to, self.power.name)
+        gap = DoorGap(self.door.joint, _OPENING, _DOOR_HEIGHT)
+        return chamber(self.name, *_INSIDE, _LEAK, gap, by)
+
+    @property
+    def air(self) -> EvacuatedChamber:
+        """The air in it, and its pressure.
+
+        Raises:
+            ValueError: If it is a cold oven.
+        """
+        if self.set_to is None:
+            raise ValueError(f"{self.name} is always full of air: give it a temperature, `set_to`")
+        return EvacuatedChamber(
+            f"{self.name}_pressure",
+            (_DEPTH - _WALL) * _OPENING,
+            f"{self.name}_air",
+            Shut(self.door, within=_SEAL),
+            Pump(self.power.name, _SPEED, _END),
+            self.outlet,
+            self.vent,
+            math.pi / 4 * _BORE**2,
+            _TIGHT,
+        )
+
+    @property
+    def load(self) -> AirLoad:
+        """What presses its door shut."""
+        name, hinge = f"{self.name}_door_load", self.door.joint
+        return AirLoad(name, self.air, hinge, _OPENING, (_DOOR_WIDTH + _WALL) / 2)
+
+    @property
+    def gauge(self) -> DialGauge:
+        """Its vacuum gauge."""
+        x, y, z = _PANEL
+        return DialGauge(f"{self.name}_needle", self.air, _HIGHEST, 0.042, (x - 0.006, y, z))
+
+    @property
+    def works(self) -> tuple[Process, ...]:
+        """Its switch, what feels its door, its heat, the air in it, its door's load, its gauge."""
+        if self.set_to is None:
+            return ()
+        return Flipped(self.power), self.air.door, *self.heat, self.air, self.load, self.gauge
+
+    @property
+    def displays(self) -> tuple[Display, ...]:
+        return tuple(
+            Display(f"{self.name}_reading", (0.056, 0.024), thermometer, ink=(255, 90, 60))
+            for thermometer in self.heat[2:]
+        )
 
     @property
     def footprint_radius(self) -> float:
@@ -71,11 +182,11 @@ class VacuumOven(Equipment):
 
     @property
     def joints(self) -> tuple[str, ...]:
-        """Its door's hinge only, as of other ovens: one task may have any of them.
+        """All but the lever's, which stays where it is left, and is where the handle is.
 
-        The lever stays where it is left, and is where the handle is.
+        The cold oven's is its door's only, as of other ovens: one task may have any of them.
         """
-        return (self.door.joint,)
+        return tuple(part.joint for part in self.mechanisms if part != self.door.handle)
 
     def add_to(self, spec: mujoco.MjSpec, parent: mujoco.MjsBody) -> mujoco.MjsBody:
         """Build its body into a spec (angles in radians), at the origin of the parent.
@@ -99,10 +210,12 @@ class VacuumOven(Equipment):
         )
         box = parent.add_body(name=self.name)
         self._add_box(box)
-        self._add_controls(box)
+        self._add_controls(spec, box)
         hinge = (-_DEPTH / 2, _WIDTH / 2, _DOOR_BOTTOM)
         door = self.door.add_to(spec, box, hinge, ajar=0.0, friction=_FRICTION, damping=_DAMPING)
         self._add_door(door)
+        if self.set_to is not None:
+            self.load.add_to(spec)
         return box
 
     def _add_box(self, body: mujoco.MjsBody) -> None:
@@ -126,22 +239,32 @@ class VacuumOven(Equipment):
         lever = self.door.handle
         lever.add_keeper(body, behind, _DOOR_THICKNESS, _LEVER_INSET, f"{self.name}_metal")
 
-    def _add_controls(self, body: mujoco.MjsBody) -> None:
-        """Paint the panel above the door: a vacuum gauge and two valves."""
-        front, z = -_DEPTH / 2, (_DOOR_BOTTOM + _DOOR_HEIGHT + _HEIGHT) / 2
+    def _add_controls(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+        """Add the panel above the door: a vacuum gauge and two taps, or what looks like them."""
+        front, middle, z = _PANEL
         panel = (0.002, 0.27, 0.055)
-        add_look(body, f"{self.name}_panel", panel, (front, 0, z), f"{self.name}_trim")
-        for part, material, radius, y, deep in (
-            ("gauge", "metal", 0.048, 0.0, 0.006),
-            ("dial", "dial", 0.042, 0.0, 0.008),
-            ("valve_in", "metal", 0.020, 0.16, 0.022),
-            ("valve_out", "metal", 0.020, -0.16, 0.022),
-        ):
+        add_look(body, f"{self.name}_panel", panel, _PANEL, f"{self.name}_trim")
+        painted = [("gauge", "metal", 0.048, 0.0, 0.006)]
+        if self.set_to is None:
+            painted += [
+                ("dial", "dial", 0.042, 0.0, 0.008),
+                ("valve_in", "metal", 0.020, 0.16, 0.022),
+                ("valve_out", "metal", 0.020, -0.16, 0.022),
+            ]
+        for part, material, radius, y, deep in painted:
             look, size = f"{self.name}_{material}", (radius, deep, 0.0)
-            name, pos = f"{self.name}_{part}", (front, y, z)
+            pos, name = (front, y, z), f"{self.name}_{part}"
             add_look(body, name, size, pos, look, shape=CYLINDER, quat=_ALONG_X)
-        needle = (0.010, 0.001, 0.018)
-        add_look(body, f"{self.name}_needle", needle, (front, 0.0, z + 0.016), f"{self.name}_grip")
+        if self.set_to is None:
+            needle, at = (0.010, 0.001, 0.018), (front, middle, z + 0.016)
+            add_look(body, f"{self.name}_needle", needle, at, f"{self.name}_grip")
+            return
+        assemble(spec, body, self.name, self.gauge.forms())
+        self.gauge.add_to(body, finish(spec, self.name, "red"))
+        for tap, y in ((self.vent, 0.18), (self.outlet, -0.18)):
+            tap.add_to(spec, self.name, body, (front - 0.002, y, z), ON_FRONT)
+        self.displays[0].add_to(spec, body, (front - 0.0025, 0.10, z), ON_FRONT)
+        self.power.add_to(spec, self.name, body, (front - 0.002, -0.10, z), ON_FRONT)
 
     def _add_door(self, body: mujoco.MjsBody) -> None:
         """Add the door: a frame around a pane, and the lever on its right."""

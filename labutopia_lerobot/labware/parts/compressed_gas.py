@@ -11,9 +11,9 @@ from labutopia_lerobot.labware.parts.supply import area_share
 from labutopia_lerobot.processes import Apparatus, Process
 from labutopia_lerobot.world import Reading
 
-_GAS = 8.314462618
+MOLAR_GAS = 8.314462618
 """Molar gas constant [J/mol K] (CODATA 2018)."""
-_AIR = 101325.0
+ATMOSPHERE = 101325.0
 """Pressure of the room [Pa]: the standard atmosphere."""
 _BAR = 1e5
 _OPEN = 0.02
@@ -43,7 +43,7 @@ def through_hole(
     critical = (2.0 / (kappa + 1.0)) ** (kappa / (kappa - 1.0))
     ratio = max(outside / pressure, critical)
     factor = 2.0 * kappa / (kappa - 1.0) * (ratio ** (2.0 / kappa) - ratio ** (1.0 + 1.0 / kappa))
-    density = pressure * molar / (_GAS * temperature)
+    density = pressure * molar / (MOLAR_GAS * temperature)
     return _DISCHARGE * area * math.sqrt(density * pressure * factor)
 
 
@@ -86,17 +86,17 @@ class CompressedGas(Process):
     @override
     def start(self, apparatus: Apparatus, rng: np.random.Generator) -> None:
         """Begin with a full cylinder, and a regulator full of gas at the room's pressure."""
-        pressures = np.array([_AIR + self.filled * _BAR, _AIR, _AIR])
-        apparatus.memory(self)[:] = pressures * self.volumes / (_GAS * apparatus.ambient)
+        pressures = np.array([ATMOSPHERE + self.filled * _BAR, ATMOSPHERE, ATMOSPHERE])
+        apparatus.memory(self)[:] = pressures * self.volumes / (MOLAR_GAS * apparatus.ambient)
 
     @override
     def step(self, apparatus: Apparatus) -> None:
         """Let out what flows in a period, then let what is connected come to one pressure."""
         amounts, volumes = apparatus.memory(self), self.volumes
-        molar_room = _GAS * apparatus.ambient
+        molar_room = MOLAR_GAS * apparatus.ambient
         amounts[2] -= self.flow(apparatus) * apparatus.period / self.molar
-        amounts[2] = max(amounts[2], _AIR * volumes[2] / molar_room)
-        wanted = _AIR + self._set(apparatus) * _BAR
+        amounts[2] = max(amounts[2], ATMOSPHERE * volumes[2] / molar_room)
+        wanted = ATMOSPHERE + self._set(apparatus) * _BAR
         before, behind = self.pressures(apparatus)[1:]
         if behind < min(wanted, before):
             short = (wanted - behind) * volumes[2] / molar_room
@@ -111,7 +111,7 @@ class CompressedGas(Process):
         """Return the three pressures, absolute [Pa]: p V = n R T."""
         amounts = apparatus.memory(self)
         cylinder, before, behind = (
-            float(amount) * _GAS * apparatus.ambient / volume
+            float(amount) * MOLAR_GAS * apparatus.ambient / volume
             for amount, volume in zip(amounts, self.volumes, strict=True)
         )
         return cylinder, before, behind
@@ -120,7 +120,7 @@ class CompressedGas(Process):
         """Return what leaves the outlet now [kg/s]."""
         opening = apparatus.joint(self.outlet.joint) / self.outlet.widest
         area, behind = self.hole * area_share(opening), self.pressures(apparatus)[2]
-        return through_hole(area, behind, _AIR, self.molar, self.kappa, apparatus.ambient)
+        return through_hole(area, behind, ATMOSPHERE, self.molar, self.kappa, apparatus.ambient)
 
     def _set(self, apparatus: Apparatus) -> float:
         reading = self.setting.reading(apparatus)
@@ -128,7 +128,7 @@ class CompressedGas(Process):
 
     @override
     def reading(self, apparatus: Apparatus) -> Reading:
-        return Reading((self.pressures(apparatus)[1] - _AIR) / _BAR, "bar", 1.0)
+        return Reading((self.pressures(apparatus)[1] - ATMOSPHERE) / _BAR, "bar", 1.0)
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,7 @@ class OutletPressure(Process):
 
     @override
     def reading(self, apparatus: Apparatus) -> Reading:
-        return Reading((self.of.pressures(apparatus)[2] - _AIR) / _BAR, "bar", 0.1)
+        return Reading((self.of.pressures(apparatus)[2] - ATMOSPHERE) / _BAR, "bar", 0.1)
 
 
 @dataclass(frozen=True)
@@ -162,5 +162,5 @@ class OutletFlow(Process):
 
     @override
     def reading(self, apparatus: Apparatus) -> Reading:
-        volume = _GAS * apparatus.ambient / (_AIR * self.of.molar)
+        volume = MOLAR_GAS * apparatus.ambient / (ATMOSPHERE * self.of.molar)
         return Reading(60e3 * volume * self.of.flow(apparatus), "l/min", 0.1)

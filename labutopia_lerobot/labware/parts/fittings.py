@@ -1,4 +1,4 @@
-"""Fittings of many instruments: feet, open boxes."""
+"""Fittings of many instruments: feet, open boxes, plates with a hole."""
 
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Span
 
@@ -44,4 +44,26 @@ def tub(
             inside or look,
             0.0,
         ),
+    ]
+
+
+def framed(
+    x: Span, y: Span, z: Span, hole: tuple[Span, Span], look: str, edge: float = 0.002
+) -> list[Form]:
+    """Return a plate with a rectangular hole: a work top with a basin.
+
+    Args:
+        x: Outer sides, from where to where [m].
+        y: See x.
+        z: See x.
+        hole: Sides of the hole along x and y [m].
+        look: Finish.
+        edge: Radius of the edges [m].
+    """
+    (near, far), (right, left) = hole
+    return [
+        Block((x[0], near), y, z, look, edge),
+        Block((far, x[1]), y, z, look, edge),
+        Block((near, far), (y[0], right), z, look, edge),
+        Block((near, far), (left, y[1]), z, look, edge),
     ]

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import override
 
-from labutopia_lerobot.labware.parts.compressed_gas import through_hole
+from labutopia_lerobot.labware.parts.compressed_gas import ATMOSPHERE, through_hole
 from labutopia_lerobot.labware.parts.dials import MovingPart
 from labutopia_lerobot.labware.parts.guard import Shut
 from labutopia_lerobot.labware.parts.motor import Bolt
@@ -12,8 +12,6 @@ from labutopia_lerobot.processes import Apparatus, Process, ThermalMass
 from labutopia_lerobot.substances.substance import ZERO_C
 from labutopia_lerobot.world import ON, Reading
 
-_AIR = 101325.0
-"""Pressure of the room [Pa]: the standard atmosphere."""
 _BAR = 1e5
 _TORR = 133.322
 """[Pa]."""
@@ -73,13 +71,13 @@ class SteamPressure(Process):
         opening = apparatus.joint(self.valve.joint) / self.valve.widest
         own = self.steam.temperature(apparatus)
         pressure = self.pressure(apparatus)
-        return through_hole(self.hole * area_share(opening), pressure, _AIR, *_STEAM, own)
+        return through_hole(self.hole * area_share(opening), pressure, ATMOSPHERE, *_STEAM, own)
 
     def pressure(self, apparatus: Apparatus) -> float:
         """Return it [Pa]."""
         if not self.lid.reading(apparatus).value:
-            return _AIR
-        return max(_AIR, saturated(self.steam.temperature(apparatus) - ZERO_C))
+            return ATMOSPHERE
+        return max(ATMOSPHERE, saturated(self.steam.temperature(apparatus) - ZERO_C))
 
     @override
     def reading(self, apparatus: Apparatus) -> Reading:

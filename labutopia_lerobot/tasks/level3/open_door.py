@@ -18,7 +18,10 @@ from labutopia_lerobot.tasks.level1.open_door import YAW, Oven, open_oven
 # nearer, or else the arm is stretched when the door is open.
 OVENS: dict[str, tuple[Oven, OnBench]] = {
     "drying oven": (DryingOven("oven"), OnBench((0.70, 0.80), (0.05, 0.15), (-YAW, YAW))),
-    "vacuum oven": (VacuumOven("oven"), OnBench((0.68, 0.78), (0.05, 0.15), (-YAW, YAW))),
+    "vacuum oven": (
+        VacuumOven("oven", set_to=None),
+        OnBench((0.68, 0.78), (0.05, 0.15), (-YAW, YAW)),
+    ),
     "muffle furnace": (
         MuffleFurnace("oven", set_to=None),
         OnBench((0.70, 0.80), (0.19, 0.29), (-YAW, YAW)),

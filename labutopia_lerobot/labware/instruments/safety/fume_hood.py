@@ -1,6 +1,5 @@
 """A fume hood with a sash, a baffle, a sink and taps."""
 
-import math
 from dataclasses import dataclass
 
 import mujoco
@@ -9,20 +8,20 @@ from labutopia_lerobot.labware.parts.air import Fan, Vacuum
 from labutopia_lerobot.labware.parts.assembly import assemble
 from labutopia_lerobot.labware.parts.dials import Scale
 from labutopia_lerobot.labware.parts.display import Display
+from labutopia_lerobot.labware.parts.drain import Drain
 from labutopia_lerobot.labware.parts.finish import FINISHES
-from labutopia_lerobot.labware.parts.fittings import tub
+from labutopia_lerobot.labware.parts.fittings import framed, tub
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, towards
 from labutopia_lerobot.labware.parts.guard import Flipped
-from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.panel import ON_FRONT
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.labware.parts.slide import Sash
-from labutopia_lerobot.labware.parts.stream import Stream
-from labutopia_lerobot.labware.parts.supply import Drawn, Supply
+from labutopia_lerobot.labware.parts.supply import Supply
 from labutopia_lerobot.labware.parts.switch import Switch
 from labutopia_lerobot.labware.parts.valve import Tap
+from labutopia_lerobot.labware.parts.water_point import WaterPoint
 from labutopia_lerobot.processes import Process
 
 _DEPTH, _WIDTH, _HEIGHT = 0.850, 1.500, 2.350
@@ -33,8 +32,8 @@ _SIDE = 0.100
 
 _FACE_VELOCITY = 0.50
 """Of the air through the opening [m/s]; ours: a hood's controller keeps 0.4 to 0.5 m/s."""
-_WATER, _NOZZLE = 6.0, 0.004
-"""Of the open tap [l/min], and inner radius of its spout [m]; ours: half of a sink's."""
+_SINK_X, _SINK_Y, _FLOOR, _RIM = (0.126, 0.244), (-0.114, 0.114), _TOP - 0.094, _TOP + 0.012
+"""Inside of its cup sink, its floor and its rim [m]; ours."""
 _GAS = 6.0
 """Of the open tap [l/min]; ours: 3.6 kW, a large burner, of natural gas with 36 MJ/m^3."""
 _END, _PUMPED, _VOLUME, _LEAKS = 100.0, 0.3, 1.0, 60.0
@@ -43,10 +42,8 @@ comes back [s]; ours."""
 
 
 @dataclass(frozen=True)
-class FumeHood(Instrument):
-    """A fume hood over a cupboard: gas and water taps on its posts, a light above.
-
-    What a task fills it with comes out of its spout as liquid, and then no more.
+class FumeHood(WaterPoint):
+    """A fume hood over a cupboard: gas and water taps on its posts, a cup sink, a light above.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -56,7 +53,9 @@ class FumeHood(Instrument):
     size = (0.874, 1.500, 2.350)
     mass = 250.0
     source = "1500 x 850 x 2350 mm, sash of 700 mm (EN 14175 hoods are alike); from memory"
-    left_out = "its gas and vacuum lead nowhere; its sink does not drain; no fumes"
+    left_out = "its gas and vacuum lead nowhere; no fumes"
+    flow, nozzle, fall = 6.0, 0.004, 0.36  # ours: half of a sink's
+    contents = 5e-3  # ours
 
     @property
     def sash(self) -> Sash:
@@ -70,6 +69,10 @@ class FumeHood(Instrument):
             for line, look in (("gas", "yellow"), ("water", "green"), ("vacuum", "blue"))
         )
         return gas, water, vacuum
+
+    @property
+    def water(self) -> Tap:
+        return self.taps[1]
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
@@ -104,40 +107,23 @@ class FumeHood(Instrument):
         return Fan(f"{self.name}_air", self.ventilation.name, _FACE_VELOCITY)
 
     @property
-    def spout(self) -> str:
-        """Name of the frame at the end of the spout over its sink; z the way of the water."""
-        return f"{self.name}_outlet"
-
-    @property
-    def bore_area(self) -> float:
-        """Cross-section of the spout [m^2]."""
-        return math.pi * _NOZZLE**2
-
-    @property
-    def contents(self) -> float:
-        """The most that a task may let come of it [m^3]; ours."""
-        return 5e-3
-
-    @property
-    def supply(self) -> Supply:
-        """The water that its tap lets through."""
-        return Supply(f"{self.name}_flow", self.taps[1], _WATER, self)
-
-    @property
-    def stream(self) -> Stream:
-        return Stream(f"{self.name}_stream", self.supply, (self.spout,), _NOZZLE, falls=0.25)
+    def drain(self) -> Drain:
+        """The drain of its cup sink, 30 mm wide; ours."""
+        (x, far_x), (y, far_y) = _SINK_X, _SINK_Y
+        middle = ((x + far_x) / 2, (y + far_y) / 2, _FLOOR)
+        low, high = (x, y, _FLOOR - 0.01), (far_x, far_y, _RIM)
+        area = (far_x - x) * (far_y - y)
+        return Drain(f"{self.name}_drain", area, low, high, middle, 0.030)
 
     @property
     def lines(self) -> tuple[Process, ...]:
-        """What its taps let through: gas, water with its meter and its look, vacuum."""
+        """What its taps let through: gas, water and what becomes of it, vacuum."""
         gas, _, vacuum = self.taps
         opened = Flipped(vacuum)
         pressure = f"{self.name}_pressure"
         return (
             Supply(f"{self.name}_gas_flow", gas, _GAS),
-            self.supply,
-            Drawn(f"{self.name}_drawn", self.supply),
-            self.stream,
+            *self.plumbing,
             opened,
             Vacuum(pressure, opened.name, _END, _END, _VOLUME / _PUMPED, _LEAKS),
         )
@@ -155,6 +141,7 @@ class FumeHood(Instrument):
 
     def _forms(self) -> list[Form]:
         x, y, side = _DEPTH / 2, _WIDTH / 2, _SIDE
+        hole = (0.12, 0.25), (-0.12, 0.12)
         doors: list[Form] = []
         for sign in (-1, 1):
             doors.append(
@@ -178,9 +165,10 @@ class FumeHood(Instrument):
             Rod((x - 0.165, 0, _TOP + 0.270), (0.185, 0, _TOP + 0.270), 0.014, "chrome"),
             Rod((0.185, 0, _TOP + 0.277), (0.185, 0, _TOP + 0.240), 0.014, "chrome"),
             Block((-x + 0.03, x), (-y + 0.01, y - 0.01), (0.0, 0.10), "anthracite"),
-            Block((-x + 0.012, x), (-y, y), (0.10, _TOP - 0.03), "white"),
+            Block((-x + 0.012, x), (-y, y), (0.10, _FLOOR - 0.006), "white"),
+            *framed((-x + 0.012, x), (-y, y), (_FLOOR - 0.006, _TOP - 0.03), hole, "white"),
             *doors,
-            Block((-x, x), (-y, y), (_TOP - 0.03, _TOP), "anthracite", edge=0.006),
+            *framed((-x, x), (-y, y), (_TOP - 0.03, _TOP), hole, "anthracite"),
             *(
                 Block((-x, x), _between(s * y, s * (y - side)), (_TOP, 1.90), "white")
                 for s in (-1, 1)
@@ -191,20 +179,15 @@ class FumeHood(Instrument):
             Block((-x, -x + 0.18), (-y, y), (1.62, _HEIGHT), "white", edge=0.006),
             Block((-x - 0.001, -x), (-0.60, 0.60), (2.05, 2.22), "petrol", 0.0, touch=False),
             Block((-0.15, 0.15), (-0.45, 0.45), (1.885, 1.901), "glow", 0.0, touch=False),
-            *tub(
-                (0.12, 0.25),
-                (-0.12, 0.12),
-                (_TOP - 0.001, _TOP + 0.012),
-                0.012,
-                "steel",
-                "dark_steel",
-            ),
+            *tub(*hole, (_FLOOR - 0.006, _RIM), 0.006, "steel", "dark_steel"),
+            *self.drain.forms("dark_steel"),
         ]
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         x, y, inner = _DEPTH / 2, _WIDTH / 2, _WIDTH / 2 - _SIDE - 0.004
         down = towards((0.0, 0.0, -1.0))
         self.stream.add_to(spec, body, (((0.185, 0.0, _TOP + 0.240), down),))
+        self.drain.add_to(body)
         sash = self.sash.add_to(spec, body, (-x + 0.230, 0.0, _TOP + 0.004))
         high = 0.76
         frame: list[Form] = [

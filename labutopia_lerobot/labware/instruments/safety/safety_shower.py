@@ -7,7 +7,8 @@ from itertools import pairwise
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
-from labutopia_lerobot.labware.parts.form import Block, Form, Rod, Turned, towards
+from labutopia_lerobot.labware.parts.drain import Drain
+from labutopia_lerobot.labware.parts.form import Block, Form, Ring, Rod, Turned, towards
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.rotor import Rotor
@@ -28,6 +29,8 @@ _NOZZLE = 0.0032
 """Radius of each jet of the eyewash [m], as of the one without a shower."""
 _JETS = (-0.040, 0.040)
 """Where they are, to the left [m]."""
+_FLOOR, _BOWL, _BOWL_AT = 0.972, 0.160, (-0.08, 0.0)
+"""Height of the floor of the eyewash's bowl, its diameter, and where it is [m]."""
 _LEAN = math.tan(math.radians(15.0))
 """How far its jets lean towards each other; ours."""
 
@@ -44,7 +47,7 @@ class SafetyShower(Instrument):
     size = (0.625, 0.356, 2.254)
     mass = 30.0
     source = "2250 mm high, head of 210 mm (EN 15154-1 and -2 are alike); from memory"
-    left_out = "its water wets and fills nothing"
+    left_out = "its own water wets and fills nothing"
 
     @property
     def pull(self) -> Slide:
@@ -84,15 +87,28 @@ class SafetyShower(Instrument):
         return Stream(f"{self.name}_jets", self.washing, jets, _NOZZLE, falls=0.120, lengths=6)
 
     @property
+    def drain(self) -> Drain:
+        """The drain of the eyewash's bowl, 32 mm wide as of the one without a shower."""
+        (x, y), wide = _BOWL_AT, _BOWL / 2
+        low, high = (x - wide, y - wide, _FLOOR - 0.01), (x + wide, y + wide, 1.050)
+        area = math.pi * wide**2
+        return Drain(f"{self.name}_drain", area, low, high, (x, y, _FLOOR), 0.032)
+
+    @property
+    def mounted(self) -> tuple[Drain, ...]:
+        """Its drain, where liquid gets to."""
+        return (self.drain,)
+
+    @property
     def works(self) -> tuple[Process, ...]:
-        """Shower and eyewash, a meter for each, and what is seen of them."""
+        """Shower and eyewash, a meter for each, what is seen of them, and the bowl's drain."""
         drawn = Drawn(f"{self.name}_drawn", self.showering)
         washed = Drawn(f"{self.name}_eyewash_drawn", self.washing)
-        return self.showering, self.washing, drawn, washed, self.shower, self.jets
+        seen = self.shower, self.jets
+        return self.showering, self.washing, drawn, washed, *seen, self.drain
 
     def _forms(self) -> list[Form]:
         bowl = ((0.020, 0.950), (0.080, 0.966), (0.122, 1.010), (0.130, 1.050))
-        inside = ((0.126, 1.050), (0.118, 1.012), (0.078, 0.972), (0.0, 0.972))
         head = ((0.0, 0.0), (0.105, 0.0), (0.105, 0.015), (0.035, 0.060), (0.020, 0.110))
         jets: list[Form] = []
         for y in _JETS:
@@ -108,8 +124,12 @@ class SafetyShower(Instrument):
             Rod((-0.15, 0, 2.108), (-0.15, 0, 2.112), 0.190, "yellow", touch=False),
             Rod((0.05, 0.0, 2.230), (0.05, -0.055, 2.230), 0.048, "chrome"),
             Rod((0.25, 0, 0.950), (-0.08, 0, 0.950), 0.034, "green"),
-            Turned(bowl, "green", (-0.08, 0.0, 0.0)),
-            Turned(inside, "steel", (-0.08, 0.0, 0.002), touch=False),
+            Turned(bowl, "green", (-0.08, 0.0, 0.0), touch=False),
+            Rod((-0.08, 0, 0.952), (-0.08, 0, _FLOOR), _BOWL, "green"),
+            *self.drain.forms("green", facets=8),
+            Ring(_BOWL, 0.200, (0.968, 0.992), "green", _BOWL_AT),
+            Ring(0.196, 0.234, (0.988, 1.016), "green", _BOWL_AT),
+            Ring(0.230, 0.250, (1.012, 1.050), "green", _BOWL_AT),
             *jets,
             Rod((0.15, -0.010, 0.950), (0.15, -0.045, 0.950), 0.030, "chrome"),
             Block((0.222, 0.230), (-0.080, 0.080), (1.500, 1.660), "green", edge=0.001),
@@ -133,6 +153,7 @@ class SafetyShower(Instrument):
             ((-0.08, y, 1.100), towards((0.0, -math.copysign(_LEAN, y), 1.0))) for y in _JETS
         )
         self.jets.add_to(spec, body, tuple(nozzles))
+        self.drain.add_to(body)
         pull = self.pull.add_to(spec, body, (0.05, -0.045, 2.204), down, balanced=True)
         sides = ((0.0, -0.50), (0.09, -0.64), (-0.09, -0.64), (0.0, -0.50))
         triangle: list[Form] = [

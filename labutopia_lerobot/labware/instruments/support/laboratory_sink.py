@@ -7,30 +7,27 @@ from itertools import pairwise
 import mujoco
 
 from labutopia_lerobot.labware.parts.assembly import assemble
+from labutopia_lerobot.labware.parts.drain import Drain
 from labutopia_lerobot.labware.parts.finish import finish
-from labutopia_lerobot.labware.parts.fittings import tub
+from labutopia_lerobot.labware.parts.fittings import framed, tub
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, towards
-from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
-from labutopia_lerobot.labware.parts.stream import Stream
-from labutopia_lerobot.labware.parts.supply import Drawn, Supply
 from labutopia_lerobot.labware.parts.valve import Tap
+from labutopia_lerobot.labware.parts.water_point import WaterPoint
 from labutopia_lerobot.processes import Process
 
-_FLOW = 12.0
-"""Of the open tap [l/min]: what EN 200 wants of taps for sinks at 3 bar (from memory)."""
-_NOZZLE = 0.006
-"""Inner radius of the neck's end [m]; ours."""
+_X, _Y, _FLOOR, _RIM = (-0.222, 0.162), (-0.232, 0.232), 0.650, 0.895
+"""Inside of the basin, its floor and its rim [m]."""
 
 
 @dataclass(frozen=True)
-class LaboratorySink(Instrument):
-    """A sink in its cupboard: the swan neck swivels, a tap opens the water.
+class LaboratorySink(WaterPoint):
+    """A sink in its cupboard: the swan neck swivels, a tap opens the water, the basin drains.
 
-    What a task fills it with comes out of its neck as liquid, and then no more.
+    12 l/min is what EN 200 wants of taps for sinks at 3 bar (from memory); the nozzle is ours.
 
     Attributes:
         name: Name of its root body; prefix of all its elements.
@@ -40,7 +37,9 @@ class LaboratorySink(Instrument):
     size = (0.640, 0.600, 1.321)
     mass = 40.0
     source = "600 x 600 x 900 mm, basin of 250 mm depth, as usual; from memory"
-    left_out = "its basin does not drain; water that no task has filled in fills nothing"
+    left_out = "water that no task has filled in fills nothing; its drain has no plug"
+    flow, nozzle, fall = 12.0, 0.006, 0.6
+    contents = 20e-3  # what the basin holds
 
     @property
     def neck(self) -> Rotor:
@@ -63,38 +62,21 @@ class LaboratorySink(Instrument):
 
     @property
     def places(self) -> tuple[Seat, ...]:
-        """The floor of the basin, before its drain."""
-        return (Seat(f"{self.name}_basin", self.name, (-0.10, 0.10, 0.650), width=0.16),)
+        """The floor of the basin, beside its drain."""
+        return (Seat(f"{self.name}_basin", self.name, (-0.03, 0.13, 0.6539), width=0.13),)
 
     @property
-    def spout(self) -> str:
-        """Name of the frame at the end of the neck; z the way that the water leaves."""
-        return f"{self.name}_outlet"
-
-    @property
-    def bore_area(self) -> float:
-        """Cross-section of the neck's end [m^2]."""
-        return math.pi * _NOZZLE**2
-
-    @property
-    def contents(self) -> float:
-        """The most that a task may let come of it [m^3]: what the basin holds."""
-        return 20e-3
-
-    @property
-    def supply(self) -> Supply:
-        """The water that its tap lets through."""
-        return Supply(f"{self.name}_flow", self.water, _FLOW, self)
-
-    @property
-    def stream(self) -> Stream:
-        name, outlets = f"{self.name}_stream", (self.spout,)
-        return Stream(name, self.supply, outlets, _NOZZLE, falls=0.6, lengths=10)
+    def drain(self) -> Drain:
+        """The drain in the middle of the basin: 40 mm wide, a pipe of DN 40; ours."""
+        (x, far_x), (y, far_y) = _X, _Y
+        middle = ((x + far_x) / 2, (y + far_y) / 2, _FLOOR)
+        low, high = (x, y, _FLOOR - 0.01), (far_x, far_y, _RIM)
+        area = (far_x - x) * (far_y - y)
+        return Drain(f"{self.name}_drain", area, low, high, middle, 0.040)
 
     @property
     def works(self) -> tuple[Process, ...]:
-        """The water, its meter, and what is seen of it."""
-        return self.supply, Drawn(f"{self.name}_drawn", self.supply), self.stream
+        return self.plumbing
 
     def _forms(self) -> list[Form]:
         x, y = 0.300, 0.300
@@ -104,13 +86,9 @@ class LaboratorySink(Instrument):
             Block((-x + 0.022, x), (y - 0.018, y), (0.08, 0.87), "white"),
             Block((x - 0.018, x), (-y, y), (0.08, 0.87), "white"),
             Block((-x + 0.022, x), (-y, y), (0.08, 0.10), "white"),
-            *tub((-0.230, 0.170), (-0.240, 0.240), (0.642, 0.895), 0.008, "steel", edge=0.003),
-            Block((-x, -0.222), (-y, y), (0.870, 0.900), "ceramic", edge=0.006),
-            Block((0.162, x), (-y, y), (0.870, 0.900), "ceramic", edge=0.006),
-            Block((-0.230, 0.170), (-y, -0.232), (0.870, 0.900), "ceramic", edge=0.006),
-            Block((-0.230, 0.170), (0.232, y), (0.870, 0.900), "ceramic", edge=0.006),
-            Rod((-0.03, 0, 0.648), (-0.03, 0, 0.651), 0.070, "chrome", touch=False),
-            Rod((-0.03, 0, 0.651), (-0.03, 0, 0.6515), 0.040, "black", touch=False),
+            *tub((-0.230, 0.170), (-0.240, 0.240), (0.642, _RIM), 0.008, "steel", edge=0.003),
+            *self.drain.forms("steel"),
+            *framed((-x, x), (-y, y), (0.870, 0.900), (_X, _Y), "ceramic", edge=0.006),
             Rod((0.230, 0, 0.895), (0.230, 0, 0.915), 0.070, "chrome"),
             Rod((0.230, 0, 0.900), (0.230, 0, 1.030), 0.036, "chrome"),
             Rod((0.230, -0.010, 0.965), (0.230, -0.050, 0.965), 0.030, "chrome"),
@@ -130,6 +108,7 @@ class LaboratorySink(Instrument):
         neck.append(Rod((-0.200, 0, 0.185), (-0.200, 0, 0.120), 0.020, "chrome"))
         neck.append(Rod((-0.200, 0, 0.130), (-0.200, 0, 0.100), 0.014, "chrome"))
         assemble(spec, pipe, self.name, neck, mass=0.9)
+        self.drain.add_to(body)
         self.stream.add_to(spec, pipe, (((-0.200, 0.0, 0.100), towards((0.0, 0.0, -1.0))),))
         half = math.sqrt(0.5)  # z to the left: on the right side
         side = (half, -half, 0.0, 0.0)
