@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.chemistry.inventory import Inventory
-from labutopia_lerobot.chemistry.network import PROTON
+from labutopia_lerobot.chemistry.network import PROTON, WATER
 from labutopia_lerobot.chemistry.palette import Palette
+from labutopia_lerobot.chemistry.portions import WATER_PER_VOLUME
 from labutopia_lerobot.chemistry.speciation import ph_of
 from labutopia_lerobot.liquids.dissolving import Dissolving
 from labutopia_lerobot.liquids.mixing import mixed_share
@@ -54,6 +55,7 @@ class Solutions:
             filling.dissolved: self.inventory.filled(filling.dissolved, particle)
             for filling in fillings
         }
+        self._water = self.inventory.row({WATER: WATER_PER_VOLUME * particle})
         self._shape = len(names), len(self.inventory.species)
         self.empty()
 
@@ -66,6 +68,18 @@ class Solutions:
         """Return what particles hold that come from fillings, shape (m, species) [mol]."""
         rows = [self._filled[filling.dissolved] for filling in fillings]
         return np.array(rows).reshape(-1, self._shape[1])
+
+    def masses(self, contents: FloatArray) -> FloatArray:
+        """Return by how much particles are heavier than as much water, shape (m,) [kg].
+
+        All their atoms count, so that what leaves as gas is lost, and no more. Their volume is that
+        of the water that they are made up with.
+
+        Args:
+            contents: Amounts of each species that they hold, shape (m, species) [mol].
+        """
+        masses: FloatArray = (contents - self._water) @ self.inventory.molar_masses
+        return masses
 
     def strew(self, contents: FloatArray, heights: FloatArray, filling: Filling) -> None:
         """Put the crystals of a filling on the bottom of its vessel, in place.
