@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from labutopia_lerobot.liquids.layers import Layers, exchange
+from labutopia_lerobot.liquids.looks import looks
 from labutopia_lerobot.liquids.mixing import exchanged_between_layers, mixed_share
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.substances.filling import Filling
@@ -51,13 +52,24 @@ def wait(simulation: Simulation, seconds: float, stirred: float = 0.0) -> None:
         simulation.step(simulation.command)
 
 
-def test_a_layer_at_rest_stays_for_seconds_and_is_gone_when_stirred() -> None:
+def contrast(simulation: Simulation) -> float:
+    """Return by how much the lower half is drawn in another colour than the upper one, 0 to 1."""
+    liquid = liquid_of(simulation)
+    held = liquid.accounted == liquid.names.index(TAKER.name)
+    drawn, heights = looks(liquid, np.ones((1, 4)))[held], liquid.positions[held, 2]
+    upper = heights > np.median(heights)
+    return float(np.abs(drawn[upper].mean(axis=0) - drawn[~upper].mean(axis=0)).max())
+
+
+def test_a_layer_at_rest_is_seen_for_seconds_and_is_gone_when_stirred() -> None:
     simulation = layered()
     wait(simulation, 2.0)
     assert copper(simulation, upper=True) < 0.4
     assert copper(simulation, upper=False) > 1.6
+    assert contrast(simulation) > 0.2
     wait(simulation, 3.0, stirred=20.0)
     assert copper(simulation, upper=True) > 0.9
+    assert contrast(simulation) < 0.05
     solution = world(simulation).solution(TAKER)
     assert solution is not None
     assert solution.mixed > 0.95
