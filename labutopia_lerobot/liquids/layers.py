@@ -9,6 +9,8 @@ from labutopia_lerobot.world import FloatArray
 
 _MOST = 8
 """Layers of a vessel at most; ours: each is one equilibrium to solve."""
+_BELOW_SURFACE = 0.95
+"""Share of the particles that lie below the surface; ours: the others may be drops in the air."""
 
 
 class Layers(NamedTuple):
@@ -26,8 +28,15 @@ class Layers(NamedTuple):
 
     @classmethod
     def by_height(cls, heights: FloatArray, thinnest: float) -> "Layers":
-        """Return the layers of particles by their heights, shape (m,) [m]; none is thinner."""
+        """Return the layers of particles; what is still falling in belongs to the top one.
+
+        Args:
+            heights: Of the particles, shape (m,) [m].
+            thinnest: Least height of a layer [m].
+        """
         above = heights - heights.min()
+        surface = int(_BELOW_SURFACE * (len(above) - 1))
+        above = np.minimum(above, np.partition(above, surface)[surface])
         height = max(thinnest, float(above.max()) / (_MOST - 0.5))
         _, of, counts = np.unique(np.floor(above / height), return_inverse=True, return_counts=True)
         return cls(of, counts, height)

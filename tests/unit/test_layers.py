@@ -113,12 +113,13 @@ def test_faster_liquid_exchanges_more_between_layers() -> None:
     assert times[0] > times[1] > times[2]
 
 
-def test_layers_are_by_height_and_none_is_empty() -> None:
-    heights = np.array([0.0, 0.02, 0.001, 0.021, 0.0405])
+def test_layers_are_by_height_and_what_falls_in_is_in_the_top_one() -> None:
+    heights = np.array([0.0, 0.02, 0.001, 0.021, 0.1])
     layers = Layers.by_height(heights, 0.005)
-    assert layers.of.tolist() == [0, 1, 0, 1, 2]
-    assert layers.counts.tolist() == [2, 2, 1]
-    assert layers.means(heights[:, None])[:, 0] == pytest.approx([0.0005, 0.0205, 0.0405])
+    assert layers.of.tolist() == [0, 1, 0, 1, 1]
+    assert layers.counts.tolist() == [2, 3]
+    assert layers.height == 0.005
+    assert layers.means(heights[:, None])[:, 0] == pytest.approx([0.0005, 0.047])
 
 
 def test_reactions_go_on_almost_four_times_in_a_second() -> None:
