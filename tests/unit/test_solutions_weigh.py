@@ -5,6 +5,7 @@ import pytest
 
 from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.inventory import Solute
+from labutopia_lerobot.chemistry.poured_together import density
 from labutopia_lerobot.labware.glass.catalogue import glassware, ware
 from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.layout import Placement
@@ -101,3 +102,9 @@ def test_the_stock_of_a_solution_is_as_dense_as_it_weighs() -> None:
         stock = handling.stock(name, simulation.data.body(name).xpos.copy())
         assert stock is not None
         assert stock.density == pytest.approx(WATER.density + molar * 159.61, abs=0.2)
+
+
+def test_the_density_of_a_solution_is_that_of_its_water_and_its_salt() -> None:
+    """997.05 kg/m^3 of water at 25 C (CRC Handbook), and 58.44 g of salt in a litre of it."""
+    assert density(()) == pytest.approx(997.05, abs=0.05)
+    assert density((Solute("sodium chloride", 1.0),)) == pytest.approx(1055.49, abs=0.05)
