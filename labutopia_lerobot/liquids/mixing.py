@@ -22,9 +22,9 @@ _LENGTH = 5e-3
 Schlichting, Boundary-Layer Theory, chapter on turbulent pipe flow), here of a beaker 70 mm wide."""
 _REST = 0.006
 """Mean speed up to which a vessel has no eddies [m/s]; ours, as `dissolving` has it."""
-_CONVECTION = 1e-3
-"""Speed of what is at rest [m/s]; ours: half of the 2 mm/s that a difference of 0.05 K drives,
-sqrt(g beta dT L) over 0.05 m."""
+_CONVECTION = 2e-3
+"""Speed of what is at rest [m/s]; ours: a difference of 0.05 K drives as much over 0.05 m,
+sqrt(g beta dT L). With half of it the electrode of `level4/titrate` lags behind the end point."""
 
 
 def mixed_share(speed: float, period: float) -> float:
