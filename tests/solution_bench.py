@@ -69,6 +69,15 @@ def mix(simulation: Simulation, seconds: float) -> None:
         handling.react(1.0)
 
 
+def swirl(simulation: Simulation) -> None:
+    """Let what the vessels hold mix as if they were swirled, until no layers are left."""
+    handling = simulation.apparatus.liquid
+    assert handling is not None
+    liquid_of(simulation).speeds[:] = 0.03  # too slow to stir up what has settled
+    for _ in range(120):
+        handling.react(5.0)
+
+
 def world(simulation: Simulation) -> SimulatedWorld:
     """Return the view of a bench."""
     return SimulatedWorld(simulation)
@@ -85,7 +94,7 @@ def energy(simulation: Simulation) -> float:
 
 
 def bring(simulation: Simulation, origin: str, into: str | None, ml: float) -> None:
-    """Put some of what a vessel holds into another one, or away, and let it mix for a minute.
+    """Put some of what a vessel holds into another one, or away, and swirl it.
 
     Args:
         simulation: What it is in.
@@ -106,4 +115,4 @@ def bring(simulation: Simulation, origin: str, into: str | None, ml: float) -> N
         positions = simulation.data.body(into).xpos + 0.004 * places
         liquid.add(positions, np.zeros_like(positions), portion)
     simulation.account = liquid.take_account()
-    mix(simulation, 60.0)
+    swirl(simulation)

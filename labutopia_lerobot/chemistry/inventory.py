@@ -181,6 +181,12 @@ class Inventory:
         return np.array([made[key].enthalpy for key in self.species])
 
     @cached_property
+    def molar_masses(self) -> Floats:
+        """Of each species, electrons weigh nothing, shape (species,) [kg/mol]."""
+        made = network().species
+        return np.array([made[key].composition.molar_mass for key in self.species])
+
+    @cached_property
     def gaseous(self) -> NDArray[np.bool_]:
         """Which species leave a solution as bubbles, shape (species,)."""
         return np.array([key.endswith("(g)") for key in self.species])

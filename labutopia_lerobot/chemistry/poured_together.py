@@ -35,6 +35,19 @@ def ph_together(
     return ph_of(inventory.amounts(settled), total)
 
 
+def density(solutes: Sequence[Solute]) -> float:
+    """Return the mass of a volume of a solution in water [kg/m^3], as `Solutions.masses` has it.
+
+    Args:
+        solutes: Those of the solution.
+
+    Raises:
+        NotDissolvedError: A compound does not dissolve, or not as much of it.
+    """
+    inventory = Inventory.of([solutes])
+    return float(inventory.filled(solutes, 1.0) @ inventory.molar_masses)
+
+
 def solid_at(solutes: Sequence[Solute], crystals: Crystals, ml: float, celsius: float) -> float:
     """Return how much of some crystals is left in a solution in the end, or comes back [mol].
 

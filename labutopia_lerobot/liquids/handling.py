@@ -54,12 +54,12 @@ class Handling(LiquidHandling):
         liquid, holder = self._liquid, self._liquid.names.index(vessel)
         kept = np.flatnonzero(liquid.kept.holders == holder)
         if len(kept):
-            return self._of(liquid.kept.portion.amounts[kept[0]], len(kept))
+            return self._of(liquid.kept.portion.part(kept[:1]), len(kept))
         inside = np.flatnonzero(liquid.inside() == holder)
         if not len(inside):
             return None
-        nearest = inside[self._distances(inlet_w)[inside].argmin()]
-        return self._of(liquid.amounts[nearest], len(inside))
+        nearest = self._distances(inlet_w)[inside].argmin()
+        return self._of(liquid.what.part(inside[[nearest]]), len(inside))
 
     @override
     def near(self, point_w: FloatArray) -> Stock | None:
@@ -68,7 +68,7 @@ class Handling(LiquidHandling):
             near = self._within_reach(point_w, _HOLE)
             tops = self._liquid.positions[near, 2] + 0.5 * self._liquid.spacing
             near = near[:1] if (tops > point_w[2]).any() else near[:0]
-        return self._of(self._liquid.amounts[near[0]], len(near)) if len(near) else None
+        return self._of(self._liquid.what.part(near[:1]), len(near)) if len(near) else None
 
     @override
     def solution_at(self, point_w: FloatArray) -> Solution | None:
@@ -184,6 +184,7 @@ class Handling(LiquidHandling):
                 liquid.speeds,
                 period,
             )
+            liquid.weigh()
 
     @override
     def stir(self, at: FloatArray, speed: float, radius: float, duration: float) -> None:
@@ -197,7 +198,8 @@ class Handling(LiquidHandling):
     def masses(self) -> tuple[FloatArray, FloatArray]:
         liquid = self._liquid
         densities = np.array([substance.density for substance in liquid.substances])
-        return liquid.positions.copy(), liquid.volume * liquid.amounts @ densities
+        masses = liquid.volume * liquid.amounts @ densities + liquid.solute_masses(liquid.what)
+        return liquid.positions.copy(), masses
 
     def _held(self, vessel: str) -> NDArray[np.bool_]:
         """Return which particles a vessel held at the last account, shape (n,)."""
@@ -243,15 +245,16 @@ class Handling(LiquidHandling):
         order = np.argsort(distances, kind="stable")
         return order[distances[order] < reach * self._liquid.spacing]
 
-    def _of(self, amounts: FloatArray, count: int) -> Stock:
-        """Return a number of particles, and what one of them is made of.
+    def _of(self, what: Portion, count: int) -> Stock:
+        """Return a number of particles, and what the only one of a portion is made of.
 
         Volumes add up; viscosities mix by their logarithms, as in `solver.flow`.
         """
-        kinds = self._liquid.substances
+        kinds, amounts, volume = self._liquid.substances, what.amounts[0], self._liquid.volume
+        solutes = float(np.sum(self._liquid.solute_masses(what))) / volume
         return Stock(
-            count * self._liquid.volume,
-            float(amounts @ [kind.density for kind in kinds]),
+            count * volume,
+            float(amounts @ [kind.density for kind in kinds]) + solutes,
             float(np.exp(amounts @ np.log([kind.viscosity for kind in kinds]))),
             float(amounts @ [kind.surface_tension for kind in kinds]),
         )

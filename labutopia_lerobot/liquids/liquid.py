@@ -78,11 +78,9 @@ class Liquid:
         self.bottles = Bottles([bottle.name for bottle in bottles], self.volume)
         self._beginning = Beginning(fillings, self.names, self.volume)
         self.substances, self.solutions = self._beginning.substances, self._beginning.solutions
-        columns = [vessel for vessel in self.vessels if is_column(vessel)]
         self.kept = Kept(self._beginning.nothing)
-        self._what = self._beginning.nothing
-        self._keeps = bool(columns or pipettes)
-        depths = [v.profile.depth(volume) for v in self.vessels if v not in columns]
+        self._keeps = bool(pipettes) or any(is_column(vessel) for vessel in self.vessels)
+        depths = [v.profile.depth(volume) for v in self.vessels if not is_column(v)]
         self._mixing = Mixing(self.substances, self.volume, max(depths, default=0.0))
         self._around = Surroundings(model, data, self.vessels, robot)
         self._impulse = np.zeros((self._around.owners, 6))
@@ -128,7 +126,15 @@ class Liquid:
     def _be(self, what: Portion) -> None:
         """Let the particles in motion be made of something."""
         self._what = what
-        self._matter = self._mixing.matter(what.amounts)
+        self.weigh()
+
+    def weigh(self) -> None:
+        """Let the particles in motion weigh what they hold by now."""
+        self._matter = self._mixing.matter(self._what.amounts, self.solute_masses(self._what))
+
+    def solute_masses(self, what: Portion) -> FloatArray | float:
+        """Return by how much what is dissolved makes particles heavier, shape (m,) or 0 [kg]."""
+        return 0.0 if self.solutions is None else self.solutions.masses(what.contents)
 
     def empty(self) -> None:
         """Take all liquid away."""
@@ -188,6 +194,7 @@ class Liquid:
             self._advance()
             self.velocities *= _SETTLE_DAMPING
         self._beginning.strew(self._what, self.positions[:, 2], held)
+        self.weigh()
 
     def dispense(self, bottle: Dispenser, volume: float, spout: Pose, duration: float) -> None:
         """Let out of a bottle what its wall displaces, as fast as the spout lets it through.
@@ -257,9 +264,9 @@ class Liquid:
     def over_bottoms(self) -> FloatArray:
         """Return how high particles are for crystals, which stay on a bottom, shape (n,) [m].
 
-        In a vessel that stands, their height; in one that leans, how far they are from its base
-        along its axis: wet grains hold together (Hornbaker and others, "What keeps sandcastles
-        standing?", Nature 387, 1997), and do not slide along the wall to the lip.
+        In a vessel that stands, their height; in one that leans, how far they are from its base:
+        wet grains hold together (Hornbaker and others, Nature 387, 1997), and do not slide along
+        the wall to the lip.
         """
         heights, now = self.positions[:, 2].copy(), self._around.glass.now
         for vessel in np.flatnonzero(now.rotation[: len(self.vessels), 2, 2] < _LEANS):
@@ -342,12 +349,11 @@ class Liquid:
             bottle = self.names.index(name)
             counts[bottle, bottle] += waiting
         moves = transfers(count, held, places)
-        speeds = mean_speeds(count, self.velocities, inside)
         last = np.where(inside >= 0, inside, self._what.last_held)
         self._what = self._what._replace(last_held=last)
-        self.accounted, self.speeds = inside, speeds
+        self.accounted, self.speeds = inside, mean_speeds(count, self.velocities, inside)
         kept.remember(kept.holders)
-        return LiquidAccount(self.names, counts, moves, speeds, self.volume)
+        return LiquidAccount(self.names, counts, moves, self.speeds, self.volume)
 
     def warm_to(self, temperature: float) -> None:
         """Bring all liquid, and what comes later, to where it begins in a room so warm [K]."""

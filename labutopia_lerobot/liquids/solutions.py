@@ -1,8 +1,9 @@
 """Solutes in a liquid: they mix with those in the same vessel, and react.
 
-In a period a share of what every particle in a vessel has in solution goes into common; what is in
-common comes to equilibrium, and everybody gets back as much as he gave. So nothing reacts faster
-than it mixes, and what has been poured in is seen as it was until it has mixed.
+In a period a share of what every particle has in solution goes into common with all at its height
+in the vessel; what is in common diffuses from layer to layer, comes to equilibrium there, and
+everybody gets back as much as he gave. So nothing reacts faster than it mixes, what has been poured
+in is seen as it was until it has mixed, and layers are seen until something stirs them.
 """
 
 from collections.abc import Mapping, Sequence
@@ -11,11 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.chemistry.inventory import Inventory
-from labutopia_lerobot.chemistry.network import PROTON
+from labutopia_lerobot.chemistry.network import PROTON, WATER
 from labutopia_lerobot.chemistry.palette import Palette
+from labutopia_lerobot.chemistry.portions import WATER_PER_VOLUME
 from labutopia_lerobot.chemistry.speciation import ph_of
 from labutopia_lerobot.liquids.dissolving import Dissolving
-from labutopia_lerobot.liquids.mixing import mixed_share
+from labutopia_lerobot.liquids.layers import Layers, exchange
+from labutopia_lerobot.liquids.mixing import exchanged_between_layers, mixed_share
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.settling import let_sink, sinking_speeds
 from labutopia_lerobot.substances.filling import Filling
@@ -54,6 +57,7 @@ class Solutions:
             filling.dissolved: self.inventory.filled(filling.dissolved, particle)
             for filling in fillings
         }
+        self._water = self.inventory.row({WATER: WATER_PER_VOLUME * particle})
         self._shape = len(names), len(self.inventory.species)
         self.empty()
 
@@ -66,6 +70,18 @@ class Solutions:
         """Return what particles hold that come from fillings, shape (m, species) [mol]."""
         rows = [self._filled[filling.dissolved] for filling in fillings]
         return np.array(rows).reshape(-1, self._shape[1])
+
+    def masses(self, contents: FloatArray) -> FloatArray:
+        """Return by how much particles are heavier than as much water, shape (m,) [kg].
+
+        All their atoms count, so that what leaves as gas is lost, and no more. Their volume is that
+        of the water that they are made up with.
+
+        Args:
+            contents: Amounts of each species that they hold, shape (m, species) [mol].
+        """
+        masses: FloatArray = (contents - self._water) @ self.inventory.molar_masses
+        return masses
 
     def strew(self, contents: FloatArray, heights: FloatArray, filling: Filling) -> None:
         """Put the crystals of a filling on the bottom of its vessel, in place.
@@ -119,30 +135,65 @@ class Solutions:
                 )
                 contents[held] = own
                 what.temperatures[held] += heat / weights.sum()
-            mean = _mean(own)
-            goal, why = self._settled(mean, warm)
-            self.unreacted = tuple(dict.fromkeys([*self.unreacted, *([why] if why else [])]))
+            mean, present = _mean(own), own.any(axis=0)
             grains = self._dissolving.columns
             for these, over in ((~grains, heights), (grains, beds)):
-                floating = np.flatnonzero(self._floats & these & (mean > 0.0))
+                floating = np.flatnonzero(self._floats & these & present)
                 if len(floating):
                     solids, sinking = own[:, floating], self._sinking[floating]
                     let_sink(solids, over[held], sinking, self._layer, speed, period)
                     own[:, floating] = contents[np.ix_(held, floating)] = solids
-            end = _where_it_is(own, mean, goal, self._floats)
-            apart = np.abs(own - end).max()
-            if apart == 0.0:
+            new = self._mixed(own, mean, heights[held], warm, speed, period)
+            if (new == own).all():
                 continue
-            share = mixed_share(speed, period)
-            if apart <= _MIXED * goal[inventory.dissolved].sum():
-                share = 1.0
-            new = own + share * (end - own)
             heat = float((own - new).sum(axis=0) @ inventory.enthalpies)
             if new[:, self._gases].any():
                 self.given_off[vessel, self._gases] += new[:, self._gases].sum(axis=0)
                 new[:, self._gases] = 0.0
             contents[held] = new
             what.temperatures[held] += heat / weights.sum()
+
+    def _mixed(
+        self,
+        own: FloatArray,
+        mean: FloatArray,
+        heights: FloatArray,
+        warm: float,
+        speed: float,
+        period: float,
+    ) -> FloatArray:
+        """Return what particles of a vessel hold when they have mixed and reacted for a time.
+
+        Args:
+            own: What they hold, shape (m, species) [mol].
+            mean: The mean of it, shape (species,).
+            heights: Of them, shape (m,) [m].
+            warm: Their temperature [K].
+            speed: Their mean speed [m/s].
+            period: Time [s].
+        """
+        seen, share = _MIXED * mean[self.inventory.dissolved].sum(), mixed_share(speed, period)
+        moving = ~self._floats
+        if np.abs(own - mean)[:, moving].max() <= seen:
+            goal = self._noted(mean, warm)
+            end = _where_it_is(own, mean, goal, self._floats)
+            if np.abs(own - end).max() <= seen:
+                share = 1.0
+            return own + share * (end - own)
+        layers = Layers.by_height(heights, self._layer)
+        commons = layers.means(own)
+        reach = exchanged_between_layers(speed, layers.height)
+        commons[:, moving] = exchange(commons[:, moving], layers.counts, reach)
+        goals = np.array([self._noted(common, warm) for common in commons])
+        end = _where_it_is(own, commons[layers.of], goals[layers.of], self._floats)
+        return own + share * (end - own)
+
+    def _noted(self, mean: FloatArray, temperature: float) -> FloatArray:
+        """Return what becomes of a particle, as `_settled`, and note why not."""
+        goal, why = self._settled(mean, temperature)
+        if why and why not in self.unreacted:
+            self.unreacted = (*self.unreacted, why)
+        return goal
 
     def solution(self, vessel: int, what: Portion, capacities: FloatArray) -> Solution:
         """Return what is in a vessel.
@@ -240,15 +291,16 @@ def _where_it_is(
 
     Args:
         own: What they hold, shape (m, species) [mol].
-        mean: The mean of it, shape (species,).
-        goal: That mean at equilibrium, shape (species,).
+        mean: The mean that each mixes to, shape (species,) or (m, species).
+        goal: That mean at equilibrium, of the same shape.
         floats: Which species are solids, shape (species,).
     """
-    end = np.tile(goal, (len(own), 1))
-    solid = np.flatnonzero(floats & ((mean > 0.0) | (goal > 0.0)))
-    mean, goal = mean[solid], goal[solid]
-    left = np.divide(np.minimum(goal, mean), mean, out=np.ones_like(mean), where=mean > 0.0)
-    end[:, solid] = (own[:, solid] + np.maximum(goal - mean, 0.0)) * left
+    end = np.array(np.broadcast_to(goal, own.shape))
+    solid = np.flatnonzero(floats & ((mean > 0.0) | (goal > 0.0)).reshape(-1, len(floats)).any(0))
+    if len(solid):
+        mean, goal = mean[..., solid], goal[..., solid]
+        left = np.divide(np.minimum(goal, mean), mean, out=np.ones_like(mean), where=mean > 0.0)
+        end[:, solid] = (own[:, solid] + np.maximum(goal - mean, 0.0)) * left
     return end
 
 

@@ -23,7 +23,7 @@ BASE = Filling(60.0, dissolved=(Solute("sodium hydroxide", 0.1),))
 BEAKER, OTHER = glassware("beaker", "150 ml", "beaker"), glassware("beaker", "150 ml", "other")
 
 
-def dipped(filling: Filling, lowered: float = 0.110) -> Simulation:
+def dipped(filling: Filling, lowered: float = 0.113) -> Simulation:
     """Return a beaker below the electrode of a meter, and another one, of a base, beside it."""
     meter = PhMeter("meter", lowered=lowered)
     held: dict[Piece, Filling] = {BEAKER: filling, OTHER: BASE}

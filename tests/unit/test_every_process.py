@@ -46,6 +46,7 @@ CHECKED_BY = {
     "Prisms": "test_meters_in_solutions::test_a_drop_is_read_once_the_prisms_are_shut_on_it",
     "Probe": "test_heat::test_a_probe_follows_what_it_is_in_as_a_lag_of_two_seconds",
     "PushButton": "test_push_buttons::test_two_newtons_do_not_click_it_and_three_and_a_half_do",
+    "Reactions": "test_layers::test_reactions_go_on_almost_four_times_in_a_second",
     "Rocking": "test_drives::test_a_rocking_platform_goes_to_and_fro_as_often_as_it_says",
     "SolutionSensor": "test_electrodes::"
     "test_after_three_time_constants_it_shows_95_percent_of_a_change",

@@ -10,6 +10,7 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.task import NeedsLiquidError
+from solution_bench import swirl
 
 TASK = "level2/neutralise"
 GREEN = "yellow_beaker looks green"
@@ -38,10 +39,7 @@ def tip(env: LabEnv, ml: float, vessel: str, into: str | None = "yellow_beaker")
         liquid.positions[flowing] = middle + 0.008 * places
         liquid.velocities[flowing] = 0.0
     simulation.account = liquid.take_account()
-    handling = simulation.apparatus.liquid
-    assert handling is not None
-    for _ in range(60):
-        handling.react(1.0)
+    swirl(simulation)
     *_, info = env.step(env.workcell.filter.applied.copy())
     return info
 

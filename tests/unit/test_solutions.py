@@ -27,6 +27,7 @@ from solution_bench import (
     liquid_of,
     mix,
     pour,
+    swirl,
     world,
 )
 
@@ -119,7 +120,7 @@ def test_what_has_been_poured_in_is_seen_until_it_has_mixed() -> None:
     simulation = bench(BARIUM, COPPER)
     pour(simulation, 0.5, 25)
     young = world(simulation).solution(TAKER)
-    mix(simulation, 60.0)
+    swirl(simulation)
     old = world(simulation).solution(TAKER)
     assert young is not None
     assert old is not None

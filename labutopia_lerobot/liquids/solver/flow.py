@@ -64,8 +64,9 @@ class Matter(NamedTuple):
     """Properties of each particle, as the solver needs them; shape (n,) each.
 
     Masses are those of particles of the lightest substance in the scene: an inverse mass, by which
-    corrections and changes of velocity are multiplied, is then never more than 1. Where there is
-    one substance all are 1, and no result differs by a bit from what it is without masses.
+    corrections and changes of velocity are multiplied, is then hardly ever more than 1. Where there
+    is one substance and nothing is dissolved, all are 1, and no result differs by a bit from what
+    it is without masses.
 
     Attributes:
         mass: Relative mass.
@@ -101,6 +102,7 @@ class Mixing:
         hertz = DEEP_HZ if deep else LIQUID_HZ
         dt = 1.0 / hertz
         self.density = min(substance.density for substance in substances)
+        self._unit = self.density * volume
         self._mass = np.array([substance.density / self.density for substance in substances])
         wanted = np.array([_viscosity(substance, spacing, dt) for substance in substances])
         passes = int(np.ceil((self._mass * wanted).max() / _MOST_VISCOSITY))
@@ -109,8 +111,12 @@ class Mixing:
         pulls = np.array([s.surface_tension / (s.density * spacing**2) for s in substances])
         self._cohesion = _COHESION * pulls * dt / passes
 
-    def matter(self, amounts: NDArray[np.float64]) -> Matter:
+    def matter(
+        self, amounts: NDArray[np.float64], solutes: NDArray[np.float64] | float = 0.0
+    ) -> Matter:
         """Return what particles are made of.
+
+        What is dissolved weighs, but changes neither the dynamic viscosity nor the surface tension.
 
         Volumes add up, so that densities mix by volume; surface tensions do so to first order.
         Viscosities mix by their logarithms (Arrhenius 1887, "Ueber die innere Reibung verduennter
@@ -118,15 +124,16 @@ class Mixing:
 
         Args:
             amounts: Part of each particle's volume that is each substance, shape (n, substances).
+            solutes: By how much each is heavier than that, shape (n,) [kg].
         """
-        mass = amounts @ self._mass
-        cohesion = (amounts @ (self._mass * self._cohesion)) / mass
+        pure_mass = amounts @ self._mass
+        cohesion = (amounts @ (self._mass * self._cohesion)) / pure_mass
         # What is pure has its substance's own numbers, to the last bit.
         pure, kind = amounts.max(axis=1, initial=0.0) == 1.0, amounts.argmax(axis=1)
         mixed = np.exp(amounts @ np.log(self._viscosity))
         viscosity = np.where(pure, self._viscosity[kind], mixed)
         cohesion = np.where(pure, self._cohesion[kind], cohesion)
-        half = 0.5 * mass
+        half, mass = 0.5 * pure_mass, pure_mass + solutes / self._unit
         return Matter(mass, 1.0 / mass, viscosity, half * viscosity, half * cohesion)
 
 

@@ -8,6 +8,7 @@ powder.
 import math
 
 from labutopia_lerobot.chemistry.inventory import Solute
+from labutopia_lerobot.chemistry.poured_together import density
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.weighing.precision_balance import PrecisionBalance
 from labutopia_lerobot.layout import Inside, OnBench
@@ -36,10 +37,10 @@ _SALTS = {
 }
 _STOCK = 0.5
 """Of the stock solution [mol/l]; ours."""
-_TOTAL_G = 120.0
-"""Mass of the solution [g]: a balance here takes it for water, so that it is ml too; ours."""
+_TOTAL_ML = 120.0
+"""Volume of the solution [ml]; ours."""
 _WITHIN_G = 4.0
-"""How near to that, and how near the stock to its share [g]; ours: what counts is their ratio."""
+"""How near to its mass, and the stock to its share [g]; ours: what counts is their ratio."""
 _WITHIN = 0.02
 """How near the concentration must be, as a part of it; as is asked of a student."""
 _STOCK_ML, _WATER_ML = 85.0, 110.0
@@ -53,27 +54,30 @@ def prepare_solution(draw: Draw) -> Task:
     names = list(_SALTS)
     salt = draw.choice("substance", train=names[:2], test=names[2:], shifted=True)
     molar = draw.choice("concentration", train=(0.20, 0.15, 0.25), test=(0.18, 0.22), shifted=True)
-    celsius, share = start_temperature(draw), _TOTAL_G * molar / _STOCK
+    celsius, solutes = start_temperature(draw), (Solute(salt, _STOCK),)
+    ml = _TOTAL_ML * molar / _STOCK
+    share = round(1e-3 * density(solutes) * ml, 1)
+    total = round(share + 1e-3 * density(()) * (_TOTAL_ML - ml), 1)
     balance, target = PrecisionBalance("balance"), glassware("beaker", "250 ml", "large")
     stock = glassware("beaker", "150 ml", "stock_beaker")
     water = glassware("beaker", "150 ml", "water_beaker")
     weighing = balance.weighing
     low, high = (molar * (1.0 + off) for off in (-_WITHIN, _WITHIN))
     made = concentration(target, species=_SALTS[salt], low=low, high=high)
-    full = reads(weighing, low=_TOTAL_G - _WITHIN_G, high=_TOTAL_G + _WITHIN_G)
+    full = reads(weighing, low=total - _WITHIN_G, high=total + _WITHIN_G)
     there = (made, full, settled(weighing))
     near = _WITHIN_G / 4
     weigh = actions.pour_by_reading(stock, target, weighing, mass=share, within=near, coarse=0.3)
-    fill_up = actions.dilute(water, target, weighing, times=_STOCK / molar, there=there)
+    fill_up = actions.dilute(water, target, weighing, times=total / share, there=there)
     homes = {vessel: WhereItStood(vessel) for vessel in (stock, water)}
     return Task(
-        instruction=f"Prepare {_TOTAL_G:g} g of {molar:g} mol/l {salt}: tare the balance, weigh "
-        f"{share:.0f} g of the {_STOCK:g} mol/l stock into its beaker, fill it up with water, and "
+        instruction=f"Prepare {total:g} g of {molar:g} mol/l {salt}: tare the balance, weigh "
+        f"{share:g} g of the {_STOCK:g} mol/l stock into its beaker, fill it up with water, and "
         "put both beakers back.",
         paraphrases=(
             f"Dilute the {_STOCK:g} mol/l {salt} to {molar:g} mol/l on the tared balance: "
-            f"{share:.0f} g of it, and water up to {_TOTAL_G:g} g. Return both beakers.",
-            f"Make up {_TOTAL_G:g} g of {salt}, {molar:g} mol/l, of the coloured stock of "
+            f"{share:g} g of it, and water up to {total:g} g. Return both beakers.",
+            f"Make up {total:g} g of {salt}, {molar:g} mol/l, of the coloured stock of "
             f"{_STOCK:g} mol/l and water, by the balance, then put the two beakers back.",
         ),
         start={
@@ -98,7 +102,7 @@ def prepare_solution(draw: Draw) -> Task:
             *actions.left_standing(water, homes[water], within=_BACK),
         ),
         contents={
-            stock: Filling(_STOCK_ML, celsius=celsius, dissolved=(Solute(salt, _STOCK),)),
+            stock: Filling(_STOCK_ML, celsius=celsius, dissolved=solutes),
             water: Filling(_WATER_ML, celsius=celsius),
         },
         never={
@@ -106,7 +110,7 @@ def prepare_solution(draw: Draw) -> Task:
                 *(failures.handling(v, spill=0.02, into=target) for v in (stock, water))
             ),
             "struck": struck(target, but_for=frozenset({balance.pan.name})),
-            "overshot": given(stock, target, more_than_ml=share + _WITHIN_G),
+            "overshot": given(stock, target, more_than_ml=ml * (1.0 + _WITHIN_G / share)),
         },
         needs_liquid=True,
         time_limit_s=260.0,  # ours
