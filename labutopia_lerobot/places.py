@@ -5,7 +5,7 @@ from typing import Protocol
 
 import numpy as np
 
-from labutopia_lerobot.world import BENCH, FloatArray, Thing, World
+from labutopia_lerobot.world import BENCH, FloatArray, ReachedInto, Thing, World
 
 
 class Destination(Protocol):
@@ -135,3 +135,15 @@ class OverBench:
         base = world.robot_base
         x, y, _ = base.position_w + self.ahead * base.x_axis + self.left * base.y_axis
         return np.array([x, y, world.bench_height + self.height])
+
+
+def reached_at(world: World, thing: Thing) -> FloatArray:
+    """Return where one reaches for a thing, shape (3,), metres, world frame.
+
+    That is the middle of its opening, if one reaches into it, or its origin.
+    """
+    if not isinstance(thing, ReachedInto):
+        return world.pose(thing).position_w
+    frame = world.frame(thing.opening.frame)
+    point: FloatArray = frame.position_w + frame.rotation_w @ thing.opening.at
+    return point

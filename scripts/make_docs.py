@@ -17,7 +17,7 @@ import expert_rows
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.rows import Row, summarise
-from labutopia_lerobot.layout import Inside, OnSomeBench
+from labutopia_lerobot.layout import Inside, OnBench
 from labutopia_lerobot.registry import is_beyond_paper, task_files
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
@@ -173,8 +173,8 @@ def start_table() -> list[str]:
             if isinstance(region, Inside):
                 lines.append(f"| `{task_id}` | {piece.name} | in {region.holder.name} | | any |")
                 continue
-            if isinstance(region, OnSomeBench):
-                yaw = "facing the robot" if region.instrument else "any"
+            if not isinstance(region, OnBench):
+                yaw = region.described
                 lines.append(f"| `{task_id}` | {piece.name} | on a bench of the room | | {yaw} |")
                 continue
             x, y = (f"{metres(low)} to {metres(high)}" for low, high in (region.x, region.y))

@@ -10,7 +10,7 @@ from labutopia_lerobot.world import Dock, FloatArray, Floor
 
 @dataclass(frozen=True, eq=False)
 class Spot:
-    """A place for a thing on a bench, and that of a base whose arm reaches it well.
+    """A place on a bench, and that of a base whose arm reaches it well.
 
     Attributes:
         dock: Where the base stands.
@@ -30,11 +30,14 @@ class Ground:
     Attributes:
         floor: Map and places at benches.
         spots: Places for things.
+        deep: Places before which a bench-top oven can stand, with room for its open door; the
+            position is that of the base of the arm.
         starts: Points from which it gets to all of them, shape (n, 2) [m].
     """
 
     floor: Floor
     spots: tuple[Spot, ...]
+    deep: tuple[Spot, ...]
     starts: FloatArray
 
     @property
@@ -46,3 +49,8 @@ class Ground:
     def wide_benches(self) -> tuple[str, ...]:
         """Those of them with places for instruments."""
         return tuple(dict.fromkeys(spot.dock.bench for spot in self.spots if spot.wide))
+
+    @property
+    def deep_benches(self) -> tuple[str, ...]:
+        """Benches with places for what is as large as an oven."""
+        return tuple(dict.fromkeys(spot.dock.bench for spot in self.deep))

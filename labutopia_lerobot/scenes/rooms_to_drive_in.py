@@ -17,6 +17,11 @@ _ROOMS = {
 }
 """Family -> numbers of its rooms."""
 
+_SHALLOW = frozenset(
+    {"analytical_0", "analytical_2", "analytical_6", "organic_9", "physics_2", "physics_5"}
+)
+"""Those of them in which no robot gets to a bench on which an oven can stand."""
+
 _HELD_OUT = ("corridor", "weighing_room")
 """Families that are for tests only: nobody has trained in rooms that are furnished alike; ours."""
 
@@ -25,6 +30,15 @@ def rooms_to_drive_in() -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the rooms for training, and those for tests."""
     train = tuple(family for family in _ROOMS if family not in _HELD_OUT)
     return _named(train), _named(_HELD_OUT)
+
+
+def rooms_with_deep_benches() -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return those of them with a bench for an oven, for training and for tests."""
+    train, test = rooms_to_drive_in()
+    return (
+        tuple(room for room in train if room not in _SHALLOW),
+        tuple(room for room in test if room not in _SHALLOW),
+    )
 
 
 def _named(families: tuple[str, ...]) -> tuple[str, ...]:

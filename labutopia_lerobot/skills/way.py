@@ -13,8 +13,18 @@ from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.navigation.path_planner import RADIUS, PathPlanner
 from labutopia_lerobot.navigation.route import Route
+from labutopia_lerobot.places import reached_at
 from labutopia_lerobot.skills.skill import Phase, PhaseError
-from labutopia_lerobot.world import Dock, FloatArray, Obstacle, Pose, Thing, Wheels, World
+from labutopia_lerobot.world import (
+    Dock,
+    FloatArray,
+    Obstacle,
+    Pose,
+    ReachedInto,
+    Thing,
+    Wheels,
+    World,
+)
 
 _SHARE = 0.6
 """Share of the base's speeds and accelerations that experts use; ours: what is in a beaker stays
@@ -136,12 +146,12 @@ def dock_for(world: World, thing: Thing) -> Dock:
     Raises:
         PhaseError: If there is none: nobody can drive there.
     """
-    point = world.pose(thing).position_w[:2]
-    wheels_of(world)
+    point, wheels = reached_at(world, thing)[:2], wheels_of(world)
     base = world.mobile_base
     assert base is not None
     arm, _, _ = (base.inverse() @ world.robot_base).position_w
-    best = world.floor.dock_at(point, arm, wheels_of(world).ahead)
+    ahead = thing.opening.ahead if isinstance(thing, ReachedInto) else wheels.ahead
+    best = world.floor.dock_at(point, arm, ahead)
     if best is None:
         raise PhaseError(
             f"No place at a bench of the room from which '{thing.name}' is within reach can be "

@@ -1,0 +1,101 @@
+"""Attacks on tasks in which one drives to an instrument and reaches into it."""
+
+import math
+
+import numpy as np
+import pytest
+
+from attacks.arm import Actions, Arm
+from attacks.plays import UNFINISHED, Play, outcome, roles, skilled, slow, until, until_phase
+from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.skills import Pick, Place
+from labutopia_lerobot.tasks.level4.drying_beakers import MIDDLE, MOUTH, RIGHT
+from labutopia_lerobot.world import CONTROL_HZ
+
+
+@pytest.fixture(scope="module")
+def oven() -> LabEnv:
+    setting = Setting("level5/transport_to_oven", obs="state", liquid="off", room="organic_7")
+    return LabEnv(setting)
+
+
+def in_the_middle(env: LabEnv) -> Actions:
+    """Set the beaker down elsewhere on the shelf."""
+    yield from until_phase(env, "place/before", "6_place")
+    beaker, _ = env.workcell.task.start
+    yield from skilled(env, Place(beaker, MIDDLE, through=MOUTH, retreat=0.06))
+
+
+def before_the_oven(env: LabEnv) -> Actions:
+    """Let the beaker go on the bench below the oven."""
+    yield from until_phase(env, "place/before", "6_place")
+    arm, world = Arm(env), env.workcell.world
+    ahead = 0.12 * world.robot_base.x_axis
+    yield from arm.go(arm.pose.moved(*ahead), speed=0.1)
+    beaker, _ = env.workcell.task.start
+    down = world.bench_height - world.pose(beaker).position_w[2] + 0.002
+    yield from arm.go(arm.pose.moved(z=down), speed=0.1)
+    yield from arm.stay(1.0, env.workcell.simulation.scene.robot.max_opening)
+
+
+def into_its_wall(env: LabEnv) -> Actions:
+    """Bring the beaker in, and on to the right until it meets the wall."""
+    yield from until_phase(env, "place/above", "6_place")
+    arm, world = Arm(env), env.workcell.world
+    deep = 0.20 * world.robot_base.x_axis
+    yield from arm.go(arm.pose.moved(*deep), speed=0.1)
+    right = -0.35 * world.robot_base.y_axis
+    yield from arm.go(arm.pose.moved(*right), speed=0.1)
+
+
+def from_above(env: LabEnv) -> Actions:
+    """Let the beaker go a hand's breadth over the shelf."""
+    yield from until_phase(env, "place/lower", "6_place")
+    yield from Arm(env).stay(1.0, env.workcell.simulation.scene.robot.max_opening)
+
+
+def held_in_the_oven(env: LabEnv) -> Actions:
+    """Set it down and keep hold of it."""
+    yield from until_phase(env, "place/open", "6_place")
+    yield from Arm(env).stay(8.0)
+
+
+def rolling_while_it_counts(env: LabEnv) -> Actions:
+    """Do it all, and roll to and fro afterwards."""
+    yield from until(env, lambda: env.workcell.progress.ever)
+    for tick in range(10 * CONTROL_HZ):
+        action = env.workcell.simulation.command.astype(np.float32)
+        back = 0.06 * math.cos(math.pi * tick / CONTROL_HZ)
+        action[roles(env).base] = (-back, 0.0, 0.02)
+        yield action
+
+
+def set_down_in_two_goes(env: LabEnv) -> Actions:
+    """Stand it in the middle of the shelf first, then where it belongs."""
+    yield from until_phase(env, "place/before", "6_place")
+    beaker, _ = env.workcell.task.start
+    yield from skilled(
+        env,
+        Place(beaker, MIDDLE, through=MOUTH, retreat=0.06),
+        Pick(beaker, 0.05, support=None, hover=0.02),
+        Place(beaker, RIGHT, hover=0.05, through=MOUTH, retreat=0.06),
+    )
+
+
+@pytest.mark.parametrize(
+    ("play", "outcomes"),
+    [
+        slow(in_the_middle, UNFINISHED),
+        slow(before_the_oven, {*UNFINISHED, "dropped", "broken"}),
+        slow(into_its_wall, {"struck", "collided", "broken", "load_collided"}),
+        slow(from_above, {"dropped", "broken"}),
+        slow(held_in_the_oven, UNFINISHED),
+        slow(rolling_while_it_counts, {*UNFINISHED, "collided"}),
+        slow(set_down_in_two_goes, {"success"}),
+    ],
+)
+def test_a_beaker_is_in_the_oven_that_stands_on_the_right_of_its_shelf(
+    oven: LabEnv, play: Play, outcomes: set[str]
+):
+    assert outcome(oven, play, 0)["outcome"] in outcomes
