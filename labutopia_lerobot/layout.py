@@ -131,6 +131,7 @@ class Inside:
             holder.y + sine * x + cosine * y,
             rng.uniform(-math.pi, math.pi) if self.yaw is None else holder.yaw + self.yaw,
             holder.height + z,
+            bench=holder.bench,
         )
 
 

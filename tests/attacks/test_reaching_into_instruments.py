@@ -8,8 +8,9 @@ import pytest
 from attacks.arm import Actions, Arm
 from attacks.plays import UNFINISHED, Play, outcome, roles, skilled, slow, until, until_phase
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.places import OnTop, OverBench
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.skills import Pick, Place
+from labutopia_lerobot.skills import DriveTo, Face, Pick, Place
 from labutopia_lerobot.tasks.level4.drying_beakers import MIDDLE, MOUTH, RIGHT
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -99,3 +100,78 @@ def test_a_beaker_is_in_the_oven_that_stands_on_the_right_of_its_shelf(
     oven: LabEnv, play: Play, outcomes: set[str]
 ):
     assert outcome(oven, play, 0)["outcome"] in outcomes
+
+
+@pytest.fixture(scope="module")
+def cupboard() -> LabEnv:
+    return LabEnv(Setting("level5/fetch_reagent", obs="state", room="organic_7"))
+
+
+def torn_open(env: LabEnv) -> Actions:
+    """Grip the handle, and pull the door open in a third of a second."""
+    yield from until_phase(env, "open/move")
+    arm, world = Arm(env), env.workcell.world
+    back = -0.35 * world.robot_base.x_axis + 0.10 * world.robot_base.y_axis
+    yield from arm.go(arm.pose.moved(*back), speed=1.0)
+    yield from arm.stay(2.0)
+
+
+def into_the_door(env: LabEnv) -> Actions:
+    """Take the bottle, and swing it against the open door."""
+    yield from until_phase(env, "carry/past", "4_take")
+    arm, world = Arm(env), env.workcell.world
+    out = -0.30 * world.robot_base.x_axis
+    yield from arm.go(arm.pose.moved(*out), speed=0.15)
+    aside = 0.45 * world.robot_base.y_axis
+    yield from arm.go(arm.pose.moved(*aside), speed=0.15)
+
+
+def dropped_before_the_cupboard(env: LabEnv) -> Actions:
+    """Let the bottle go as soon as it is out."""
+    yield from until_phase(env, "driveto/stow", "5_navigate")
+    yield from Arm(env).stay(2.0, env.workcell.simulation.scene.robot.max_opening)
+
+
+def beside_the_plate(env: LabEnv) -> Actions:
+    """Set the bottle down on the bench with the plate."""
+    yield from until_phase(env, "place/lower", "7_place")
+    _, bottle, plate = env.workcell.task.start
+    arm, world = Arm(env), env.workcell.world
+    aside = 0.20 * world.robot_base.y_axis
+    yield from arm.go(arm.pose.moved(*aside), speed=0.15)
+    down = world.stood(plate).position_w[2]
+    down += 0.001 - world.pose(bottle).position_w[2]
+    yield from arm.go(arm.pose.moved(z=down), speed=0.05)
+    yield from arm.stay(1.0, env.workcell.simulation.scene.robot.max_opening)
+    yield from arm.go(arm.pose.advanced(-0.15), speed=0.15)
+
+
+def put_down_on_the_way(env: LabEnv) -> Actions:
+    """Stand the bottle on the bench below the cupboard first, and take it from there."""
+    yield from until_phase(env, "driveto/stow", "5_navigate")
+    _, bottle, plate = env.workcell.task.start
+    before = OverBench("before the cupboard", ahead=0.45, left=-0.15)
+    yield from skilled(
+        env,
+        Place(bottle, before),
+        Pick(bottle, 0.15, support=None, hover=0.02),
+        DriveTo(plate, bottle),
+        Face(plate, bottle),
+        Place(bottle, OnTop(plate)),
+    )
+
+
+@pytest.mark.parametrize(
+    ("play", "outcomes"),
+    [
+        slow(torn_open, {"slammed", "collided", "broken"}),
+        slow(into_the_door, {"struck", "collided", "broken", "load_collided"}),
+        slow(dropped_before_the_cupboard, {"dropped", "broken", "knocked_over"}),
+        slow(beside_the_plate, {*UNFINISHED, "load_collided"}),
+        slow(put_down_on_the_way, {"success"}),
+    ],
+)
+def test_a_bottle_is_fetched_that_stands_on_the_plate(
+    cupboard: LabEnv, play: Play, outcomes: set[str]
+):
+    assert outcome(cupboard, play, 0)["outcome"] in outcomes
