@@ -12,17 +12,29 @@ from labutopia_lerobot.placement import Placement
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.ground import Ground
 from labutopia_lerobot.scenes.room import NowhereToDriveError, Room
-from labutopia_lerobot.scenes.rooms_to_drive_in import rooms_to_drive_in, rooms_with_deep_benches
-from labutopia_lerobot.starts_in_rooms import OnDeepBench, OnSomeBench
+from labutopia_lerobot.scenes.rooms_to_drive_in import (
+    rooms_to_drive_in,
+    rooms_with_deep_benches,
+    rooms_with_sinks,
+)
+from labutopia_lerobot.starts_in_rooms import (
+    APART,
+    OfTheRoom,
+    OnDeepBench,
+    OnSomeBench,
+    OnTheSameBench,
+)
 from labutopia_lerobot.world import FloatArray
 
 __all__ = [
     "CLEARANCE",
     "ImpossibleStartError",
     "Inside",
+    "OfTheRoom",
     "OnBench",
     "OnDeepBench",
     "OnSomeBench",
+    "OnTheSameBench",
     "Placement",
     "Start",
     "Workspace",
@@ -31,6 +43,7 @@ __all__ = [
     "rooms_for",
     "sample_base",
     "sample_layout",
+    "taken_over",
 ]
 
 CLEARANCE = 0.01
@@ -135,7 +148,10 @@ class Inside:
         )
 
 
-type Start = OnBench | Inside | OnSomeBench | OnDeepBench
+type StartInRoom = OnSomeBench | OnTheSameBench | OnDeepBench | OfTheRoom
+"""Distribution of the place of a thing where one drives."""
+
+type Start = OnBench | Inside | StartInRoom
 """Distribution of the place of a thing at the start."""
 
 
@@ -175,7 +191,7 @@ def require_possible(
     sample_layout(start, np.random.default_rng(0), ground)
     for piece in start:
         region = _region_on_bench(piece, start)
-        if isinstance(region, OnSomeBench | OnDeepBench):
+        if not isinstance(region, OnBench):
             continue  # its places are known to be good
         corners = [(x, y) for x in region.x for y in region.y]
         for x, y in corners:
@@ -206,22 +222,29 @@ def require_drivable(start: Mapping[Piece, Start], ground: Ground, room: str) ->
     Raises:
         NowhereToDriveError: If it has not; the message says how much it has.
     """
-    regions = [each for each in start.values() if isinstance(each, OnSomeBench | OnDeepBench)]
-    deep = sum(isinstance(region, OnDeepBench) for region in regions)
-    instruments = sum(isinstance(each, OnSomeBench) and each.instrument for each in regions)
-    for benches, needed, free in (
-        (ground.benches, len(regions), "a free place"),
+    benches = [each for each in start.values() if isinstance(each, OnSomeBench)]
+    deep = sum(isinstance(region, OnDeepBench) for region in start.values())
+    instruments = sum(region.instrument for region in benches)
+    things = max((region.things for region in benches), default=1)
+    fixtures = {region.kind for region in start.values() if isinstance(region, OfTheRoom)}
+    train, test = rooms_for(start)
+    cure = (
+        f"Rooms that will do: {', '.join((*train, *test))}. Or leave room= out: one is drawn for "
+        "each episode"
+    )
+    for kind in sorted(fixtures - ground.fixtures.keys()):
+        raise NowhereToDriveError(f"room={room!r} has no {kind} that a robot drives up to. {cure}")
+    for found, needed, free in (
+        (ground.benches, len(benches) + deep, "a free place"),
+        (ground.benches_for(things, APART), int(things > 1), f"free places for {things} things"),
         (ground.deep_benches, deep, "into an oven that stands there with its door open"),
         (ground.wide_benches, instruments, "a place free for an instrument"),
     ):
-        if len(benches) >= needed:
+        if len(found) >= needed:
             continue
-        train, test = rooms_for(start)
         raise NowhereToDriveError(
-            f"room={room!r} has {len(benches)} of the {needed} benches that the task needs: "
-            f"a robot drives there as a disc of 0.6 m, docks, and its arm reaches {free}. "
-            f"Rooms that will do: {', '.join((*train, *test))}. Or leave room= out: one is "
-            "drawn for each episode"
+            f"room={room!r} has {len(found)} of the {needed} benches that the task needs: "
+            f"a robot drives there as a disc of 0.6 m, docks, and its arm reaches {free}. {cure}"
         )
 
 
@@ -231,8 +254,16 @@ def rooms_for(start: Mapping[Piece, Start]) -> tuple[tuple[str, ...], tuple[str,
     Args:
         start: Where a task wants things in which one drives.
     """
+    if any(isinstance(region, OfTheRoom) for region in start.values()):
+        return rooms_with_sinks()
     deep = any(isinstance(region, OnDeepBench) for region in start.values())
     return rooms_with_deep_benches() if deep else rooms_to_drive_in()
+
+
+def taken_over(start: Mapping[Piece, Start], ground: Ground) -> frozenset[str]:
+    """Return the names of the pieces of a room in whose places a task has its own."""
+    kinds = (region.kind for region in start.values() if isinstance(region, OfTheRoom))
+    return frozenset(ground.fixtures[kind].name for kind in kinds if kind in ground.fixtures)
 
 
 def sample_layout(
@@ -264,7 +295,7 @@ def sample_layout(
 
 def _rank(region: Start) -> int:
     """Return when a thing gets its place: first those for which there may be few benches."""
-    if isinstance(region, OnDeepBench):
+    if isinstance(region, OnDeepBench | OfTheRoom):
         return 0
     return 1 if isinstance(region, OnSomeBench) and region.instrument else 2
 
@@ -289,9 +320,7 @@ def sample_base(
     return np.append(far[int(rng.integers(len(far)))], rng.uniform(-math.pi, math.pi))
 
 
-def _region_on_bench(
-    piece: Piece, start: Mapping[Piece, Start]
-) -> OnBench | OnSomeBench | OnDeepBench:
+def _region_on_bench(piece: Piece, start: Mapping[Piece, Start]) -> OnBench | StartInRoom:
     """Return where a thing, or what holds it, stands."""
     region = start[piece]
     return _region_on_bench(region.holder, start) if isinstance(region, Inside) else region

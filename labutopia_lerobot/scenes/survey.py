@@ -10,8 +10,8 @@ import numpy as np
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.path_planner import RADIUS
 from labutopia_lerobot.robots.mobile_base import MobileBase
-from labutopia_lerobot.scenes.docks import docks, largest_part
-from labutopia_lerobot.scenes.ground import Ground, Spot
+from labutopia_lerobot.scenes.docks import docks, fixture_docks, largest_part
+from labutopia_lerobot.scenes.ground import Fixture, Ground, Spot
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Placed, Plan
 from labutopia_lerobot.scenes.room_map import frame_around, map_around
@@ -81,13 +81,21 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
         occupancy.origin,
         occupancy.resolution,
         tuple(there for _, there in found),
+        tuple(in_world(dock) for dock in fixture_docks(plan, base, RADIUS)),
     )
+    fixtures: dict[str, Fixture] = {}
+    pieces = {f"{PREFIX}{piece.name}": piece for piece in plan.pieces}
+    for dock in floor.fixture_docks:
+        piece = pieces[dock.bench]
+        at = turn @ (piece.x, piece.y) + moved
+        above = np.append(at, piece.height - LABORATORY.bench.height)
+        fixtures.setdefault(piece.kind, Fixture(piece.name, dock, above, dock.yaw))
     deep = [
         Spot(there, np.append(_axes(base, there)[2], height), wide=True)
         for dock, there in found
         if (height := _deep(plan, base, dock)) is not None
     ]
-    return Ground(floor, tuple(spots), tuple(deep), starts)
+    return Ground(floor, tuple(spots), tuple(deep), fixtures, starts)
 
 
 def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArray, bool]]:

@@ -15,7 +15,6 @@ from labutopia_lerobot.skills.way import (
     base_at,
     in_hand,
     parking,
-    stowed,
 )
 from labutopia_lerobot.world import Pose, Thing, World
 
@@ -41,7 +40,7 @@ class DriveTo:
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield stow, leave (if the base stands too near to something to turn) and drive."""
         hand = in_hand(world, self.carrying)
-        yield Phase("stow", stowed, done=arrived(within=0.01), timeout_s=10.0, **hand)
+        yield Phase("stow", done=arrived(within=0.01), timeout_s=10.0, **hand)
         way = Way.of(world)
         position, yaw = base_at(world)
         if not way.planner.free(position):
@@ -55,7 +54,6 @@ class DriveTo:
 
         yield Phase(
             "drive",
-            stowed,
             done=there,
             drive=driver.velocity,
             routes=driver.routes,

@@ -14,7 +14,8 @@ from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.navigation.path_planner import RADIUS, PathPlanner
 from labutopia_lerobot.navigation.route import Route
 from labutopia_lerobot.places import reached_at
-from labutopia_lerobot.skills.skill import Phase, PhaseError
+from labutopia_lerobot.skills.posture import FROM_ABOVE, pointing
+from labutopia_lerobot.skills.skill import Phase, PhaseError, Target
 from labutopia_lerobot.world import (
     Dock,
     FloatArray,
@@ -150,8 +151,10 @@ def dock_for(world: World, thing: Thing) -> Dock:
     base = world.mobile_base
     assert base is not None
     arm, _, _ = (base.inverse() @ world.robot_base).position_w
-    ahead = thing.opening.ahead if isinstance(thing, ReachedInto) else wheels.ahead
-    best = world.floor.dock_at(point, arm, ahead)
+    if isinstance(thing, ReachedInto):
+        best = world.floor.dock_at(point, arm, thing.opening.ahead, reaching_in=True)
+    else:
+        best = world.floor.dock_at(point, arm, wheels.ahead)
     if best is None:
         raise PhaseError(
             f"No place at a bench of the room from which '{thing.name}' is within reach can be "
@@ -165,9 +168,20 @@ def stowed(world: World) -> Pose:
     return world.robot_base @ world.stowed_hand
 
 
+def _stowed_down(world: World) -> Target:
+    """Return the same for a hand that points down, and would tip what it holds from above.
+
+    Its back is ahead or behind, whichever is nearer now.
+    """
+    ahead = float((world.robot_base.inverse() @ world.gripper).x_axis[0])
+    hand = pointing(world.stowed_hand.position_w, 0.0 if ahead > 0.0 else math.pi, FROM_ABOVE.pitch)
+    return lambda world: world.robot_base @ hand
+
+
 class InHand(TypedDict):
     """What phases say of the hand while the robot drives."""
 
+    target: Target
     opening: float
     touches: frozenset[str]
     holds: Thing | None
@@ -176,8 +190,15 @@ class InHand(TypedDict):
 def in_hand(world: World, thing: Thing | None) -> InHand:
     """Return what phases say of the hand that holds a thing, or nothing."""
     if thing is None:
-        return InHand(opening=world.robot.max_opening, touches=frozenset(), holds=None)
-    return InHand(opening=world.commanded_opening, touches=frozenset({thing.name}), holds=thing)
+        wide = world.robot.max_opening
+        return InHand(target=stowed, opening=wide, touches=frozenset(), holds=None)
+    down = world.gripper.z_axis[2] < -math.cos(math.pi / 4)
+    return InHand(
+        target=_stowed_down(world) if down else stowed,
+        opening=world.commanded_opening,
+        touches=frozenset({thing.name}),
+        holds=thing,
+    )
 
 
 def parking(name: str, way: Parking, hand: InHand) -> Phase:
@@ -189,7 +210,6 @@ def parking(name: str, way: Parking, hand: InHand) -> Phase:
 
     return Phase(
         name,
-        stowed,
         done=there,
         drive=lambda world: way.velocity(*base_at(world)),
         timeout_s=15.0,

@@ -12,6 +12,7 @@ from labutopia_lerobot.labware.parts.fittings import tub
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, towards
 from labutopia_lerobot.labware.parts.instrument import Instrument
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.mouth import Mouth
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
@@ -65,6 +66,11 @@ class LaboratorySink(Instrument):
     def places(self) -> tuple[Seat, ...]:
         """The floor of the basin, before its drain."""
         return (Seat(f"{self.name}_basin", self.name, (-0.10, 0.10, 0.650), width=0.16),)
+
+    @property
+    def opening(self) -> Mouth:
+        """Its basin, in the middle between left and right."""
+        return Mouth(self.places[0].name, (0.0, -0.10, 0.0), ahead=(0.40, 0.70))
 
     @property
     def spout(self) -> str:
