@@ -11,7 +11,9 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop, OverBench
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills import DriveTo, Face, Pick, Place
+from labutopia_lerobot.skills.posture import FROM_ABOVE_TURNED
 from labutopia_lerobot.tasks.level4.drying_beakers import MIDDLE, MOUTH, RIGHT
+from labutopia_lerobot.tasks.level5.beyond.clear_bench import BASIN, PLACES
 from labutopia_lerobot.world import CONTROL_HZ
 
 
@@ -175,3 +177,64 @@ def test_a_bottle_is_fetched_that_stands_on_the_plate(
     cupboard: LabEnv, play: Play, outcomes: set[str]
 ):
     assert outcome(cupboard, play, 0)["outcome"] in outcomes
+
+
+@pytest.fixture(scope="module")
+def sink() -> LabEnv:
+    return LabEnv(Setting("level5/clear_bench", obs="state", room="organic_7"))
+
+
+def let_go_over_the_basin(env: LabEnv) -> Actions:
+    """Drop the beaker into the sink."""
+    yield from until_phase(env, "place/lower", "6_place")
+    yield from Arm(env).stay(1.0, env.workcell.simulation.scene.robot.max_opening)
+
+
+def into_the_side_of_the_basin(env: LabEnv) -> Actions:
+    """Set the beaker down, and push it sideways along the floor into the wall."""
+    yield from until_phase(env, "place/open", "6_place")
+    arm, world = Arm(env), env.workcell.world
+    left = 0.30 * world.robot_base.y_axis
+    yield from arm.go(arm.pose.moved(*left), speed=0.2)
+
+
+def one_is_left(env: LabEnv) -> Actions:
+    """Carry two of the three away, and wait."""
+    yield from until_phase(env, "driveto/stow", "13_navigate")
+
+
+def kept_in_the_hand(env: LabEnv) -> Actions:
+    """Set the last one down and keep hold of it."""
+    yield from until_phase(env, "place/open", "18_place")
+    yield from Arm(env).stay(8.0)
+
+
+def elsewhere_in_the_basin(env: LabEnv) -> Actions:
+    """Stand the first one in the middle, move it to the side, and go on as anybody would."""
+    yield from until_phase(env, "place/above", "6_place")
+    first, *_ = env.workcell.task.start
+    turned = FROM_ABOVE_TURNED
+    yield from skilled(
+        env,
+        Place(first, BASIN, hover=0.30, retreat=0.30, yaw_above=turned.yaw),
+        Pick(first, 0.02, support=None, hover=0.15, approach=turned),
+        Place(first, PLACES[0], hover=0.05, retreat=0.30, yaw_above=turned.yaw),
+    )
+    rest = [skill for step in env.workcell.task.steps[6:] for skill in step.skills]
+    yield from skilled(env, *rest)
+
+
+@pytest.mark.parametrize(
+    ("play", "outcomes"),
+    [
+        slow(let_go_over_the_basin, {"dropped", "broken"}),
+        slow(into_the_side_of_the_basin, {"collided", "broken", "knocked_over"}),
+        slow(one_is_left, UNFINISHED),
+        slow(kept_in_the_hand, UNFINISHED),
+        slow(elsewhere_in_the_basin, {"success"}),
+    ],
+)
+def test_a_bench_is_clear_when_all_three_stand_in_the_sink(
+    sink: LabEnv, play: Play, outcomes: set[str]
+):
+    assert outcome(sink, play, 0)["outcome"] in outcomes

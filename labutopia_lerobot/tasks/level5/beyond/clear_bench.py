@@ -10,6 +10,7 @@ from itertools import chain
 from operator import or_
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.support.laboratory_sink import LaboratorySink
 from labutopia_lerobot.layout import OfTheRoom, OnSomeBench, OnTheSameBench
 from labutopia_lerobot.places import BesideSeat, Destination
@@ -19,7 +20,6 @@ from labutopia_lerobot.skills import Place
 from labutopia_lerobot.skills.posture import FROM_ABOVE_TURNED
 from labutopia_lerobot.task import Step, Task
 from labutopia_lerobot.tasks import actions, driving, failures
-from labutopia_lerobot.world import Standing
 
 SINK = LaboratorySink("sink")
 BASIN = BesideSeat("basin", SINK.places[0], inward=0.07, left=-0.10)  # its middle
@@ -44,12 +44,13 @@ def clear_bench() -> Task:
     carried = (step for n in range(3) for step in _carry(BEAKERS[n], PLACES[n]))
     return Task(
         instruction=(
-            "Clear the bench: carry the three beakers to the sink, one after the other, and "
-            "stand each on the floor of its basin."
+            "Clear the bench: carry the small, then the medium, then the large beaker to the sink, "
+            "and stand each on the floor of its basin."
         ),
         paraphrases=(
-            "Bring the small, the medium and the large beaker to the sink and set them down in it.",
-            "Put all three beakers from the bench into the basin of the sink, upright.",
+            "Bring the beakers to the sink, one by one, the smallest first; stand them in its basin.",
+            "Put all three beakers from the bench into the basin of the sink, upright: small, "
+            "medium, large.",
         ),
         start={
             first: OnSomeBench(things=3),
@@ -71,7 +72,7 @@ def clear_bench() -> Task:
     )
 
 
-def _carry(beaker: Standing, place: Destination) -> Iterator[Step]:
+def _carry(beaker: Vessel, place: Destination) -> Iterator[Step]:
     """Yield the steps that bring one beaker into the sink; it is grasped from above."""
     yield driving.navigate(beaker)
     yield driving.face(beaker)
