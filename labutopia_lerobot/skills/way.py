@@ -7,7 +7,7 @@ from typing import TypedDict
 
 import numpy as np
 
-from labutopia_lerobot.navigation.docking import FloorRectangle
+from labutopia_lerobot.navigation.docking import FloorRectangle, approach_to
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path import DrivingLimits, Path
@@ -53,12 +53,13 @@ class Way:
     limits: DrivingLimits
 
     @classmethod
-    def of(cls, world: World, share: float = _SHARE) -> "Way":
+    def of(cls, world: World, share: float = _SHARE, radius: float = RADIUS) -> "Way":
         """Return that of a world.
 
         Args:
             world: Its robot has a base.
             share: Of the base's speeds and accelerations.
+            radius: Distance that the middle of the base keeps from everything [m].
         """
         floor, wheels = world.floor, wheels_of(world)
         pace = wheels.limits
@@ -72,7 +73,7 @@ class Way:
         known = Occupancy(floor.cells, floor.origin, floor.resolution)
         standing = [thing for thing in world.in_the_way if not thing.walks]
         occupancy = _with(known, world, standing, 0.0) if standing else known
-        planner = PathPlanner.of(occupancy, limits)
+        planner = PathPlanner.of(occupancy, limits, radius)
         return cls(occupancy, planner, FloorRectangle(*wheels.size), limits)
 
     def round(self, world: World, others: Sequence[Obstacle], room: float) -> "Way":
@@ -84,7 +85,8 @@ class Way:
             room: Distance to keep from them beyond the robot's disc [m].
         """
         occupancy = _with(self.occupancy, world, others, room)
-        return replace(self, occupancy=occupancy, planner=PathPlanner.of(occupancy, self.limits))
+        planner = PathPlanner.of(occupancy, self.limits, self.planner.clearance.radius)
+        return replace(self, occupancy=occupancy, planner=planner)
 
     def route(self, world: World, thing: Thing, around: Sequence[Obstacle] = ()) -> Route:
         """Return the route from where a base is now to the bench of a thing.
@@ -101,17 +103,27 @@ class Way:
         """
         dock = dock_for(world, thing)
         free = self.round(world, around, 2.0 * CLEAR_OF_PEOPLE) if around else self
-        path = free.path(base_at(world)[0], dock.before)
+        path = free.path(base_at(world)[0], self.before(dock))
         return Route(world.time, thing, tuple(around), path, dock)
+
+    def before(self, dock: Dock) -> FloatArray:
+        """Return the point straight behind a dock to which this base drives, shape (2,) [m].
+
+        Raises:
+            BlockedPlaceError: If there is none.
+        """
+        if self.planner.clearance.radius == RADIUS:
+            return dock.before
+        return approach_to(self.planner, self.occupancy, self.footprint, dock.position, dock.yaw)
 
     def path(self, start: FloatArray, goal: FloatArray) -> Path:
         """Return the path from a point to another, both of shape (2,) [m], world frame.
 
-        It is planned for the paper's disc, or for one that is as much narrower as the base has
+        It is planned for the disc, or for one that is as much narrower as the base has
         stopped short of where that has room.
         """
         room = float(self.planner.clearance.at(start[None])[0])
-        narrower = replace(self.planner.clearance, radius=min(RADIUS, room))
+        narrower = replace(self.planner.clearance, radius=min(self.planner.clearance.radius, room))
         return replace(self.planner, clearance=narrower).plan(start, goal)
 
 

@@ -5,6 +5,7 @@ The paper gives no number for it: heading, distance and lift are ours.
 
 from typing import Literal
 
+from labutopia_lerobot.navigation.path_planner import RADIUS
 from labutopia_lerobot.predicates import (
     Predicate,
     beside,
@@ -32,17 +33,18 @@ LIFT = 0.20
 """Least lift from where a thing stood [m]; ours here: the paper's of levels 1 to 3."""
 
 
-def navigate(to: Thing, *, carrying: Graspable | None = None) -> Step:
+def navigate(to: Thing, *, carrying: Graspable | None = None, berth: float = RADIUS) -> Step:
     """Navigate: drive to near a thing and halt (paper: "steadily at a position near").
 
     Args:
         to: What to drive to.
         carrying: Thing in the hand, if any.
+        berth: Distance that the expert keeps from everything where it can [m].
     """
     there = (beside(to, within=NEAR), halted(than=HALTED))
     return Step(
         "navigate",
-        (DriveTo(to, carrying),),
+        (DriveTo(to, carrying, berth),),
         (Substep("arrived", (*there, *_held(carrying))),),
         _touched(carrying),
     )
