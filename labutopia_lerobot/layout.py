@@ -8,11 +8,43 @@ import numpy as np
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.piece import Piece
+from labutopia_lerobot.placement import Placement
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.ground import Ground
 from labutopia_lerobot.scenes.room import NowhereToDriveError, Room
-from labutopia_lerobot.scenes.rooms_to_drive_in import rooms_to_drive_in
-from labutopia_lerobot.world import BENCH, FloatArray
+from labutopia_lerobot.scenes.rooms_to_drive_in import (
+    rooms_to_drive_in,
+    rooms_with_deep_benches,
+    rooms_with_sinks,
+)
+from labutopia_lerobot.starts_in_rooms import (
+    APART,
+    OfTheRoom,
+    OnDeepBench,
+    OnSomeBench,
+    OnTheSameBench,
+)
+from labutopia_lerobot.world import FloatArray
+
+__all__ = [
+    "CLEARANCE",
+    "ImpossibleStartError",
+    "Inside",
+    "OfTheRoom",
+    "OnBench",
+    "OnDeepBench",
+    "OnSomeBench",
+    "OnTheSameBench",
+    "Placement",
+    "Start",
+    "Workspace",
+    "require_drivable",
+    "require_possible",
+    "rooms_for",
+    "sample_base",
+    "sample_layout",
+    "taken_over",
+]
 
 CLEARANCE = 0.01
 """Least gap between two things at the start [m]."""
@@ -25,27 +57,6 @@ have to drive."""
 
 class ImpossibleStartError(UserError, ValueError):
     """A start that cannot be; the message names the things and their regions."""
-
-
-@dataclass(frozen=True)
-class Placement:
-    """Place of a thing.
-
-    Attributes:
-        x: Of its origin [m], world frame.
-        y: Of its origin [m], world frame.
-        yaw: About the vertical [rad].
-        height: Of its origin above the bench top [m].
-        swaps: Bodies of the thing, each with the body whose place in it it takes.
-        bench: On which bench.
-    """
-
-    x: float
-    y: float
-    yaw: float
-    height: float = 0.0
-    swaps: tuple[tuple[str, str], ...] = ()
-    bench: str = BENCH
 
 
 @dataclass(frozen=True)
@@ -133,55 +144,14 @@ class Inside:
             holder.y + sine * x + cosine * y,
             rng.uniform(-math.pi, math.pi) if self.yaw is None else holder.yaw + self.yaw,
             holder.height + z,
+            bench=holder.bench,
         )
 
 
-@dataclass(frozen=True)
-class OnSomeBench:
-    """Anywhere on a bench of the room that a robot drives to; things that say so are on different.
+type StartInRoom = OnSomeBench | OnTheSameBench | OnDeepBench | OfTheRoom
+"""Distribution of the place of a thing where one drives."""
 
-    All benches are equally likely, and so are all places on each.
-
-    Attributes:
-        instrument: Whether it is an instrument, up to 0.34 m long and wide: it stands where there
-            is room for that, its back to the bench, its front to the robot. Things are of any yaw.
-    """
-
-    instrument: bool = False
-
-    @property
-    def shuffled(self) -> tuple[str, ...]:
-        return ()
-
-    def sample(
-        self,
-        rng: np.random.Generator,
-        placed: Mapping[Piece, Placement],
-        ground: Ground | None = None,
-    ) -> Placement:
-        """Draw one placement; its height is that above the bench of the room.
-
-        Raises:
-            NowhereToDriveError: If the room does not have that many benches.
-        """
-        taken = {placement.bench for placement in placed.values()}
-        spots = () if ground is None else ground.spots
-        spots = tuple(spot for spot in spots if spot.wide or not self.instrument)
-        free = list(dict.fromkeys(s.dock.bench for s in spots if s.dock.bench not in taken))
-        if not free:
-            raise NowhereToDriveError(
-                f"The task needs {len(taken) + 1} benches that a robot drives to. Choose a robot "
-                "and a room for that"
-            )
-        bench = free[int(rng.integers(len(free)))]
-        there = [spot for spot in spots if spot.dock.bench == bench]
-        spot = there[int(rng.integers(len(there)))]
-        x, y, height = spot.position
-        yaw = spot.dock.yaw if self.instrument else rng.uniform(-math.pi, math.pi)
-        return Placement(x, y, yaw, height, bench=bench)
-
-
-type Start = OnBench | Inside | OnSomeBench
+type Start = OnBench | Inside | StartInRoom
 """Distribution of the place of a thing at the start."""
 
 
@@ -221,7 +191,7 @@ def require_possible(
     sample_layout(start, np.random.default_rng(0), ground)
     for piece in start:
         region = _region_on_bench(piece, start)
-        if isinstance(region, OnSomeBench):
+        if not isinstance(region, OnBench):
             continue  # its places are known to be good
         corners = [(x, y) for x in region.x for y in region.y]
         for x, y in corners:
@@ -252,21 +222,48 @@ def require_drivable(start: Mapping[Piece, Start], ground: Ground, room: str) ->
     Raises:
         NowhereToDriveError: If it has not; the message says how much it has.
     """
-    regions = [region for region in start.values() if isinstance(region, OnSomeBench)]
-    instruments = sum(region.instrument for region in regions)
-    for benches, needed, free in (
-        (ground.benches, len(regions), "a free place"),
+    benches = [each for each in start.values() if isinstance(each, OnSomeBench)]
+    deep = sum(isinstance(region, OnDeepBench) for region in start.values())
+    instruments = sum(region.instrument for region in benches)
+    things = max((region.things for region in benches), default=1)
+    fixtures = {region.kind for region in start.values() if isinstance(region, OfTheRoom)}
+    train, test = rooms_for(start)
+    cure = (
+        f"Rooms that will do: {', '.join((*train, *test))}. Or leave room= out: one is drawn for "
+        "each episode"
+    )
+    for kind in sorted(fixtures - ground.fixtures.keys()):
+        raise NowhereToDriveError(f"room={room!r} has no {kind} that a robot drives up to. {cure}")
+    for found, needed, free in (
+        (ground.benches, len(benches) + deep, "a free place"),
+        (ground.benches_for(things, APART), int(things > 1), f"free places for {things} things"),
+        (ground.deep_benches, deep, "into an oven that stands there with its door open"),
         (ground.wide_benches, instruments, "a place free for an instrument"),
     ):
-        if len(benches) >= needed:
+        if len(found) >= needed:
             continue
-        train, test = rooms_to_drive_in()
         raise NowhereToDriveError(
-            f"room={room!r} has {len(benches)} of the {needed} benches that the task needs: "
-            f"a robot drives there as a disc of 0.6 m, docks, and its arm reaches {free}. "
-            f"Rooms with two or more: {', '.join((*train, *test))}. Or leave room= out: one is "
-            "drawn for each episode"
+            f"room={room!r} has {len(found)} of the {needed} benches that the task needs: "
+            f"a robot drives there as a disc of 0.6 m, docks, and its arm reaches {free}. {cure}"
         )
+
+
+def rooms_for(start: Mapping[Piece, Start]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the rooms in which things can start so, for training and for tests.
+
+    Args:
+        start: Where a task wants things in which one drives.
+    """
+    if any(isinstance(region, OfTheRoom) for region in start.values()):
+        return rooms_with_sinks()
+    deep = any(isinstance(region, OnDeepBench) for region in start.values())
+    return rooms_with_deep_benches() if deep else rooms_to_drive_in()
+
+
+def taken_over(start: Mapping[Piece, Start], ground: Ground) -> frozenset[str]:
+    """Return the names of the pieces of a room in whose places a task has its own."""
+    kinds = (region.kind for region in start.values() if isinstance(region, OfTheRoom))
+    return frozenset(ground.fixtures[kind].name for kind in kinds if kind in ground.fixtures)
 
 
 def sample_layout(
@@ -286,7 +283,7 @@ def sample_layout(
     on_bench = [piece for piece, region in start.items() if not isinstance(region, Inside)]
     for _ in range(_TRIES):
         layout: dict[Piece, Placement] = {}
-        for piece in sorted(start, key=lambda piece: not _is_instrument(start[piece])):
+        for piece in sorted(start, key=lambda piece: _rank(start[piece])):
             layout[piece] = start[piece].sample(rng, layout, ground)
         if not _overlapping(on_bench, layout):
             return {piece: layout[piece] for piece in start}
@@ -296,9 +293,11 @@ def sample_layout(
     )
 
 
-def _is_instrument(region: Start) -> bool:
-    """Return whether there may be few benches with room for what stands there: it comes first."""
-    return isinstance(region, OnSomeBench) and region.instrument
+def _rank(region: Start) -> int:
+    """Return when a thing gets its place: first those for which there may be few benches."""
+    if isinstance(region, OnDeepBench | OfTheRoom):
+        return 0
+    return 1 if isinstance(region, OnSomeBench) and region.instrument else 2
 
 
 def sample_base(
@@ -321,7 +320,7 @@ def sample_base(
     return np.append(far[int(rng.integers(len(far)))], rng.uniform(-math.pi, math.pi))
 
 
-def _region_on_bench(piece: Piece, start: Mapping[Piece, Start]) -> OnBench | OnSomeBench:
+def _region_on_bench(piece: Piece, start: Mapping[Piece, Start]) -> OnBench | StartInRoom:
     """Return where a thing, or what holds it, stands."""
     region = start[piece]
     return _region_on_bench(region.holder, start) if isinstance(region, Inside) else region

@@ -5,7 +5,7 @@ from typing import Protocol
 
 import numpy as np
 
-from labutopia_lerobot.world import BENCH, FloatArray, Thing, World
+from labutopia_lerobot.world import BENCH, FloatArray, ReachedInto, Thing, World
 
 
 class Destination(Protocol):
@@ -87,6 +87,37 @@ class OnShelf:
         return point
 
 
+class Seating(Destination, Protocol):
+    """A destination with a frame of its name, such as that of an instrument (`Seat`)."""
+
+
+@dataclass(frozen=True)
+class BesideSeat:
+    """A place as high as that of an instrument, and on the same ground, such as a basin's floor.
+
+    Attributes:
+        name: How it is called in the name of a fact.
+        seat: The instrument's place.
+        inward: From there away from the front of the instrument [m].
+        left: To the left of that, for who stands before it [m].
+    """
+
+    name: str
+    seat: Seating
+    inward: float = 0.0
+    left: float = 0.0
+
+    @property
+    def support(self) -> str:
+        return self.seat.support
+
+    def position_w(self, world: World) -> FloatArray:
+        """Return the point, shape (3,), metres, world frame."""
+        frame = world.frame(self.seat.name)
+        point: FloatArray = frame.position_w + frame.rotation_w @ (self.inward, self.left, 0.0)
+        return point
+
+
 @dataclass(frozen=True)
 class WhereItStood:
     """Place where a thing stood on the bench when the episode began.
@@ -135,3 +166,15 @@ class OverBench:
         base = world.robot_base
         x, y, _ = base.position_w + self.ahead * base.x_axis + self.left * base.y_axis
         return np.array([x, y, world.bench_height + self.height])
+
+
+def reached_at(world: World, thing: Thing) -> FloatArray:
+    """Return where one reaches for a thing, shape (3,), metres, world frame.
+
+    That is the middle of its opening, if one reaches into it, or its origin.
+    """
+    if not isinstance(thing, ReachedInto):
+        return world.pose(thing).position_w
+    frame = world.frame(thing.opening.frame)
+    point: FloatArray = frame.position_w + frame.rotation_w @ thing.opening.at
+    return point

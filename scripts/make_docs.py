@@ -17,7 +17,7 @@ import expert_rows
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.rows import Row, summarise
-from labutopia_lerobot.layout import Inside, OnSomeBench
+from labutopia_lerobot.layout import Inside, OfTheRoom, OnBench
 from labutopia_lerobot.registry import is_beyond_paper, task_files
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import Setting
@@ -162,8 +162,9 @@ def start_table() -> list[str]:
         "one past the others, leave no more room.",
         "Instruments stand where the original's do, over its ranges, and turn by a few",
         "degrees only, since further round the arm could not take their handles and buttons.",
-        "At level 5 things stand on benches of a furnished room, each on another, where a robot",
-        "that docks reaches them; it starts 2 m or more from them, anywhere that it can drive.",
+        "At level 5 things stand on benches of a furnished room, each on another but for those of",
+        "clear_bench, where a robot that docks reaches them; it starts 2 m or more from them,",
+        "anywhere that it can drive.",
         "",
         "| task | thing | x [m] | y [m] | yaw [deg] |",
         "| --- | --- | --- | --- | --- |",
@@ -173,9 +174,12 @@ def start_table() -> list[str]:
             if isinstance(region, Inside):
                 lines.append(f"| `{task_id}` | {piece.name} | in {region.holder.name} | | any |")
                 continue
-            if isinstance(region, OnSomeBench):
-                yaw = "facing the robot" if region.instrument else "any"
-                lines.append(f"| `{task_id}` | {piece.name} | on a bench of the room | | {yaw} |")
+            if not isinstance(region, OnBench):
+                yaw = region.described
+                where = (
+                    "the room's own" if isinstance(region, OfTheRoom) else "on a bench of the room"
+                )
+                lines.append(f"| `{task_id}` | {piece.name} | {where} | | {yaw} |")
                 continue
             x, y = (f"{metres(low)} to {metres(high)}" for low, high in (region.x, region.y))
             low, high = np.degrees(region.yaw)

@@ -14,7 +14,16 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from labutopia_lerobot import layout, places, predicates, skills, substances, task, world
+from labutopia_lerobot import (
+    layout,
+    places,
+    predicates,
+    skills,
+    starts_in_rooms,
+    substances,
+    task,
+    world,
+)
 from labutopia_lerobot.labware.glass.catalogue import closed, glassware, ware
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.labware.glass.vessel import Vessel
@@ -96,8 +105,9 @@ def _chapters() -> Iterator[str]:
     yield from _from(Seat.__module__)
     yield from with_attributes(Seat)
     yield from _chapter("Where pieces start", "labutopia_lerobot.layout")
-    for kind in _dataclasses(layout, having="sample"):
-        yield from with_attributes(kind)
+    for module in (layout, starts_in_rooms):
+        for kind in _dataclasses(module, having="sample"):
+            yield from with_attributes(kind)
     yield from _chapter("What vessels hold", "labutopia_lerobot.substances.filling")
     yield from with_attributes(filling.Filling)
     yield from _chapter("Places", "labutopia_lerobot.places")

@@ -9,6 +9,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.path import Path
 from labutopia_lerobot.navigation.route import Route
+from labutopia_lerobot.skills import DriveTo
 from labutopia_lerobot.skills.way import Way
 from labutopia_lerobot.world import CONTROL_HZ
 
@@ -54,9 +55,17 @@ class Replanning:
             _, thing, around = self._due.pop(0)
             try:
                 gone_round = [people[name] for name in around]
-                self._planned.append(Way.of(world).route(world, things[thing], gone_round))
+                self._planned.append(self._way(env, thing).route(world, things[thing], gone_round))
             except (KeyError, UserError):  # the dataset is wrong: the path will be missing
                 return
+
+    def _way(self, env: LabEnv, thing: str) -> Way:
+        """Return the way on which the expert of the task drives to a thing."""
+        world = env.workcell.world
+        for skill in env.workcell.task.skills:
+            if isinstance(skill, DriveTo) and skill.thing.name == thing:
+                return skill.way(world)
+        return Way.of(world)
 
     def routes(self, env: LabEnv) -> Routes | None:
         """Return what the dataset should say."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from labutopia_lerobot.navigation.footprint_clearance import FootprintClearance
 from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, UnreachableGoalError
+from labutopia_lerobot.skills.drive_to import DriveTo
 from labutopia_lerobot.skills.skill import PhaseError
 from labutopia_lerobot.skills.way import Way, base_at, dock_for
 from labutopia_lerobot.task import Task
@@ -15,8 +16,8 @@ from labutopia_lerobot.world import Dock, FloatArray, World
 class Journey:
     """Measures the driving of one episode; `note` it after every step.
 
-    The shortest way is the planner's for the paper's disc, from where the robot starts to the bench
-    of each thing of the task, in the order of its start, the last bit straight in and back out.
+    The shortest way is the planner's for the paper's disc, from where the robot starts to the
+    places that the task drives to, in its order, the last bit straight in and back out.
 
     Args:
         task: The played task; in it one drives.
@@ -70,7 +71,8 @@ class Journey:
     def _shortest_way(self, task: Task) -> float:
         here: FloatArray = self._places[0]
         length = straight = 0.0
-        for thing in task.start:
+        driven_to = (skill.thing for skill in task.skills if isinstance(skill, DriveTo))
+        for thing in driven_to:
             try:
                 self._dock = dock = dock_for(self._world, thing)
                 length += straight + self._way.path(here, dock.before).length

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from labutopia_lerobot.places import reached_at
 from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.predicates.vessels import gripped
 from labutopia_lerobot.world import HAND, LEFT_PAD, RIGHT_PAD, FloatArray, Thing, World
@@ -15,7 +16,7 @@ REACH = 1.0
 
 @predicate("base within {within:g} m of {thing}")
 def beside(world: World, thing: Thing, *, within: float) -> bool:
-    """Middle of the base is, horizontally, within a distance [m] of the thing."""
+    """Middle of the base is, horizontally, within a distance [m] of the thing (`reached_at`)."""
     return _way(world, thing)[0] < within
 
 
@@ -76,9 +77,9 @@ def carried_into(world: World, thing: Thing, *others: Thing) -> bool:
 
 
 def _way(world: World, thing: Thing) -> tuple[float, float]:
-    """Return how far a thing is from the middle of the base [m], and its bearing there [rad]."""
+    """Return how far the middle of the base is from a thing [m], and its bearing there [rad]."""
     base = world.mobile_base
     if base is None:
         return math.inf, math.pi
-    x, y, _ = base.inverse().position_w + base.inverse().rotation_w @ world.pose(thing).position_w
+    x, y, _ = base.inverse().position_w + base.inverse().rotation_w @ reached_at(world, thing)
     return math.hypot(x, y), math.atan2(y, x)

@@ -91,8 +91,10 @@ class _Field:
         floor = ground.floor
         self._map = Occupancy(floor.cells, floor.origin, floor.resolution)
         self._clear = self._map.clearance()
-        points = (np.array([placement.x, placement.y]) for placement in layout.values())
-        found = (floor.dock_at(point, base.arm[0], base.ahead) for point in points)
+        found = (
+            at.dock or floor.dock_at(np.array([at.x, at.y]), base.arm[0], base.ahead)
+            for at in layout.values()
+        )
         docks = [dock for dock in found if dock is not None]
         self._kept = np.array([start, *(p for dock in docks for p in (dock.before, dock.position))])
         self._linked = [start, *(dock.before for dock in docks)]

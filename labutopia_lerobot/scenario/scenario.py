@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.layout import require_drivable
+from labutopia_lerobot.layout import require_drivable, rooms_for
 from labutopia_lerobot.robots import ROBOTS, load_robot
 from labutopia_lerobot.scenario.draw import Draw, Value
 from labutopia_lerobot.scenario.task_function import task_function
@@ -99,7 +99,8 @@ def _drawn(setting: Setting, draw: Draw) -> tuple[Task, Variation]:
         _require_base(setting)
         if setting.room == DEFAULT_ROOM:  # nobody has chosen one
             draw.vary("room", shifted=True)
-    variation = draw_variation(draw, len(robot.arm), drives=task.drives)
+    drives_in = rooms_for(task.start) if task.drives else None
+    variation = draw_variation(draw, len(robot.arm), drives_in=drives_in)
     variation = replace(variation, ambient=draw_ambient(draw, task))
     instruction = draw_instruction(draw, task)
     if instruction != task.instruction:

@@ -7,6 +7,7 @@ Nothing of this varies unless the user (`axes=`) or the task (`Draw.vary`) says 
 ours; the bench tops, and which of them are for tests, are the original's (level 3).
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +16,7 @@ from labutopia_lerobot.processes import ThermalMass
 from labutopia_lerobot.scenario.distractors import held_out_sets, training_sets
 from labutopia_lerobot.scenario.draw import Draw
 from labutopia_lerobot.scenario.in_the_way import SETS
-from labutopia_lerobot.scenes import rooms_to_draw, rooms_to_drive_in
+from labutopia_lerobot.scenes import rooms_to_draw
 from labutopia_lerobot.scenes.finishes import BENCH_FINISHES, WALL_FINISHES
 from labutopia_lerobot.scenes.left_stool import LeftStool
 from labutopia_lerobot.scenes.passer_by import PasserBy
@@ -57,16 +58,19 @@ class Variation:
     ambient: float | None = None
 
 
-def draw_variation(draw: Draw, joints: int, *, drives: bool = False) -> Variation:
+def draw_variation(
+    draw: Draw, joints: int, *, drives_in: tuple[Sequence[str], Sequence[str]] | None = None
+) -> Variation:
     """Draw on every axis that varies but `instruction`.
 
     Args:
         draw: The episode's draw.
         joints: How many joints the robot's arm has.
-        drives: Whether the robot drives: nothing stands around on its benches but what belongs to
-            the room, and it needs rooms with benches that it gets to. Somebody or something may be
-            in its way (axis `dynamic`).
+        drives_in: Rooms for training and for tests with what a robot that drives is to get to; None
+            for one that does not. Nothing stands around on its benches but what belongs to the
+            room. Somebody or something may be in its way (axis `dynamic`).
     """
+    drives = drives_in is not None
     drawn: dict[str, Any] = {}
     if draw.varies("material"):
         drawn["bench"] = draw.choice("material", train=BENCHES[:5], test=BENCHES[5:])
@@ -90,7 +94,7 @@ def draw_variation(draw: Draw, joints: int, *, drives: bool = False) -> Variatio
         name = draw.choice("dynamic", train=("stool", "passer_by"), test=("both",))
         drawn["in_the_way"] = SETS[name]
     if draw.varies("room"):
-        rooms, rooms_for_tests = rooms_to_drive_in() if drives else rooms_to_draw()
+        rooms, rooms_for_tests = drives_in or rooms_to_draw()
         drawn["room"] = draw.choice("room", train=rooms, test=rooms_for_tests)
     return Variation(**drawn)
 

@@ -1,12 +1,14 @@
 """Places of a robot that drives, at the benches of a furnished room, found by program."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from labutopia_lerobot.labware.instrument_catalogue import instrument
 from labutopia_lerobot.labware.parts.top import Top
 from labutopia_lerobot.navigation.docking import FloorRectangle, approach_to
 from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, PathPlanner
@@ -14,7 +16,7 @@ from labutopia_lerobot.robots.mobile_base import MobileBase
 from labutopia_lerobot.scenes.plan import Placed, Plan
 from labutopia_lerobot.scenes.room_map import room_map
 from labutopia_lerobot.scenes.space.extent import extent
-from labutopia_lerobot.world import Dock, FloatArray
+from labutopia_lerobot.world import Dock, FloatArray, ReachedInto
 
 _WIDEST, _LOWEST, _HIGHEST = 0.6, 0.6, 1.0
 """Least width of a top that one works at, and between which heights it is [m]; ours: desks and
@@ -22,6 +24,10 @@ benches, no shelves."""
 _GAPS = (0.02, 0.06, 0.10)
 """Distances from the edge of a top to the base that are tried [m]; ours. With its arm at its front
 the farthest leaves it 0.28 m before the edge: it reaches over more than 40 cm of the bench."""
+_FARTHER = (0.14, 0.18)
+"""Further ones before what one reaches into [m]; ours: its opening is near its front."""
+_ASIDE = (0.0, 0.05, -0.05, 0.10, -0.10)
+"""Distances of such places from straight before the middle [m]; ours."""
 _APART = 0.2
 """Distance between places along an edge [m], and of the first from its end."""
 
@@ -36,19 +42,15 @@ def docks(plan: Plan, base: MobileBase, radius: float) -> tuple[Dock, ...]:
         base: Of the robot.
         radius: Of the disc as which it drives [m]; the paper's is 0.6.
     """
-    occupancy, footprint = room_map(plan), FloorRectangle(*base.size)
-    planner = PathPlanner.of(occupancy, base.limits, radius)
-    largest = largest_part(occupancy.passable(radius))
-    found = []
-    for piece, position, yaw in _candidates(plan, base):
-        try:
-            before = approach_to(planner, occupancy, footprint, position, yaw)
-        except BlockedPlaceError:
-            continue
-        row, column = occupancy.cell(*before)
-        if largest[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].any():
-            found.append(Dock(piece.name, position, yaw, before))
-    return tuple(found)
+    return tuple(_reachable(plan, base, radius, _candidates(plan, base)))
+
+
+def fixture_docks(plan: Plan, base: MobileBase, radius: float) -> tuple[Dock, ...]:
+    """Return the nearest place straight before each piece that one reaches into; see `docks`."""
+    nearest: dict[str, Dock] = {}
+    for dock in _reachable(plan, base, radius, _before_fixtures(plan, base)):
+        nearest.setdefault(dock.bench, dock)
+    return tuple(nearest.values())
 
 
 def largest_part(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -59,6 +61,34 @@ def largest_part(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
     sizes = ndimage.sum_labels(free, regions, np.arange(1, count + 1))
     part: NDArray[np.bool_] = regions == 1 + int(np.argmax(sizes))
     return part
+
+
+def _reachable(
+    plan: Plan,
+    base: MobileBase,
+    radius: float,
+    candidates: Iterable[tuple[Placed, FloatArray, float]],
+) -> Iterator[Dock]:
+    """Yield those places of a base before pieces, with headings, that can be driven to."""
+    occupancy, footprint = room_map(plan), FloorRectangle(*base.size)
+    planner = PathPlanner.of(occupancy, base.limits, radius)
+    largest = largest_part(occupancy.passable(radius))
+    for piece, position, yaw in candidates:
+        try:
+            before = approach_to(planner, occupancy, footprint, position, yaw)
+        except BlockedPlaceError:
+            continue
+        row, column = occupancy.cell(*before)
+        if largest[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].any():
+            yield Dock(piece.name, position, yaw, before)
+
+
+def _before_fixtures(plan: Plan, base: MobileBase) -> Iterator[tuple[Placed, FloatArray, float]]:
+    """Yield what stands on the floor and is reached into, and places straight before it."""
+    for piece in plan.pieces:
+        if piece.on is None and isinstance(instrument(piece.kind), ReachedInto):
+            for along, gap in product(_ASIDE, (*_GAPS, *_FARTHER)):
+                yield piece, *_before(piece, _whole(piece), along, gap + base.size[0] / 2)
 
 
 def _candidates(plan: Plan, base: MobileBase) -> Iterator[tuple[Placed, FloatArray, float]]:
@@ -86,8 +116,14 @@ def _tops(piece: Placed, *, whole: bool) -> tuple[Top, ...]:
         return ()
     if not whole:
         return kind.tops
-    (west, south, _), (east, north, height) = kind.hull.low[0], kind.hull.high[0]
-    return (Top(float(height), (float(west), float(east)), (float(south), float(north))),)
+    return (_whole(piece),)
+
+
+def _whole(piece: Placed) -> Top:
+    """Return the box around a piece as a top."""
+    hull = extent(piece.kind).hull
+    (west, south, _), (east, north, height) = hull.low[0], hull.high[0]
+    return Top(float(height), (float(west), float(east)), (float(south), float(north)))
 
 
 def _before(piece: Placed, top: Top, along: float, away: float) -> tuple[FloatArray, float]:

@@ -1,5 +1,6 @@
 """A plan as the room of a task: its first work place is where the laboratory's bench is."""
 
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -33,7 +34,16 @@ def furnished_room(plan: Plan) -> Room:
         solidifier=partial(_make_solid, plan),
         mapper=partial(_map, plan),
         surveyor=partial(_survey, plan),
+        remover=partial(_without, plan),
     )
+
+
+def _without(plan: Plan, names: frozenset[str]) -> Room:
+    """Return the room of a plan that is built without some pieces and what stands on them."""
+    pieces = tuple(piece for piece in plan.pieces if not {piece.name, piece.on} & names)
+    ware = tuple(ware for ware in plan.ware if ware.on in {piece.name for piece in pieces})
+    rest = furnished_room(replace(plan, pieces=pieces, ware=ware))
+    return replace(rest, mapper=partial(_map, plan), surveyor=partial(_survey, plan))
 
 
 def _build(plan: Plan, room: Room, view: View) -> "mujoco.MjSpec":

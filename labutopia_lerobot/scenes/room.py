@@ -59,6 +59,8 @@ class Room:
         solidifier: Adds to such a spec what only a robot that drives can touch, or None.
         mapper: Returns the map for such a robot, world frame.
         surveyor: Returns what of it a base gets to, or None where nobody can drive to anything.
+        remover: Returns the same room without some of its pieces, to be built, or None where it has
+            none: map and survey are those of the whole.
     """
 
     name: str
@@ -70,6 +72,7 @@ class Room:
     solidifier: "Callable[[mujoco.MjSpec], None] | None" = None
     mapper: "Callable[[], Occupancy] | None" = None
     surveyor: "Callable[[MobileBase], Ground] | None" = None
+    remover: "Callable[[frozenset[str]], Room] | None" = None
 
     @property
     def pieces(self) -> "tuple[Piece, ...]":
@@ -92,6 +95,14 @@ class Room:
         if base is None:
             return x, y
         return min(x, self.bench.x[0] - base.gap - base.size[0] / 2 + base.arm[0]), y
+
+    def without(self, pieces: frozenset[str]) -> "Room":
+        """Return the same room without some pieces, in whose place a task has its own.
+
+        Args:
+            pieces: Their names in the plan.
+        """
+        return self if self.remover is None or not pieces else self.remover(pieces)
 
     def make_solid(self, spec: "mujoco.MjSpec") -> None:
         """Add to the spec that was built what only a robot that drives can touch."""

@@ -10,8 +10,8 @@ import numpy as np
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.path_planner import RADIUS
 from labutopia_lerobot.robots.mobile_base import MobileBase
-from labutopia_lerobot.scenes.docks import docks, largest_part
-from labutopia_lerobot.scenes.ground import Ground, Spot
+from labutopia_lerobot.scenes.docks import docks, fixture_docks, largest_part
+from labutopia_lerobot.scenes.ground import Fixture, Ground, Spot
 from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Placed, Plan
 from labutopia_lerobot.scenes.room_map import frame_around, map_around
@@ -21,6 +21,9 @@ from labutopia_lerobot.scenes.space.ware_room import box_of
 from labutopia_lerobot.scenes.within_reach import PREFIX
 from labutopia_lerobot.world import BENCH, Dock, FloatArray, Floor
 
+BERTH = 0.68
+"""Radius of the disc as which a robot gets to sinks [m]; ours: in a gap of the paper's 1.2 m
+corners 0.62 m from the middle, as the Ridgeback's are, touch what stands on either side."""
 _FROM_NEAREST = (0.05, 0.09, 0.13, 0.17)
 """Distances of places for things before the nearest at which the arm takes them well [m]; ours."""
 _LEFT = (-0.08, -0.04, 0.0, 0.04, 0.08)
@@ -36,6 +39,13 @@ _FOOT = 0.05
 _INSTRUMENT = 0.17
 """Half the width of the level ground, free of other things, on which an instrument stands [m];
 ours: a top-pan balance is 0.32 m long."""
+_OVEN = ((0.66, 1.32), (-0.45, 0.42))
+"""Ground of a bench-top oven, ahead of an arm and to the left of it [m]: that of `DryingOven` where
+level4/drying_beakers has it."""
+_OPEN_OVEN = ((0.16, 1.32), (-0.45, 0.75))
+"""The same with the door, up to 120 degrees open, and the arm that goes in."""
+_OVEN_HEADROOM = 0.90
+"""Height over the bench that is free there [m]: the oven's on its stand, and the arm's."""
 _LOWEST, _HIGHEST = 0.6, 1.0
 """Heights of benches [m], as for docks."""
 
@@ -74,8 +84,21 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
         occupancy.origin,
         occupancy.resolution,
         tuple(there for _, there in found),
+        tuple(in_world(dock) for dock in fixture_docks(plan, base, BERTH)),
     )
-    return Ground(floor, tuple(spots), starts)
+    fixtures: dict[str, Fixture] = {}
+    pieces = {f"{PREFIX}{piece.name}": piece for piece in plan.pieces}
+    for dock in floor.fixture_docks:
+        piece = pieces[dock.bench]
+        at = turn @ (piece.x, piece.y) + moved
+        above = np.append(at, piece.height - LABORATORY.bench.height)
+        fixtures.setdefault(piece.kind, Fixture(piece.name, dock, above, dock.yaw))
+    deep = [
+        Spot(there, np.append(_axes(base, there)[2], height), wide=True)
+        for dock, there in found
+        if (height := _deep(plan, base, dock)) is not None
+    ]
+    return Ground(floor, tuple(spots), tuple(deep), fixtures, starts)
 
 
 def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArray, bool]]:
@@ -85,9 +108,7 @@ def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArr
     can stand there.
     """
     solids, own = _solids(plan), _bench(plan, dock.bench)
-    ahead = np.array([math.cos(dock.yaw), math.sin(dock.yaw)])
-    left = np.array([-ahead[1], ahead[0]])
-    arm = dock.position + base.arm[0] * ahead + base.arm[1] * left
+    ahead, left, arm = _axes(base, dock)
     for along in (round(base.ahead[0] + more, 3) for more in _FROM_NEAREST):
         for beside in _LEFT:
             point = arm + along * ahead + beside * left
@@ -104,17 +125,44 @@ def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArr
                 yield np.append(point, height - LABORATORY.bench.height), wide
 
 
-def _level(bench: Boxes, point: FloatArray, half: float) -> float:
+def _deep(plan: Plan, base: MobileBase, dock: Dock) -> float | None:
+    """Return how high the ground is for a bench-top oven before a dock; None if none can stand.
+
+    That is above the bench of the work place [m].
+    """
+    ahead, left, arm = _axes(base, dock)
+    ground, room = (
+        np.sort([arm + near * ahead + right * left, arm + far * ahead + far_left * left], axis=0)
+        for (near, far), (right, far_left) in (_OVEN, _OPEN_OVEN)
+    )
+    own = _bench(plan, dock.bench)
+    height = _level(own, ground.mean(axis=0), np.ptp(ground, axis=0) / 2)
+    level = _LOWEST <= height <= _HIGHEST
+    if not level or not _clear(_solids(plan), room[0], room[1], height, _OVEN_HEADROOM):
+        return None
+    return height - LABORATORY.bench.height
+
+
+def _axes(base: MobileBase, dock: Dock) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return ahead and left of a base at a dock, and where the base of its arm is, shape (2,)."""
+    ahead = np.array([math.cos(dock.yaw), math.sin(dock.yaw)])
+    left = np.array([-ahead[1], ahead[0]])
+    return ahead, left, dock.position + base.arm[0] * ahead + base.arm[1] * left
+
+
+def _level(bench: Boxes, point: FloatArray, half: float | FloatArray) -> float:
     """Return how high the ground is that reaches so far around a point [m], 0 if there is none."""
     below = (bench.low[:, :2] < point - half) & (bench.high[:, :2] > point + half)
     return float(bench.high[below.all(axis=1), 2].max(initial=0.0))
 
 
-def _clear(solids: Boxes, low: FloatArray, high: FloatArray, height: float) -> bool:
+def _clear(
+    solids: Boxes, low: FloatArray, high: FloatArray, height: float, headroom: float = _HEADROOM
+) -> bool:
     """Return whether nothing stands on a rectangle of ground of a height [m], or just above it."""
     inside = ((solids.low[:, :2] < high) & (solids.high[:, :2] > low)).all(axis=1)
     standing = solids.high[:, 2] > height + 0.005
-    return not (inside & standing & (solids.low[:, 2] < height + _HEADROOM)).any()
+    return not (inside & standing & (solids.low[:, 2] < height + headroom)).any()
 
 
 @cache

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.layout import Workspace, sample_base, sample_layout
+from labutopia_lerobot.layout import Workspace, sample_base, sample_layout, taken_over
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
 from labutopia_lerobot.places import OverBench
 from labutopia_lerobot.processes import AMBIENT
@@ -68,6 +68,8 @@ class Workcell:
         room = load_room(variation.room or setting.room)
         self._workspace = Workspace.of(room, robot)
         self._ground = room.ground(robot.base) if task.drives and robot.base else None
+        if self._ground is not None:
+            room = room.without(taken_over(task.start, self._ground))
         scene = compile_scene(
             pieces,
             robot,

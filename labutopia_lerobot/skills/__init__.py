@@ -1,6 +1,7 @@
 """Skills: what scripted experts can do, one class per action."""
 
 from labutopia_lerobot.skills.aspirate import Aspirate
+from labutopia_lerobot.skills.carry import Carry
 from labutopia_lerobot.skills.close import Close
 from labutopia_lerobot.skills.dilute import Dilute
 from labutopia_lerobot.skills.dispense import Dispense
@@ -28,6 +29,7 @@ from labutopia_lerobot.skills.wait import WaitUntil, WaitUntilDue, WaitUntilRead
 
 __all__ = [
     "Aspirate",
+    "Carry",
     "Close",
     "Dilute",
     "Dispense",

@@ -7,6 +7,11 @@ import numpy as np
 
 from labutopia_lerobot.navigation.docking import approach_to
 from labutopia_lerobot.navigation.parking import Parking
+from labutopia_lerobot.navigation.path_planner import (
+    RADIUS,
+    BlockedPlaceError,
+    UnreachableGoalError,
+)
 from labutopia_lerobot.skills.driver import Driver
 from labutopia_lerobot.skills.skill import Phase, arrived
 from labutopia_lerobot.skills.way import (
@@ -15,7 +20,6 @@ from labutopia_lerobot.skills.way import (
     base_at,
     in_hand,
     parking,
-    stowed,
 )
 from labutopia_lerobot.world import Pose, Thing, World
 
@@ -33,21 +37,49 @@ class DriveTo:
     Attributes:
         thing: What to drive to.
         carrying: Thing in the hand, if any.
+        berth: Distance that the middle of the base keeps from everything where there is room for
+            that [m]; elsewhere it is the paper's.
     """
 
     thing: Thing
     carrying: Thing | None = None
+    berth: float = RADIUS
+
+    def way(self, world: World) -> Way:
+        """Return the way on which it drives from where the base is: a wide one if that leads there.
+
+        Args:
+            world: Where the base is.
+        """
+        wide, *narrow = self._ways(world)
+        if not narrow:
+            return wide
+        try:
+            wide.route(world, self.thing)
+        except (BlockedPlaceError, UnreachableGoalError):
+            return narrow[0]
+        return wide
+
+    def _ways(self, world: World) -> list[Way]:
+        return [Way.of(world, radius=radius) for radius in dict.fromkeys((self.berth, RADIUS))]
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield stow, leave (if the base stands too near to something to turn) and drive."""
         hand = in_hand(world, self.carrying)
-        yield Phase("stow", stowed, done=arrived(within=0.01), timeout_s=10.0, **hand)
-        way = Way.of(world)
-        position, yaw = base_at(world)
-        if not way.planner.free(position):
-            out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
-            yield parking("leave", Parking(out, yaw, way.limits), hand)
-        driver = Driver(way, self.thing, world)
+        yield Phase("stow", done=arrived(within=0.01), timeout_s=10.0, **hand)
+        for way in self._ways(world):
+            position, yaw = base_at(world)
+            if way.planner.free(position):
+                break
+            try:
+                out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
+            except BlockedPlaceError:
+                if way.planner.clearance.radius == RADIUS:
+                    raise
+            else:
+                yield parking("leave", Parking(out, yaw, way.limits), hand)
+                break
+        driver = Driver(self.way(world), self.thing, world)
 
         def there(world: World, target: Pose, elapsed: float) -> bool:
             still = bool(np.abs(world.base_velocity).max() < AT_REST)
@@ -55,7 +87,6 @@ class DriveTo:
 
         yield Phase(
             "drive",
-            stowed,
             done=there,
             drive=driver.velocity,
             routes=driver.routes,

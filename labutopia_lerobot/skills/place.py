@@ -22,6 +22,7 @@ class Place:
         retreat: How far the open hand draws back, along its own axis [m] (original: 0.15).
         through: What the thing is carried through on the way there, and the hand on the way back,
             such as the opening of an oven; None for the straight way.
+        yaw_above: How far to the left of the bearing a hand points that holds it from above [rad].
     """
 
     thing: Thing
@@ -31,6 +32,7 @@ class Place:
     press: float = 0.004
     retreat: float = 0.15
     through: Destination | None = None
+    yaw_above: float = 0.0
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield above, lower, align, settle, open, retract and done."""
@@ -39,16 +41,20 @@ class Place:
         support, own = frozenset({self.on.support}), frozenset({thing.name})
         point = self.on.position_w(world)
         carried = carrier(world, thing)
-        end = carried(upright_in_hand(world, thing, point))
+        end = carried(upright_in_hand(world, thing, point, self.yaw_above))
         above, near = end.moved(z=self.hover), end.moved(z=self.align)
         far = arrived(within=0.015)
         there = arrived(within=0.004)
         if self.through is not None:
-            before = carried(upright_in_hand(world, thing, self.through.position_w(world)))
+            before = carried(
+                upright_in_hand(world, thing, self.through.position_w(world), self.yaw_above)
+            )
             yield Phase("before", lambda w: before, shut, far, own, thing)
         yield Phase("above", lambda w: above, shut, far, own, thing)
         yield Phase("lower", lambda w: near, shut, there, own | support, thing, speed=0.15)
-        below = carrier(world, thing)(upright_in_hand(world, thing, point)).moved(z=-self.press)
+        below = carrier(world, thing)(upright_in_hand(world, thing, point, self.yaw_above)).moved(
+            z=-self.press
+        )
         yield Phase("align", lambda w: below, shut, self._landed, own | support, thing, speed=0.03)
         here = world.gripper
         yield Phase("settle", lambda w: here, shut, waited(0.3), own | support, thing)

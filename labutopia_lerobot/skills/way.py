@@ -7,14 +7,25 @@ from typing import TypedDict
 
 import numpy as np
 
-from labutopia_lerobot.navigation.docking import FloorRectangle
+from labutopia_lerobot.navigation.docking import FloorRectangle, approach_to
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path import DrivingLimits, Path
 from labutopia_lerobot.navigation.path_planner import RADIUS, PathPlanner
 from labutopia_lerobot.navigation.route import Route
-from labutopia_lerobot.skills.skill import Phase, PhaseError
-from labutopia_lerobot.world import Dock, FloatArray, Obstacle, Pose, Thing, Wheels, World
+from labutopia_lerobot.places import reached_at
+from labutopia_lerobot.skills.posture import FROM_ABOVE, pointing
+from labutopia_lerobot.skills.skill import Phase, PhaseError, Target
+from labutopia_lerobot.world import (
+    Dock,
+    FloatArray,
+    Obstacle,
+    Pose,
+    ReachedInto,
+    Thing,
+    Wheels,
+    World,
+)
 
 _SHARE = 0.6
 """Share of the base's speeds and accelerations that experts use; ours: what is in a beaker stays
@@ -42,12 +53,13 @@ class Way:
     limits: DrivingLimits
 
     @classmethod
-    def of(cls, world: World, share: float = _SHARE) -> "Way":
+    def of(cls, world: World, share: float = _SHARE, radius: float = RADIUS) -> "Way":
         """Return that of a world.
 
         Args:
             world: Its robot has a base.
             share: Of the base's speeds and accelerations.
+            radius: Distance that the middle of the base keeps from everything [m].
         """
         floor, wheels = world.floor, wheels_of(world)
         pace = wheels.limits
@@ -61,7 +73,7 @@ class Way:
         known = Occupancy(floor.cells, floor.origin, floor.resolution)
         standing = [thing for thing in world.in_the_way if not thing.walks]
         occupancy = _with(known, world, standing, 0.0) if standing else known
-        planner = PathPlanner.of(occupancy, limits)
+        planner = PathPlanner.of(occupancy, limits, radius)
         return cls(occupancy, planner, FloorRectangle(*wheels.size), limits)
 
     def round(self, world: World, others: Sequence[Obstacle], room: float) -> "Way":
@@ -73,7 +85,8 @@ class Way:
             room: Distance to keep from them beyond the robot's disc [m].
         """
         occupancy = _with(self.occupancy, world, others, room)
-        return replace(self, occupancy=occupancy, planner=PathPlanner.of(occupancy, self.limits))
+        planner = PathPlanner.of(occupancy, self.limits, self.planner.clearance.radius)
+        return replace(self, occupancy=occupancy, planner=planner)
 
     def route(self, world: World, thing: Thing, around: Sequence[Obstacle] = ()) -> Route:
         """Return the route from where a base is now to the bench of a thing.
@@ -90,17 +103,27 @@ class Way:
         """
         dock = dock_for(world, thing)
         free = self.round(world, around, 2.0 * CLEAR_OF_PEOPLE) if around else self
-        path = free.path(base_at(world)[0], dock.before)
+        path = free.path(base_at(world)[0], self.before(dock))
         return Route(world.time, thing, tuple(around), path, dock)
+
+    def before(self, dock: Dock) -> FloatArray:
+        """Return the point straight behind a dock to which this base drives, shape (2,) [m].
+
+        Raises:
+            BlockedPlaceError: If there is none.
+        """
+        if self.planner.clearance.radius == RADIUS:
+            return dock.before
+        return approach_to(self.planner, self.occupancy, self.footprint, dock.position, dock.yaw)
 
     def path(self, start: FloatArray, goal: FloatArray) -> Path:
         """Return the path from a point to another, both of shape (2,) [m], world frame.
 
-        It is planned for the paper's disc, or for one that is as much narrower as the base has
+        It is planned for the disc, or for one that is as much narrower as the base has
         stopped short of where that has room.
         """
         room = float(self.planner.clearance.at(start[None])[0])
-        narrower = replace(self.planner.clearance, radius=min(RADIUS, room))
+        narrower = replace(self.planner.clearance, radius=min(self.planner.clearance.radius, room))
         return replace(self.planner, clearance=narrower).plan(start, goal)
 
 
@@ -136,12 +159,14 @@ def dock_for(world: World, thing: Thing) -> Dock:
     Raises:
         PhaseError: If there is none: nobody can drive there.
     """
-    point = world.pose(thing).position_w[:2]
-    wheels_of(world)
+    point, wheels = reached_at(world, thing)[:2], wheels_of(world)
     base = world.mobile_base
     assert base is not None
     arm, _, _ = (base.inverse() @ world.robot_base).position_w
-    best = world.floor.dock_at(point, arm, wheels_of(world).ahead)
+    if isinstance(thing, ReachedInto):
+        best = world.floor.dock_at(point, arm, thing.opening.ahead, reaching_in=True)
+    else:
+        best = world.floor.dock_at(point, arm, wheels.ahead)
     if best is None:
         raise PhaseError(
             f"No place at a bench of the room from which '{thing.name}' is within reach can be "
@@ -155,9 +180,20 @@ def stowed(world: World) -> Pose:
     return world.robot_base @ world.stowed_hand
 
 
+def _stowed_down(world: World) -> Target:
+    """Return the same for a hand that points down, and would tip what it holds from above.
+
+    Its back is ahead or behind, whichever is nearer now.
+    """
+    ahead = float((world.robot_base.inverse() @ world.gripper).x_axis[0])
+    hand = pointing(world.stowed_hand.position_w, 0.0 if ahead > 0.0 else math.pi, FROM_ABOVE.pitch)
+    return lambda world: world.robot_base @ hand
+
+
 class InHand(TypedDict):
     """What phases say of the hand while the robot drives."""
 
+    target: Target
     opening: float
     touches: frozenset[str]
     holds: Thing | None
@@ -166,8 +202,15 @@ class InHand(TypedDict):
 def in_hand(world: World, thing: Thing | None) -> InHand:
     """Return what phases say of the hand that holds a thing, or nothing."""
     if thing is None:
-        return InHand(opening=world.robot.max_opening, touches=frozenset(), holds=None)
-    return InHand(opening=world.commanded_opening, touches=frozenset({thing.name}), holds=thing)
+        wide = world.robot.max_opening
+        return InHand(target=stowed, opening=wide, touches=frozenset(), holds=None)
+    down = world.gripper.z_axis[2] < -math.cos(math.pi / 4)
+    return InHand(
+        target=_stowed_down(world) if down else stowed,
+        opening=world.commanded_opening,
+        touches=frozenset({thing.name}),
+        holds=thing,
+    )
 
 
 def parking(name: str, way: Parking, hand: InHand) -> Phase:
@@ -179,7 +222,6 @@ def parking(name: str, way: Parking, hand: InHand) -> Phase:
 
     return Phase(
         name,
-        stowed,
         done=there,
         drive=lambda world: way.velocity(*base_at(world)),
         timeout_s=15.0,

@@ -3,6 +3,9 @@
 The paper gives no number for it: heading, distance and lift are ours.
 """
 
+from typing import Literal
+
+from labutopia_lerobot.navigation.path_planner import RADIUS
 from labutopia_lerobot.predicates import (
     Predicate,
     beside,
@@ -14,7 +17,7 @@ from labutopia_lerobot.predicates import (
 )
 from labutopia_lerobot.skills import DriveTo, Face, Pick
 from labutopia_lerobot.task import Step, Substep
-from labutopia_lerobot.world import Graspable, Thing
+from labutopia_lerobot.world import Approach, Graspable, Thing
 
 NEAR = 1.5
 """Greatest distance of the base from a thing that it has driven to [m]; ours: from there it goes
@@ -30,17 +33,18 @@ LIFT = 0.20
 """Least lift from where a thing stood [m]; ours here: the paper's of levels 1 to 3."""
 
 
-def navigate(to: Thing, *, carrying: Graspable | None = None) -> Step:
+def navigate(to: Thing, *, carrying: Graspable | None = None, berth: float = RADIUS) -> Step:
     """Navigate: drive to near a thing and halt (paper: "steadily at a position near").
 
     Args:
         to: What to drive to.
         carrying: Thing in the hand, if any.
+        berth: Distance that the expert keeps from everything where it can [m].
     """
     there = (beside(to, within=NEAR), halted(than=HALTED))
     return Step(
         "navigate",
-        (DriveTo(to, carrying),),
+        (DriveTo(to, carrying, berth),),
         (Substep("arrived", (*there, *_held(carrying))),),
         _touched(carrying),
     )
@@ -62,12 +66,17 @@ def face(thing: Thing, *, carrying: Graspable | None = None) -> Step:
     )
 
 
-def pick(thing: Graspable) -> Step:
-    """Pick: grasp a thing from whatever it stands on and lift it (paper: "securely grasp")."""
+def pick(thing: Graspable, *, approach: Literal["side", "above"] | Approach = "side") -> Step:
+    """Pick: grasp a thing from whatever it stands on and lift it (paper: "securely grasp").
+
+    Args:
+        thing: What to pick up.
+        approach: From where the expert does so, see `skills.Pick`.
+    """
     held = gripped(thing)
     return Step(
         "pick",
-        (Pick(thing, lift=LIFT + 0.05, support=None),),
+        (Pick(thing, lift=LIFT + 0.05, support=None, approach=approach),),
         (Substep("gripped", (held,)), Substep("lifted", (held, raised(thing, by=LIFT)))),
         (thing,),
     )

@@ -6,7 +6,16 @@ from labutopia_lerobot.world.manipulator import Approach, Manipulator, Wheels
 from labutopia_lerobot.world.pose import FloatArray, Pose
 from labutopia_lerobot.world.reading import ON, PRESSED, Reading
 from labutopia_lerobot.world.solution import Solution
-from labutopia_lerobot.world.things import Button, Graspable, Obstacle, OpenVessel, Standing, Thing
+from labutopia_lerobot.world.things import (
+    Button,
+    Doorway,
+    Graspable,
+    Obstacle,
+    OpenVessel,
+    ReachedInto,
+    Standing,
+    Thing,
+)
 from labutopia_lerobot.world.world import (
     ARM,
     BASE,
@@ -33,6 +42,7 @@ __all__ = [
     "Approach",
     "Button",
     "Dock",
+    "Doorway",
     "FloatArray",
     "Floor",
     "Graspable",
@@ -41,6 +51,7 @@ __all__ = [
     "Obstacle",
     "OpenVessel",
     "Pose",
+    "ReachedInto",
     "Reading",
     "Solution",
     "Standing",

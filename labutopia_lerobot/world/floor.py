@@ -38,23 +38,33 @@ class Floor:
         origin: South-west corner of cell (0, 0) [m].
         resolution: Width of a cell [m].
         docks: Places at benches.
+        fixture_docks: Places before what belongs to the room and is reached into, such as a sink.
     """
 
     cells: NDArray[np.int8]
     origin: tuple[float, float]
     resolution: float
     docks: tuple[Dock, ...]
+    fixture_docks: tuple[Dock, ...] = ()
 
-    def dock_at(self, point: FloatArray, arm: float, ahead: tuple[float, float]) -> Dock | None:
+    def dock_at(
+        self,
+        point: FloatArray,
+        arm: float,
+        ahead: tuple[float, float],
+        *,
+        reaching_in: bool = False,
+    ) -> Dock | None:
         """Return the place from which an arm has a point most straight ahead, or None.
 
         Args:
             point: Shape (2,) [m].
             arm: How far before the middle of the base that of the arm is [m].
             ahead: Least and greatest distance of the point before the base of the arm [m].
+            reaching_in: Whether the point may be that of a fixture.
         """
         best, least = None, ASIDE
-        for dock in self.docks:
+        for dock in (*self.docks, *(self.fixture_docks if reaching_in else ())):
             c, s = math.cos(dock.yaw), math.sin(dock.yaw)
             x, y = point - dock.position
             if ahead[0] <= c * x + s * y - arm <= ahead[1] and abs(c * y - s * x) < least:

@@ -74,6 +74,35 @@ class Graspable(Thing, Protocol):
         ...
 
 
+class Doorway(Protocol):
+    """Where one reaches into something; the frame that it refers to is one of the thing's."""
+
+    @property
+    def frame(self) -> str:
+        """Name of that frame, whose x axis points inwards."""
+        ...
+
+    @property
+    def at(self) -> tuple[float, float, float]:
+        """Its middle in that frame [m]."""
+        ...
+
+    @property
+    def ahead(self) -> tuple[float, float]:
+        """Least and greatest distance of it before the base of an arm that reaches in [m]."""
+        ...
+
+
+@runtime_checkable
+class ReachedInto(Thing, Protocol):
+    """A thing that one stands before to reach into it."""
+
+    @property
+    def opening(self) -> Doorway:
+        """Where."""
+        ...
+
+
 class Button(Thing, Protocol):
     """A push-button; the frame of its name lies in the middle of its face.
 

@@ -13,6 +13,7 @@ from labutopia_lerobot.labware.parts.catch import Catch
 from labutopia_lerobot.labware.parts.colors import COLORS
 from labutopia_lerobot.labware.parts.instrument import Equipment
 from labutopia_lerobot.labware.parts.materials import add_materials
+from labutopia_lerobot.labware.parts.mouth import Mouth
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.push_button import PushButton
 from labutopia_lerobot.labware.parts.shelf import Shelf
@@ -99,6 +100,11 @@ class DryingOven(Equipment):
     def shelf(self) -> Shelf:
         """Place for things."""
         return Shelf(f"{self.name}_shelf")
+
+    @property
+    def opening(self) -> Mouth:
+        """Its doorway, in the middle between the side of the hinge and the other."""
+        return Mouth(self.shelf.name, (-0.38, -0.05, 0.0), ahead=(0.585, 0.625))
 
     @property
     def button(self) -> PushButton:

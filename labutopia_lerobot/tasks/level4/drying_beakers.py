@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
+from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.layout import OnBench, Start
 from labutopia_lerobot.places import OnShelf, OverBench
@@ -41,7 +42,8 @@ WITHIN = 0.04  # ours: half a beaker
 INSIDE = OverBench("before the oven", ahead=0.16, left=0.14, height=0.515)
 OUTSIDE = OverBench("beside the open door", ahead=-0.02, left=0.36, height=0.515)
 
-CLEAR = clear_of(OVEN.door.handle, by=0.04)  # as open_door
+CLEARANCE = 0.04  # as open_door
+CLEAR = clear_of(OVEN.door.handle, by=CLEARANCE)
 LOADED = (
     *actions.left_standing(LARGE, RIGHT, within=WITHIN),
     *actions.left_standing(SMALL, MIDDLE, within=WITHIN),
@@ -77,7 +79,7 @@ def drying_beakers() -> Task:
         ),
         start=before(OVEN),
         steps=(
-            open_wide().named("1_open"),
+            open_wide(door).named("1_open"),
             pick.named("2_pick"),
             actions.place(LARGE, RIGHT, within=WITHIN, through=MOUTH).named("3_place"),
             actions.pick(SMALL, by=actions.OFF_THE_BENCH).named("4_pick"),
@@ -91,10 +93,17 @@ def drying_beakers() -> Task:
     )
 
 
-def open_wide() -> Step:
-    """Open the door wide by its handle and let go of that; it is then at rest."""
-    door = OVEN.door
-    wide = (CLEAR, opened(door, to=WIDE), ~faster(door, than=math.radians(2)))
+def open_wide(door: Door[Handle]) -> Step:
+    """Open a door wide by its handle and let go of that; it is then at rest.
+
+    Args:
+        door: That of the oven, or one that is before the robot as that is.
+    """
+    wide = (
+        clear_of(door.handle, by=CLEARANCE),
+        opened(door, to=WIDE),
+        ~faster(door, than=math.radians(2)),
+    )
     swing = actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=PULL)
     return replace(
         swing,

@@ -12,6 +12,7 @@ from labutopia_lerobot.labware.parts.finish import finish
 from labutopia_lerobot.labware.parts.fittings import framed, tub
 from labutopia_lerobot.labware.parts.form import Block, Form, Rod, towards
 from labutopia_lerobot.labware.parts.mechanism import Mechanism
+from labutopia_lerobot.labware.parts.mouth import Mouth
 from labutopia_lerobot.labware.parts.openable import Door, Handle
 from labutopia_lerobot.labware.parts.rotor import Rotor
 from labutopia_lerobot.labware.parts.seat import Seat
@@ -73,6 +74,11 @@ class LaboratorySink(WaterPoint):
         low, high = (x, y, _FLOOR - 0.01), (far_x, far_y, _RIM)
         area = (far_x - x) * (far_y - y)
         return Drain(f"{self.name}_drain", area, low, high, middle, 0.040)
+
+    @property
+    def opening(self) -> Mouth:
+        """Its basin, in the middle between left and right."""
+        return Mouth(self.places[0].name, (-0.07, -0.13, 0.0), ahead=(0.40, 0.70))
 
     @property
     def works(self) -> tuple[Process, ...]:

@@ -61,7 +61,7 @@ def device_operation() -> Task:
         ),
         start=before(oven),
         steps=(
-            open_wide().named("1_open"),
+            open_wide(oven.door).named("1_open"),
             lift.named("2_raise"),
             pick.named("3_pick"),
             actions.place(LARGE, RIGHT, within=WITHIN, through=MOUTH).named("4_place"),

@@ -1,0 +1,86 @@
+"""Clear bench: three beakers from a bench into the sink, one after the other.
+
+Beyond the paper: its "transport container between areas", three times.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import reduce
+from itertools import chain
+from operator import or_
+
+from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.labware.glass.vessel import Vessel
+from labutopia_lerobot.labware.instruments.support.laboratory_sink import LaboratorySink
+from labutopia_lerobot.layout import OfTheRoom, OnSomeBench, OnTheSameBench
+from labutopia_lerobot.places import BesideSeat, Destination
+from labutopia_lerobot.predicates import carried_into, halted
+from labutopia_lerobot.scenes.views import DRIVING_VIEW
+from labutopia_lerobot.skills import Place
+from labutopia_lerobot.skills.posture import FROM_ABOVE_TURNED
+from labutopia_lerobot.task import Step, Task
+from labutopia_lerobot.tasks import actions, driving, failures
+
+SINK = LaboratorySink("sink")
+BASIN = BesideSeat("basin", SINK.places[0], inward=0.0, left=-0.13)  # its middle
+WITHIN = 0.25  # ours: less than half of its diagonal; only its floor is so low
+
+BERTH = 0.68  # ours: with six drives beside chairs, more than the paper's 0.6 for corners at 0.62
+
+BEAKERS = (
+    glassware("beaker_low", "50 ml", "small_beaker"),
+    glassware("beaker_low", "100 ml", "medium_beaker"),
+    glassware("beaker_low", "150 ml", "large_beaker"),
+)
+# Ours: clear of the swan neck, and of walls by the half of a hand that comes from above.
+PLACES = (
+    BesideSeat("left of the basin", SINK.places[0], inward=0.03, left=-0.03),
+    BesideSeat("right of the basin", SINK.places[0], inward=0.03, left=-0.23),
+    BesideSeat("front of the basin", SINK.places[0], inward=-0.03, left=-0.13),
+)
+
+
+def clear_bench() -> Task:
+    """Return the task."""
+    first, *others = BEAKERS
+    carried = (step for n in range(3) for step in _carry(BEAKERS[n], PLACES[n]))
+    return Task(
+        instruction=(
+            "Clear the bench: carry the small, then the medium, then the large beaker to the sink, "
+            "and stand each on the floor of its basin."
+        ),
+        paraphrases=(
+            "Bring the beakers to the sink, one by one, the smallest first; stand them in it.",
+            "Put all three beakers from the bench into the basin of the sink, upright: small, "
+            "medium, large.",
+        ),
+        start={
+            first: OnSomeBench(things=3),
+            **{beaker: OnTheSameBench(first) for beaker in others},
+            SINK: OfTheRoom("laboratory_sink"),
+        },
+        drives=True,
+        steps=tuple(step.named(f"{n}_{step.name}") for n, step in enumerate(carried, start=1)),
+        goal=(
+            *chain(*(actions.left_standing(each, BASIN, within=WITHIN) for each in BEAKERS)),
+            halted(than=driving.HALTED),
+        ),
+        never={
+            **failures.of_any(*(failures.handling(each, spill=None) for each in BEAKERS)),
+            "load_collided": reduce(or_, (carried_into(each, SINK) for each in BEAKERS)),
+        },
+        time_limit_s=500.0,  # ours: three times what the expert needs in the largest rooms
+        view=DRIVING_VIEW,
+    )
+
+
+def _carry(beaker: Vessel, place: Destination) -> Iterator[Step]:
+    """Yield the steps that bring one beaker into the sink; it is grasped from above."""
+    yield driving.navigate(beaker, berth=BERTH)
+    yield driving.face(beaker)
+    yield driving.pick(beaker, approach=FROM_ABOVE_TURNED)
+    yield driving.navigate(SINK, carrying=beaker, berth=BERTH)
+    yield driving.face(SINK, carrying=beaker)
+    # Over the edge of the basin, which is 0.25 m deep, and back out of it.
+    into = Place(beaker, place, hover=0.30, retreat=0.30, yaw_above=FROM_ABOVE_TURNED.yaw)
+    yield replace(actions.place(beaker, BASIN, within=WITHIN), skills=(into,))
