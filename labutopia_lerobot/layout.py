@@ -8,16 +8,16 @@ import numpy as np
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.piece import Piece
-from labutopia_lerobot.placement import Placement
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.ground import Ground
+from labutopia_lerobot.scenes.placement import Placement
 from labutopia_lerobot.scenes.room import NowhereToDriveError, Room
 from labutopia_lerobot.scenes.rooms_to_drive_in import (
     rooms_to_drive_in,
     rooms_with_deep_benches,
     rooms_with_sinks,
 )
-from labutopia_lerobot.starts_in_rooms import (
+from labutopia_lerobot.scenes.starts_in_rooms import (
     APART,
     OfTheRoom,
     OnDeepBench,

@@ -19,7 +19,6 @@ from labutopia_lerobot import (
     places,
     predicates,
     skills,
-    starts_in_rooms,
     substances,
     task,
     world,
@@ -32,6 +31,7 @@ from labutopia_lerobot.labware.parts.finish import FINISHES
 from labutopia_lerobot.labware.parts.instrument import Equipment, Instrument
 from labutopia_lerobot.labware.parts.seat import Seat
 from labutopia_lerobot.robots import ROBOTS
+from labutopia_lerobot.scenes import starts_in_rooms
 from labutopia_lerobot.skills import posture, skill
 from labutopia_lerobot.substances import filling
 from labutopia_lerobot.tasks import actions, failures

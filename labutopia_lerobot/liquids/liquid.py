@@ -265,8 +265,7 @@ class Liquid:
         """Return how high particles are for crystals, which stay on a bottom, shape (n,) [m].
 
         In a vessel that stands, their height; in one that leans, how far they are from its base:
-        wet grains hold together (Hornbaker and others, Nature 387, 1997), and do not slide along
-        the wall to the lip.
+        wet grains hold together (Hornbaker and others, Nature 387, 1997) and do not slide down.
         """
         heights, now = self.positions[:, 2].copy(), self._around.glass.now
         for vessel in np.flatnonzero(now.rotation[: len(self.vessels), 2, 2] < _LEANS):

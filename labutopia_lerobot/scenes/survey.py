@@ -21,7 +21,7 @@ from labutopia_lerobot.scenes.space.ware_room import box_of
 from labutopia_lerobot.scenes.within_reach import PREFIX
 from labutopia_lerobot.world import BENCH, Dock, FloatArray, Floor
 
-BERTH = 0.68
+CLEARANCE = 0.68
 """Radius of the disc as which a robot gets to sinks [m]; ours: in a gap of the paper's 1.2 m
 corners 0.62 m from the middle, as the Ridgeback's are, touch what stands on either side."""
 _FROM_NEAREST = (0.05, 0.09, 0.13, 0.17)
@@ -84,7 +84,7 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
         occupancy.origin,
         occupancy.resolution,
         tuple(there for _, there in found),
-        tuple(in_world(dock) for dock in fixture_docks(plan, base, BERTH)),
+        tuple(in_world(dock) for dock in fixture_docks(plan, base, CLEARANCE)),
     )
     fixtures: dict[str, Fixture] = {}
     pieces = {f"{PREFIX}{piece.name}": piece for piece in plan.pieces}

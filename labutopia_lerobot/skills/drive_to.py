@@ -37,13 +37,13 @@ class DriveTo:
     Attributes:
         thing: What to drive to.
         carrying: Thing in the hand, if any.
-        berth: Distance that the middle of the base keeps from everything where there is room for
-            that [m]; elsewhere it is the paper's.
+        clearance: Distance that the middle of the base keeps from everything where there is room
+            for that [m]; elsewhere it is the paper's.
     """
 
     thing: Thing
     carrying: Thing | None = None
-    berth: float = RADIUS
+    clearance: float = RADIUS
 
     def way(self, world: World) -> Way:
         """Return the way on which it drives from where the base is: a wide one if that leads there.
@@ -61,7 +61,7 @@ class DriveTo:
         return wide
 
     def _ways(self, world: World) -> list[Way]:
-        return [Way.of(world, radius=radius) for radius in dict.fromkeys((self.berth, RADIUS))]
+        return [Way.of(world, radius=radius) for radius in dict.fromkeys((self.clearance, RADIUS))]
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield stow, leave (if the base stands too near to something to turn) and drive."""

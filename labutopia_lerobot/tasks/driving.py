@@ -33,18 +33,18 @@ LIFT = 0.20
 """Least lift from where a thing stood [m]; ours here: the paper's of levels 1 to 3."""
 
 
-def navigate(to: Thing, *, carrying: Graspable | None = None, berth: float = RADIUS) -> Step:
+def navigate(to: Thing, *, carrying: Graspable | None = None, clearance: float = RADIUS) -> Step:
     """Navigate: drive to near a thing and halt (paper: "steadily at a position near").
 
     Args:
         to: What to drive to.
         carrying: Thing in the hand, if any.
-        berth: Distance that the expert keeps from everything where it can [m].
+        clearance: Distance that the expert keeps from everything where it can [m].
     """
     there = (beside(to, within=NEAR), halted(than=HALTED))
     return Step(
         "navigate",
-        (DriveTo(to, carrying, berth),),
+        (DriveTo(to, carrying, clearance),),
         (Substep("arrived", (*there, *_held(carrying))),),
         _touched(carrying),
     )

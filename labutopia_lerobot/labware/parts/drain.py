@@ -19,8 +19,8 @@ _DISCHARGE = 0.6
 """Of a sharp-edged hole (White, "Fluid Mechanics", section on obstruction meters)."""
 _GRAVITY = 9.81
 """Acceleration of free fall [m/s^2], as in MuJoCo."""
-_SLOPE = 0.02
-"""Of a floor towards its drain; ours: usual, and a beaker still stands on it."""
+_SLOPE = 0.01
+"""Of a floor towards its drain; ours: usual, and a beaker on it still counts as level."""
 _THICK = 0.006
 """Of a sloping floor [m]."""
 

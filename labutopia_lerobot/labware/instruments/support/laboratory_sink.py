@@ -64,7 +64,7 @@ class LaboratorySink(WaterPoint):
     @property
     def places(self) -> tuple[Seat, ...]:
         """The floor of the basin, beside its drain."""
-        return (Seat(f"{self.name}_basin", self.name, (-0.03, 0.13, 0.6539), width=0.13),)
+        return (Seat(f"{self.name}_basin", self.name, (-0.03, 0.13, 0.6510), width=0.13),)
 
     @property
     def drain(self) -> Drain:

@@ -25,7 +25,7 @@ SINK = LaboratorySink("sink")
 BASIN = BesideSeat("basin", SINK.places[0], inward=0.0, left=-0.13)  # its middle
 WITHIN = 0.25  # ours: less than half of its diagonal; only its floor is so low
 
-BERTH = 0.68  # ours: with six drives beside chairs, more than the paper's 0.6 for corners at 0.62
+CLEARANCE = 0.68  # ours: in six drives beside chairs more than 0.6, its corners being at 0.62
 
 BEAKERS = (
     glassware("beaker_low", "50 ml", "small_beaker"),
@@ -76,10 +76,10 @@ def clear_bench() -> Task:
 
 def _carry(beaker: Vessel, place: Destination) -> Iterator[Step]:
     """Yield the steps that bring one beaker into the sink; it is grasped from above."""
-    yield driving.navigate(beaker, berth=BERTH)
+    yield driving.navigate(beaker, clearance=CLEARANCE)
     yield driving.face(beaker)
     yield driving.pick(beaker, approach=FROM_ABOVE_TURNED)
-    yield driving.navigate(SINK, carrying=beaker, berth=BERTH)
+    yield driving.navigate(SINK, carrying=beaker, clearance=CLEARANCE)
     yield driving.face(SINK, carrying=beaker)
     # Over the edge of the basin, which is 0.25 m deep, and back out of it.
     into = Place(beaker, place, hover=0.30, retreat=0.30, yaw_above=FROM_ABOVE_TURNED.yaw)

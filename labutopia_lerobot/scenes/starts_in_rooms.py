@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from labutopia_lerobot.labware.piece import Piece
-from labutopia_lerobot.placement import Placement
 from labutopia_lerobot.scenes.ground import Ground
+from labutopia_lerobot.scenes.placement import Placement
 from labutopia_lerobot.scenes.room import NowhereToDriveError
 
 APART = 0.25
