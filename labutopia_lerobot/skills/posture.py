@@ -15,7 +15,7 @@ FROM_ABOVE = Approach(yaw=0.0, pitch=math.pi / 2)
 
 FROM_ABOVE_TURNED = Approach(yaw=math.pi, pitch=math.pi / 2)
 """The same, turned by half: an arm whose hand then has its joints near their middles reaches down
-into something with its elbow up, as the Panda does."""
+into something with its elbow up."""
 
 
 def horizontal(direction: FloatArray) -> FloatArray:

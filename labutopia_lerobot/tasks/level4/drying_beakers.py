@@ -94,16 +94,9 @@ def drying_beakers() -> Task:
 
 
 def open_wide(door: Door[Handle]) -> Step:
-    """Open a door wide by its handle and let go of that; it is then at rest.
-
-    Args:
-        door: That of the oven, or one that is before the robot as that is.
-    """
-    wide = (
-        clear_of(door.handle, by=CLEARANCE),
-        opened(door, to=WIDE),
-        ~faster(door, than=math.radians(2)),
-    )
+    """Open a door, of this oven or before the robot as it is, and let go; it is then at rest."""
+    free = clear_of(door.handle, by=CLEARANCE)
+    wide = (free, opened(door, to=WIDE), ~faster(door, than=math.radians(2)))
     swing = actions.open_by_handle(door, to=OPEN_TO, begun=BEGUN, pull=PULL)
     return replace(
         swing,
