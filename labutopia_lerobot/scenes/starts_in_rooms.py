@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -13,6 +14,8 @@ from labutopia_lerobot.scenes.room import NowhereToDriveError
 
 APART = 0.25
 """Least distance of things on the same bench [m]; ours: an open hand is 0.2 m wide."""
+
+# Of each start: `shuffled`, no bodies of it change places; `described`, how it is turned, in words.
 
 
 @dataclass(frozen=True)
@@ -29,14 +32,10 @@ class OnSomeBench:
 
     instrument: bool = False
     things: int = 1
-
-    @property
-    def shuffled(self) -> tuple[str, ...]:
-        return ()
+    shuffled: ClassVar[tuple[str, ...]] = ()
 
     @property
     def described(self) -> str:
-        """How a thing is turned, in words."""
         return "facing the robot" if self.instrument else "any"
 
     def sample(
@@ -79,15 +78,8 @@ class OnTheSameBench:
     """
 
     as_thing: Piece
-
-    @property
-    def shuffled(self) -> tuple[str, ...]:
-        return ()
-
-    @property
-    def described(self) -> str:
-        """How a thing is turned, in words."""
-        return "any"
+    shuffled: ClassVar[tuple[str, ...]] = ()
+    described: ClassVar[str] = "any"
 
     def sample(
         self,
@@ -125,15 +117,8 @@ class OfTheRoom:
     """
 
     kind: str
-
-    @property
-    def shuffled(self) -> tuple[str, ...]:
-        return ()
-
-    @property
-    def described(self) -> str:
-        """How a thing is turned, in words."""
-        return "as it is"
+    shuffled: ClassVar[tuple[str, ...]] = ()
+    described: ClassVar[str] = "as it is"
 
     def sample(
         self,
@@ -173,14 +158,10 @@ class OnDeepBench:
     ahead: tuple[float, float]
     left: tuple[float, float]
     yaw: tuple[float, float]
-
-    @property
-    def shuffled(self) -> tuple[str, ...]:
-        return ()
+    shuffled: ClassVar[tuple[str, ...]] = ()
 
     @property
     def described(self) -> str:
-        """How a thing is turned, in words."""
         least, greatest = (math.degrees(angle) for angle in self.yaw)
         return f"{least:.0f} to {greatest:.0f} from facing the robot"
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from labutopia_lerobot.places import Destination
 from labutopia_lerobot.skills.posture import upright_in_hand
 from labutopia_lerobot.skills.skill import Phase, arrived, carrier, waited
-from labutopia_lerobot.world import Pose, Thing, World
+from labutopia_lerobot.world import FloatArray, Pose, Thing, World
 
 
 @dataclass(frozen=True)
@@ -41,20 +41,16 @@ class Place:
         support, own = frozenset({self.on.support}), frozenset({thing.name})
         point = self.on.position_w(world)
         carried = carrier(world, thing)
-        end = carried(upright_in_hand(world, thing, point, self.yaw_above))
+        end = carried(self._upright(world, point))
         above, near = end.moved(z=self.hover), end.moved(z=self.align)
         far = arrived(within=0.015)
         there = arrived(within=0.004)
         if self.through is not None:
-            before = carried(
-                upright_in_hand(world, thing, self.through.position_w(world), self.yaw_above)
-            )
+            before = carried(self._upright(world, self.through.position_w(world)))
             yield Phase("before", lambda w: before, shut, far, own, thing)
         yield Phase("above", lambda w: above, shut, far, own, thing)
         yield Phase("lower", lambda w: near, shut, there, own | support, thing, speed=0.15)
-        below = carrier(world, thing)(upright_in_hand(world, thing, point, self.yaw_above)).moved(
-            z=-self.press
-        )
+        below = carrier(world, thing)(self._upright(world, point)).moved(z=-self.press)
         yield Phase("align", lambda w: below, shut, self._landed, own | support, thing, speed=0.03)
         here = world.gripper
         yield Phase("settle", lambda w: here, shut, waited(0.3), own | support, thing)
@@ -65,6 +61,10 @@ class Place:
             back = before
             yield Phase("out", lambda w: back, wide, far, own)
         yield Phase("done", lambda w: back, wide, waited(0.1), own)
+
+    def _upright(self, world: World, base_w: FloatArray) -> Pose:
+        """Return the pose of the thing with its base at a point, shape (3,) [m], world frame."""
+        return upright_in_hand(world, self.thing, base_w, self.yaw_above)
 
     def _landed(self, world: World, target: Pose, elapsed: float) -> bool:
         return world.touching(self.thing.name, self.on.support)

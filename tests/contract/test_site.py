@@ -72,7 +72,7 @@ def test_every_task_has_a_film_of_its_own_that_is_small():
     assert {each.name for each in films.iterdir()} == expected, "run: scripts/make_films.py tasks"
     for film in films.iterdir():
         assert video_size_and_frames(film)[:2] == (480, 270)
-        assert 10_000 < film.stat().st_size < 800_000  # a room goes by in those that drive
+        assert 10_000 < film.stat().st_size < 600_000
 
 
 def test_the_readme_is_a_page_that_opens_with_a_film_of_less_than_3_mb():
