@@ -24,6 +24,7 @@ from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.scenes.within_reach import PREFIX
 from labutopia_lerobot.sim.scene import Scene, add_robot, ancestors
 from labutopia_lerobot.sim.simulation import Simulation
+from labutopia_lerobot.sim.unwinding import Unwinding
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.world import ARM, BENCH, CONTROL_HZ, HAND, FloatArray, Pose, Thing
 from labutopia_lerobot.world.model import HULL_GROUP
@@ -40,9 +41,11 @@ _GAIN = 0.85 / CONTROL_HZ
 _OWN_GAIN, _OWN_HORIZON = 0.13 / CONTROL_HZ, 0.15
 """The same between a robot's arm and its trunk, and the distance below which it acts [m]; ours:
 nothing is to be done there, and a heavy upper arm brakes in good time."""
+_POSITION, _ORIENTATION = 1.0, 0.3
+"""Cost of the hand away from its target [1/m, 1/rad]."""
 _POSTURE = 0.003
-"""Cost of joints away from home, beside 1.0 for the position of the hand [1/rad]; ours: its pull
-moves the hand from its target by less than the phases ask for."""
+"""Cost of joints away from home [1/rad]; ours: its pull moves the hand from its target by less than
+the phases ask for."""
 _STRETCHED = 0.6
 """Angle of the elbow below which the posture costs more [rad]; ours: experts that are not lost fold
 it by 0.9 rad and more in every task."""
@@ -53,6 +56,8 @@ _RETREAT = 0.0005
 """Distance by which a pair that is too near must part in a control period [m]."""
 _SHARE = 0.85
 """Share of the robot's speeds and accelerations that is used: commands are never clipped."""
+_SHORT = 0.01
+"""Distance by which a hand is short of its target that it cannot reach [m]; ours."""
 _REACHED = 0.5
 """Height above the floor from which furniture is kept clear of [m]; ours: no arm on a base comes
 lower."""
@@ -78,8 +83,12 @@ class ReactiveMotion:
         self._drives = Drives(self._model, scene.robot)
         self._configuration = mink.Configuration(self._model)
         self._track = mink.FrameTask(
-            scene.robot.gripper.site, "site", position_cost=1.0, orientation_cost=0.3
+            scene.robot.gripper.site,
+            "site",
+            position_cost=_POSITION,
+            orientation_cost=_ORIENTATION,
         )
+        self._unwinding = Unwinding(scene.robot)
         self._command_limits = CommandLimits(scene.robot, _SHARE)
         self._box = _Box(self._model.nv, self._drives.joint_dofs)
         self._elbow = scene.robot.names.index(scene.robot.elbow)
@@ -97,6 +106,10 @@ class ReactiveMotion:
         self._extents = {name: _extent(self._model, name) for name in furniture}
         hulls = [body for piece in scene.pieces for body in _hulls_by_body(scene, piece)]
         self._obstacles = [(scene.model.body(body).name, body) for body in hulls]
+
+    def begin(self) -> None:
+        """Begin anew: nothing that happened before counts."""
+        self._unwinding.begin()
 
     def follow(
         self,
@@ -120,6 +133,9 @@ class ReactiveMotion:
         self._look(holds)
         quat_wxyz, position = target.quat_wxyz, target.position_w
         self._track.set_target(mink.SE3(np.concatenate([quat_wxyz, position])))
+        tracks = 0.0 if self._unwinding.active else 1.0
+        self._track.set_position_cost(tracks * _POSITION)
+        self._track.set_orientation_cost(tracks * _ORIENTATION)
         folded = min(1.0, abs(self._simulation.command[self._elbow]) / _STRETCHED)
         self._posture.set_cost(_POSTURE * (1.0 + _FOLDING * (1.0 - folded) ** 2))
         avoid = [self._clearances[pair] for pair in self._kept_apart(touches, holds)]
@@ -147,6 +163,8 @@ class ReactiveMotion:
             change[joints] = np.clip(limits.braking(last - before), least, greatest)[joints]
         else:
             change[joints] = velocity[self._drives.joint_dofs] / CONTROL_HZ
+        short = holds is None and self._world.gripper.distance_to(target) > _SHORT
+        self._unwinding.see(last[joints], change[joints], short=short and driving_b is None)
         command: FloatArray = last + change
         return command
 

@@ -40,6 +40,10 @@ _TINY = 1e-6
 class Motion(Protocol):
     """Turns a wanted gripper pose and opening into commands, reactively."""
 
+    def begin(self) -> None:
+        """Begin anew: nothing that happened before counts."""
+        ...
+
     def follow(
         self,
         target: Pose,
@@ -82,6 +86,7 @@ class Expert:
         self.finished = False
         self.unexpected: Counter[tuple[str, str]] = Counter()
         self.label = ""
+        self._motion.begin()
         self._remaining = self._play()
         self._reference = self._world.gripper
         self._carrier = self._world.mobile_base

@@ -189,3 +189,9 @@ def test_an_arm_that_is_stretched_behind_an_open_door_folds_again():
     env = begun("level4/device_operation", liquid="off")
     env.reset(seed=100065)
     assert played_out(env) == "success"
+
+
+def test_an_arm_that_wound_itself_up_goes_back_and_tries_again():
+    env = begun("level1/tare", split="ood", axes=("robot_start",))
+    env.reset(seed=100001)
+    assert played_out(env) == "success"
