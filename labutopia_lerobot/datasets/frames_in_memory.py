@@ -16,7 +16,7 @@ from lerobot.datasets.dataset_reader import DatasetReader
 from torch import Tensor
 
 _OURS = "annotation.substep"
-"""Column by which our recordings are told from others."""
+"""Column that our recordings have and no others."""
 _KEPT = "frames_in_memory"
 
 _read_from_tables: Callable[[DatasetReader, int], dict[str, Any]] = DatasetReader.get_item

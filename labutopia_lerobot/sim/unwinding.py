@@ -14,7 +14,7 @@ _PATIENCE = CONTROL_HZ // 2
 
 
 class Unwinding:
-    """Tells when an arm is to go back: it stands with a joint at an end of its range.
+    """Says when an arm is to go back: it stands with a joint at an end of its range.
 
     Differential kinematics goes the nearest way, and from some starts that ends there, short of the
     target, where another turn of the wrist would have led on.
