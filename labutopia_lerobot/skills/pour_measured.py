@@ -40,7 +40,7 @@ class PourMeasured:
         ease: How far it leans back then [rad].
         drop: Height of the lip above the other mouth [m].
         short: How far before the middle of the other mouth the lip is [m].
-        hover: How much higher the start position is [m].
+        hover: How much higher the start position is, and the end of one that tapers [m].
         turn_speed: How fast it leans at first [rad/s].
         pause_s: Shortest wait for the reading to settle [s].
     """
@@ -60,7 +60,7 @@ class PourMeasured:
     pause_s: float = 1.0
 
     def phases(self, world: World) -> Iterator[Phase]:
-        """Yield start, ready, pour, then ease and add until it is there, and tilt back."""
+        """Yield start, ready, pour, ease and add until it is there, tilt back and, if wide, rise."""
         thing, shut, own = self.thing, world.commanded_opening, frozenset({self.thing.name})
         pivot = Pivot.over(world, thing, world.frame(self.into.rim), self.drop, self.short)
         ready = carrier(world, thing)(pivot.tilted(0.0))
@@ -91,6 +91,9 @@ class PourMeasured:
         back = pivot.towards(world, 0.0)
         yield phase("tilt_back", back, arrived(within=0.006))
         yield phase("stabilise", back, waited(0.3))
+        if thing.taper:  # wider below, it hangs over the other mouth
+            clear = world.gripper.moved(z=self.hover)
+            yield phase("rise", lambda w: clear, arrived(within=0.015))
 
     @property
     def _least_slope(self) -> float:
