@@ -60,7 +60,7 @@ class PourMeasured:
     pause_s: float = 1.0
 
     def phases(self, world: World) -> Iterator[Phase]:
-        """Yield start, ready, pour, then ease and add until it is there, tilt back, perhaps rise."""
+        """Yield start, ready, pour, ease, then add until it is there, tilt back, perhaps rise."""
         thing, shut, own = self.thing, world.commanded_opening, frozenset({self.thing.name})
         pivot = Pivot.over(world, thing, world.frame(self.into.rim), self.drop, self.short)
         ready = carrier(world, thing)(pivot.tilted(0.0))
