@@ -7,6 +7,7 @@ judged by how vessels are tilted, as in the original.
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -96,6 +97,7 @@ def spilled(world: World, vessel: Thing, *, share: float, over: OpenVessel | Non
     return not lip_over(vessel, over, below=POURS_BELOW).holds(world)
 
 
+@cache
 def _runs_over_deg(vessel: Thing) -> float:
     """Return from which lean on a vessel spills where no liquid is simulated [deg].
 

@@ -3,6 +3,7 @@
 import difflib
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterable
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import mujoco
@@ -122,6 +123,8 @@ class Apparatus:
         self._painted: dict[str, Hashable] = {}
         self._memory: dict[str, FloatArray] = {}
         self._joints: dict[str, int] = {}
+        self._masses: dict[str, float] = {}
+        self._sensors: dict[str, tuple[int, int]] = {}
         numbers = np.zeros(slots_of(order)) if numbers is None else numbers
         first = 0
         for process in order:
@@ -137,12 +140,18 @@ class Apparatus:
         Raises:
             ProcessError: If it has no slots.
         """
-        if not process.slots:
+        memory = self._memory[process.name]
+        if not len(memory):
             raise ProcessError(
                 f"'{process.name}' ({type(process).__name__}) remembers nothing: name its numbers "
                 "in `slots`"
             )
-        return self._memory[process.name]
+        return memory
+
+    @cached_property
+    def gravity(self) -> float:
+        """Acceleration of what falls [m/s^2]."""
+        return float(np.linalg.norm(self.model.opt.gravity))
 
     def joint(self, name: str) -> float:
         """Return the position of a hinge [rad] or slide [m]."""
@@ -151,6 +160,12 @@ class Apparatus:
             address = self._joints[name] = int(self.model.joint(name).qposadr[0])
         return float(self.data.qpos[address])
 
+    def mass(self, body: str) -> float:
+        """Return the mass of a body alone, without those that hang on it [kg]."""
+        if body not in self._masses:
+            self._masses[body] = float(self.model.body(body).mass[0])
+        return self._masses[body]
+
     def site(self, name: str) -> Pose:
         """Return the pose of a site, world frame."""
         site = self.data.site(name)
@@ -158,14 +173,20 @@ class Apparatus:
 
     def mean(self, sensor: str) -> FloatArray:
         """Return the mean of a sensor over the physics steps since the last step, a copy."""
-        numbers = self.model.sensor(sensor)
-        first = int(numbers.adr[0])
-        last = first + int(numbers.dim[0])
+        first, last = self._sensed(sensor)
         if not self._count:
             now: FloatArray = self.data.sensordata[first:last].copy()
             return now
         mean: FloatArray = self._sum[first:last] / self._count
         return mean
+
+    def _sensed(self, sensor: str) -> tuple[int, int]:
+        """Return where the numbers of a sensor begin and end."""
+        if sensor not in self._sensors:
+            numbers = self.model.sensor(sensor)
+            first = int(numbers.adr[0])
+            self._sensors[sensor] = first, first + int(numbers.dim[0])
+        return self._sensors[sensor]
 
     def reading(self, name: str) -> Reading:
         """Return what a process gives to read.

@@ -49,6 +49,8 @@ class SimulatedWorld:
         self._pieces = scene.pieces
         self._movable: tuple[Thing, ...] = tuple(p for p in scene.pieces if p.movable)
         self._faller = {piece.name: index for index, piece in enumerate(self._movable)}
+        names = (scene.model.joint(joint).name for joint in range(scene.model.njnt))
+        self._joints = {name: joint for joint, name in enumerate(names)}
         self._bodies: dict[str, int] = {
             piece.name: int(scene.model.body(piece.name).id) for piece in scene.pieces
         }
@@ -164,22 +166,16 @@ class SimulatedWorld:
 
     def joint(self, name: str) -> float:
         """Return the position of a named hinge [rad] or slide [m]."""
-        try:
-            joint = self._model.joint(name)
-            position = float(self._data.qpos[joint.qposadr[0]])
-            if joint.type[0] == mujoco.mjtJoint.mjJNT_HINGE and not joint.limited[0]:
-                return math.remainder(position, 2 * math.pi)
-            return position
-        except KeyError:
-            raise self._unknown("joint", name, self._names(self._model.njnt, "joint")) from None
+        joint = self._joint(name)
+        position = float(self._data.qpos[self._model.jnt_qposadr[joint]])
+        hinge = self._model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE
+        if hinge and not self._model.jnt_limited[joint]:
+            return math.remainder(position, 2 * math.pi)
+        return position
 
     def joint_speed(self, name: str) -> float:
         """Return the greatest speed of a named hinge [rad/s] or slide [m/s]; never negative."""
-        try:
-            dof = int(self._model.joint(name).dofadr[0])
-            return float(self._simulation.contacts.speed[dof])
-        except KeyError:
-            raise self._unknown("joint", name, self._names(self._model.njnt, "joint")) from None
+        return float(self._simulation.contacts.speed[self._model.jnt_dofadr[self._joint(name)]])
 
     def sensor(self, name: str) -> float:
         """Return the reading of a named scalar sensor."""
@@ -227,8 +223,9 @@ class SimulatedWorld:
 
     def touched_by(self, name: str) -> frozenset[str]:
         """Return everything that touched it since the last control step."""
-        row = self._simulation.contacts.touched[self._touching(name)]
-        return frozenset(self._simulation.scene.groups[index] for index in np.flatnonzero(row))
+        (others,) = self._simulation.contacts.touched[self._touching(name)].nonzero()
+        groups = self._simulation.scene.groups
+        return frozenset(groups[index] for index in others.tolist())
 
     def contact_force(self, first: str, second: str) -> float:
         """Return the greatest normal force between the two since the last control step [N]."""
@@ -287,6 +284,11 @@ class SimulatedWorld:
         if name not in self._group:
             raise self._unknown("thing", name, self._group)
         return self._group[name]
+
+    def _joint(self, name: str) -> int:
+        if name not in self._joints:
+            raise self._unknown("joint", name, self._joints)
+        return self._joints[name]
 
     def _names(self, count: int, kind: str) -> list[str]:
         return [getattr(self._model, kind)(index).name for index in range(count)]

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import override
 
 import numpy as np
@@ -94,9 +95,8 @@ class Weighing(Process):
         for stage in range(_STAGES):
             averages[stage] += share * (load - averages[stage])
             load = averages[stage]
-        drawn = np.random.Generator(np.random.Philox(key=int(seed), counter=int(steps) // _RENEWED))
         noise = _NOISE * self.resolution * (_DRAUGHT if self._open(apparatus) else 1.0)
-        noise *= drawn.standard_normal()
+        noise *= _drawn(int(seed), int(steps) // _RENEWED)
         pressed = apparatus.reading(self.tare).value
         if pressed > was_in:
             tared = load
@@ -119,10 +119,14 @@ class Weighing(Process):
 
     def _load(self, apparatus: Apparatus) -> float:
         """Return the mean force on the pan since the last step, as a mass [g]."""
-        model = apparatus.model
-        gravity = float(np.linalg.norm(model.opt.gravity))
-        weight = float(model.body(self.pan).mass[0])
-        return 1e3 * (float(apparatus.mean(self.sensor)[0]) / gravity - weight)
+        force = float(apparatus.mean(self.sensor)[0])
+        return 1e3 * (force / apparatus.gravity - apparatus.mass(self.pan))
 
     def _open(self, apparatus: Apparatus) -> bool:
         return any(apparatus.joint(door) > _AJAR for door in self.doors)
+
+
+@lru_cache(maxsize=64)
+def _drawn(seed: int, number: int) -> float:
+    """Return a number of the display's noise, normally distributed with deviation 1."""
+    return float(np.random.Generator(np.random.Philox(key=seed, counter=number)).standard_normal())
