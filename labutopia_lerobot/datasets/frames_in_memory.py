@@ -2,8 +2,8 @@
 
 For every frame of a batch LeRobot reads tables four times, which takes longer than a step of a
 small policy. A recording of states is a few megabytes, so its columns are kept as tensors. What a
-training is given stays the same, to the bit. Processes that load for a training (`num_workers`) read
-tables as ever; the recipes of `policies/` for states have none.
+training is given stays the same, to the bit. Processes that load for it (`num_workers`) read tables
+as ever; the recipes of `policies/` for states have none.
 """
 
 from collections.abc import Callable
