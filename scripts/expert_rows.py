@@ -3,12 +3,13 @@
 After a measuring run, such as
 
     python eval/run.py level=[1,2] policy=expert obs=state videos=0 out=OUT
-    python eval/run.py task=level1/squeeze policy=expert obs=state videos=0 out=OUT2
+    python eval/run.py level=3 split=ood policy=expert obs=state videos=0 out=OUT2
     python scripts/expert_rows.py OUT OUT2
     python scripts/make_docs.py
 
-`eval/results` holds one file per task: where the rows come from, and the rows, one per line and
-without `facts` and `history`, which are most of their length. The documentation is made of these.
+`eval/results` holds one file per task, and another for split `ood` where a task has axes of its
+own: where the rows come from, and the rows, one per line and without `facts` and `history`, which
+are most of their length. The documentation is made of these.
 """
 
 import argparse
@@ -29,11 +30,12 @@ from labutopia_lerobot.setting import OF_THE_LEVEL, robot_of_level
 
 RESULTS = Path(__file__).parents[1] / "eval" / "results"
 
+ID, OOD = "id", "ood"
 _HERE = ("out", "workers")
 """Options that say something of the machine only."""
 
 _LEFT_OUT: dict[str, Any] = {"facts": {}, "history": {}}
-_WANTED = {"policy": "expert", "split": "id", "axes": []}
+_WANTED = {"policy": "expert", "axes": []}
 
 
 class OtherRowsError(UserError):
@@ -59,26 +61,36 @@ def keep(result: Path, folder: Path) -> list[Path]:
         OtherRowsError: If it is unfinished, or holds rows that are not the expert's as published.
     """
     content = read_json_object(result / RESULT, OtherRowsError)
-    by_task: dict[str, list[dict[str, Any]]] = {}
+    of_each: dict[tuple[str, str], list[dict[str, Any]]] = {}
     for row in content["rows"]:
-        by_task.setdefault(row["task"], []).append(row)
-    for task, rows in by_task.items():
-        _require_expert(result / RESULT, task, rows, content["provenance"])
+        split = OOD if row["split"] == OOD else ID
+        of_each.setdefault((row["task"], split), []).append(row)
+    for (task, split), rows in of_each.items():
+        _require_expert(result / RESULT, task, split, rows, content["provenance"])
     folder.mkdir(parents=True, exist_ok=True)
-    return [_write(folder, task, rows, content["provenance"]) for task, rows in by_task.items()]
+    return [
+        _write(folder / _name(task, split), rows, content["provenance"])
+        for (task, split), rows in of_each.items()
+    ]
 
 
-def read(folder: Path) -> dict[str, list[Row]]:
-    """Return the expert's rows of every task, in the order in which tasks are listed.
+def read(folder: Path, split: str = ID) -> dict[str, list[Row]]:
+    """Return the expert's rows of tasks, in the order in which these are listed.
+
+    Args:
+        folder: Where they are kept.
+        split: With `id` there must be rows of every task, with `ood` there may be.
 
     Raises:
         OtherRowsError: If the rows of a task are missing, or some are not as published: the
-            expert's, split `id`, no further axes, the default setting.
+            expert's, of that split, no further axes, the default setting.
         UnreadableResultError: If a row lacks a column.
     """
-    files = {task: folder / _name(task) for task in task_files()}
+    files = {task: folder / _name(task, split) for task in task_files()}
     missing = [task for task, file in files.items() if not file.exists()]
-    if missing:
+    if split == OOD:
+        files = {task: file for task, file in files.items() if task not in missing}
+    elif missing:
         raise OtherRowsError(
             f"{folder} lacks the expert's rows of {', '.join(missing)}. Measure them, and keep "
             f"them: python scripts/expert_rows.py OUT (its help says how)"
@@ -86,7 +98,7 @@ def read(folder: Path) -> dict[str, list[Row]]:
     rows_of = {}
     for task, file in files.items():
         content = read_json_object(file, OtherRowsError)
-        _require_expert(file, task, content["rows"], content["provenance"])
+        _require_expert(file, task, split, content["rows"], content["provenance"])
         rows_of[task] = [from_columns(Row, row | _LEFT_OUT, file) for row in content["rows"]]
     return rows_of
 
@@ -97,7 +109,7 @@ def commits(folder: Path) -> dict[str, str]:
     Raises:
         OtherRowsError: If a file cannot be read.
     """
-    files = {task: folder / _name(task) for task in task_files()}
+    files = {task: folder / _name(task, ID) for task in task_files()}
     return {
         task: read_json_object(file, OtherRowsError)["provenance"]["commit"][:7]
         for task, file in files.items()
@@ -105,11 +117,11 @@ def commits(folder: Path) -> dict[str, str]:
 
 
 def _require_expert(
-    file: Path, task: str, rows: list[dict[str, Any]], provenance: dict[str, Any]
+    file: Path, task: str, split: str, rows: list[dict[str, Any]], provenance: dict[str, Any]
 ) -> None:
     config = provenance["config"]
     for row in rows:
-        wanted = {"task": task} | _WANTED
+        wanted = {"task": task, "split": split} | _WANTED
         other = {name: row[name] for name, value in wanted.items() if row[name] != value}
         if row["liquid"] == "off":
             other["liquid"] = "off"
@@ -117,7 +129,7 @@ def _require_expert(
             differing = ", ".join(f"{name}={value}" for name, value in other.items())
             raise OtherRowsError(
                 f"{file} holds a row of {differing} (seed {row['seed']}); {task} is published with "
-                "policy=expert split=id liquid=on and no axes"
+                f"policy=expert split={split} liquid=on and no axes"
             )
     robot = robot_of_level(task)
     if config.get("robot", robot) not in (robot, OF_THE_LEVEL):
@@ -133,18 +145,17 @@ def _require_expert(
         )
 
 
-def _write(folder: Path, task: str, rows: list[dict[str, Any]], provenance: dict[str, Any]) -> Path:
+def _write(file: Path, rows: list[dict[str, Any]], provenance: dict[str, Any]) -> Path:
     slim = ({name: row[name] for name in row if name not in _LEFT_OUT} for row in rows)
     lines = ",\n".join(json.dumps(row) for row in slim)
-    file = folder / _name(task)
     options = {name: v for name, v in provenance["config"].items() if name not in _HERE}
     origin = json.dumps(provenance | {"config": options}, indent=1)
     file.write_text(f'{{"schema": {SCHEMA},\n"provenance": {origin},\n"rows": [\n{lines}\n]}}\n')
     return file
 
 
-def _name(task: str) -> str:
-    return f"{task.replace('/', '-')}.json"
+def _name(task: str, split: str) -> str:
+    return f"{task.replace('/', '-')}{'' if split == ID else f'-{split}'}.json"
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ from labutopia_lerobot.evaluation.rows import Row, summarise
 from labutopia_lerobot.layout import Inside, OfTheRoom, OnBench
 from labutopia_lerobot.registry import is_beyond_paper, task_files
 from labutopia_lerobot.scenario import canonical_task
-from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.setting import Setting, UnknownOptionError
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -43,16 +43,18 @@ def main() -> None:
     parser.add_argument("--tables", action="store_true", help="leave the pictures as they are")
     parser.add_argument("--only", metavar="TASK", nargs="+", help="of which tasks to make pictures")
     arguments = parser.parse_args()
-    write_tables(expert_rows.read(arguments.results), expert_rows.commits(arguments.results))
+    folder = arguments.results
+    shifted = expert_rows.read(folder, expert_rows.OOD)
+    write_tables(expert_rows.read(folder), shifted, expert_rows.commits(folder))
     write_gallery([] if arguments.tables else arguments.only or [*task_files()])
 
 
-def write_tables(rows: dict[str, list[Row]], commits: Mapping[str, str]) -> None:
+def write_tables(rows: Rows, shifted: Rows, commits: Mapping[str, str]) -> None:
     """Write the table of tasks, where things start and how experts fail."""
     page = DOCS / "tasks.md"
     before, _, rest = page.read_text().partition(BEGIN)
     _, _, after = rest.partition(END)
-    table = "\n".join(task_table(rows, commits))
+    table = "\n".join(task_table(rows, shifted, commits))
     page.write_text(f"{before}{BEGIN}\n{table}\n{END}{after}")
     (DOCS / "starts.md").write_text("\n".join(start_table()) + "\n")
     (DOCS / "failures.md").write_text("\n".join(failure_table(rows)) + "\n")
@@ -118,22 +120,23 @@ def _all_cameras(env: LabEnv) -> NDArray[np.uint8]:
     return np.hstack(list(env.workcell.pictures(env.setting.cameras).values()))
 
 
-def task_table(rows: Rows, commits: Mapping[str, str]) -> list[str]:
+def task_table(rows: Rows, shifted: Rows, commits: Mapping[str, str]) -> list[str]:
     """Return the table of tasks in Markdown.
 
     Args:
         rows: The expert's.
+        shifted: Its rows of split `ood`, of the tasks of which they were measured.
         commits: Task id -> by which they were played.
     """
     lines = [
-        "| task | instruction | expert | 95 % | mean time | commit |",
-        "| --- | --- | --- | --- | --- | --- |",
+        "| task | instruction | expert | 95 % | ood | mean time | commit |",
+        "| --- | --- | --- | --- | --- | --- | --- |",
     ]
     beyond = False
     for task_id, played in rows.items():
         if is_beyond_paper(task_id) and not beyond:
             beyond = True
-            lines.append("| *beyond the paper* | | | | | |")
+            lines.append("| *beyond the paper* | | | | | | |")
         (line,) = summarise(played)
         low, high = line.wilson95
         seconds = line.mean_seconds_to_success
@@ -142,11 +145,24 @@ def task_table(rows: Rows, commits: Mapping[str, str]) -> list[str]:
             canonical_task(Setting(task_id)).instruction,
             f"{line.successes}/{line.n}",
             f"{100 * low:.0f} to {100 * high:.0f} %",
+            _shifted(task_id, shifted),
             "-" if seconds is None else f"{seconds:.1f} s",
             commits[task_id],
         ]
         lines.append(f"| {' | '.join(cells)} |")
     return lines
+
+
+def _shifted(task_id: str, rows: Rows) -> str:
+    """Return the successes where the task's own axes are shifted; it may have none."""
+    if task_id in rows:
+        (line,) = summarise(rows[task_id])
+        return f"{line.successes}/{line.n}"
+    try:
+        canonical_task(Setting(task_id, split="ood"))
+    except UnknownOptionError:
+        return "-"
+    return "not measured"
 
 
 def start_table() -> list[str]:

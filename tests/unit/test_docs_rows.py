@@ -73,9 +73,24 @@ def test_rows_are_kept_with_their_origin_and_read_again(kept):
     assert "history" not in content["rows"][0]
     assert any(
         line.startswith("| `level1/pick` | Pick up")
-        for line in task_table(found, dict.fromkeys(found, "0000000"))
+        for line in task_table(found, {}, dict.fromkeys(found, "0000000"))
     )
     assert "| `level1/pick` | 3 | success 3 |  |  | 3 |" in failure_table(found)
+
+
+def test_rows_of_shifted_axes_are_kept_beside_and_shown_where_a_task_has_axes(kept, tmp_path):
+    rows = [line | {"split": "ood"} for line in rows_of("level3/pick")]
+    (file,) = expert_rows.keep(result(tmp_path / "shifted", rows), kept)
+    assert file == kept / "level3-pick-ood.json"
+    shifted = expert_rows.read(kept, "ood")
+    assert list(shifted) == ["level3/pick"]
+    found = expert_rows.read(kept)
+    assert {line.split for line in found["level3/pick"]} == {"id"}
+    lines = task_table(found, shifted, dict.fromkeys(found, "0000000"))
+    cells = {line.split(" | ")[0]: line.split(" | ")[4] for line in lines if "`" in line}
+    assert cells["| `level3/pick`"] == "3/3"
+    assert cells["| `level3/pour_liquid`"] == "not measured"
+    assert cells["| `level1/pick`"] == "-"
 
 
 @pytest.mark.parametrize(
