@@ -69,7 +69,7 @@ def keep(result: Path, folder: Path) -> list[Path]:
         _require_expert(result / RESULT, task, split, rows, content["provenance"])
     folder.mkdir(parents=True, exist_ok=True)
     return [
-        _write(folder / _name(task, split), rows, content["provenance"])
+        write(folder / _name(task, split), rows, content["provenance"])
         for (task, split), rows in of_each.items()
     ]
 
@@ -145,7 +145,8 @@ def _require_expert(
         )
 
 
-def _write(file: Path, rows: list[dict[str, Any]], provenance: dict[str, Any]) -> Path:
+def write(file: Path, rows: list[dict[str, Any]], provenance: dict[str, Any]) -> Path:
+    """Write rows, one per line, with where they come from; return the file."""
     slim = ({name: row[name] for name in row if name not in _LEFT_OUT} for row in rows)
     lines = ",\n".join(json.dumps(row) for row in slim)
     options = {name: v for name, v in provenance["config"].items() if name not in _HERE}

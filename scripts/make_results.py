@@ -1,21 +1,25 @@
-"""`python scripts/make_results.py`: docs/results.md, from the results that are kept.
+"""`python scripts/make_results.py`: docs/results.md and the table of the README, from kept results.
 
-A result of `labutopia-experiment` is kept by copying its folder from `OUT/eval/` to the same place
-below `eval/learned/`. What is not there is "not measured" on the page.
+Results of `labutopia-experiment` are kept in `eval/learned/` by `scripts/learned_rows.py`. What is
+not there is "not measured" on the page. What one found out by looking at them is written in
+`eval/learned/findings.md`, and stands on the page before the tables.
 """
 
+from dataclasses import replace
 from pathlib import Path
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.experiment import parse
 from labutopia_lerobot.evaluation.condition import REFERENCES
-from labutopia_lerobot.evaluation.reporting.table import as_markdown
-from labutopia_lerobot.experiments.measured import kept_results
+from labutopia_lerobot.evaluation.reporting.table import Rate, as_markdown
+from labutopia_lerobot.experiments.measured import Measured, kept_results
 from labutopia_lerobot.experiments.planning import evaluations, parts_of
 
 ROOT = Path(__file__).parents[1]
-PAGE = ROOT / "docs" / "results.md"
+PAGE, README = ROOT / "docs" / "results.md", ROOT / "README.md"
 KEPT = ROOT / "eval" / "learned"
+FINDINGS = KEPT / "findings.md"
+BEGIN, END = "<!-- results -->\n", "<!-- end of results -->"
 
 _HEAD = """# Results
 
@@ -53,20 +57,44 @@ make results-gpu                                                 # the paper's s
 
 @clear_errors
 def main() -> None:
-    """Write the page."""
+    """Write the page, and the table of the README."""
     PAGE.write_text(content())
+    README.write_text(readme())
 
 
 def content() -> str:
     """Return the page."""
-    chosen = parse(["experiment=results_cpu"])
-    learned = [e for e in evaluations(parts_of(chosen)) if e.policy not in REFERENCES]
-    kept = kept_results(KEPT, learned)
-    state = f"Of the {len(learned)} evaluations below {len(kept.results) or 'none'} "
+    kept = measured()
+    state = f"Of the {len(kept.evaluations)} evaluations below {len(kept.results) or 'none'} "
     state += "is measured." if len(kept.results) < 2 else "are measured."
     tables = "\n".join(as_markdown(table) for table in kept.tables())
     gpu = "## With pictures\n\nThe paper's settings (`make results-gpu`): not measured.\n"
-    return f"{_HEAD.format(state=state)}{tables}\n{gpu}"
+    return f"{_HEAD.format(state=state)}{FINDINGS.read_text()}\n{tables}\n{gpu}"
+
+
+def readme() -> str:
+    """Return the README with the table of what is measured of levels 1 and 2."""
+    table = measured().by_task()
+    shown = [
+        (task, *rates)
+        for task, condition, *rates in table.lines
+        if isinstance(task, str)
+        and task.startswith(("level1/", "level2/"))
+        and any(isinstance(rate, Rate) for rate in rates)
+    ]
+    heads = tuple(head for head in table.head if head != "Condition")
+    short = replace(table, title="", head=heads, lines=tuple(shown), note="")
+    before, _, rest = README.read_text().partition(BEGIN)
+    _, _, after = rest.partition(END)
+    rows = [line for line in as_markdown(short).splitlines() if line.startswith("|")]
+    return "\n".join([before + BEGIN.rstrip(), *rows, END + after])
+
+
+def measured() -> Measured:
+    """Return what is kept of the experiment that needs no GPU, learned policies only."""
+    chosen = parse(["experiment=results_cpu"])
+    learned = [e for e in evaluations(parts_of(chosen)) if e.policy not in REFERENCES]
+    return kept_results(KEPT, learned)
 
 
 if __name__ == "__main__":

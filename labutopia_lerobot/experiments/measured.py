@@ -101,9 +101,10 @@ class Measured:
         return UNKNOWN if result is None else success(report_entries([result])[0])
 
     def tables(self) -> list[Table]:
-        """Return the table of all tasks, the learning curves, the comparisons."""
+        """Return the table of all tasks, why episodes failed, learning curves, comparisons."""
         return [
-            self._by_task(),
+            self.by_task(),
+            *self._causes(),
             *self._curve_tables(),
             *self._comparisons(),
         ]
@@ -124,8 +125,8 @@ class Measured:
             charts += [curve(f"{who}: {title.lower()}", places, of) for who, of in drawn.items()]
         return charts
 
-    def _by_task(self) -> Table:
-        """A line per task and condition, a column per policy."""
+    def by_task(self) -> Table:
+        """Return the successes: a line per task and condition, a column per policy."""
         labels = list(dict.fromkeys(each.label for each in self.final))
         of: dict[tuple[str, str], dict[str, EvaluationPart]] = {}
         for each in self.final:
@@ -136,6 +137,18 @@ class Measured:
         ]
         note = f"{_RATES} Where a policy was not to be evaluated stands nothing."
         return Table("All tasks", ("Task", "Condition", *labels), tuple(lines), note)
+
+    def _causes(self) -> list[Table]:
+        """Why episodes failed, the most frequent cause first."""
+        lines = []
+        for each in self.final:
+            entries = report_entries([self.results[each]]) if each in self.results else []
+            for causes in (entry.summary.causes for entry in entries):
+                if causes:
+                    said = ", ".join(f"{cause} {count}" for cause, count in causes.items())
+                    lines.append((each.label, each.task, _played(each), sum(causes.values()), said))
+        head = ("Policy", "Task", "Condition", "Failures", "Causes")
+        return [Table("Why they fail", head, tuple(lines))] if lines else []
 
     def _curve_tables(self) -> list[Table]:
         return [

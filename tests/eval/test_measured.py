@@ -29,12 +29,17 @@ def test_a_result_stands_beside_what_is_not_measured(tmp_path):
     titles = [table.title for table in measured.tables()]
     assert titles == [
         "All tasks",
+        "Why they fail",
         "Success over demonstrations",
         "Success over steps of the training",
     ]
     assert [chart["policy"] for chart in measured.curves()] == [
-        f"act, id: {title.lower()}" for title in titles[1:]
+        f"act, id: {title.lower()}" for title in titles[2:]
     ]
+    ((policy, task, condition, failures, causes),) = measured.tables()[1].lines
+    assert (policy, task, condition) == ("act", "level1/pick", "id")
+    assert failures == of_act.n - of_act.count
+    assert sum(int(cause.rsplit(" ", 1)[1]) for cause in causes.split(", ")) == failures
     moved = kept_results(out / "eval", evaluations)
     assert moved.tables()[0].lines == measured.tables()[0].lines
 

@@ -1,14 +1,39 @@
-"""docs/results.md says what is measured, and of everything else that it is not."""
+"""docs/results.md and the README say what is measured, and of all else that it is not."""
 
+from pathlib import Path
+
+import pytest
+
+import learned_rows
 import make_results
+from labutopia_lerobot.evaluation.load_results import load_results
+
+from .written_rows import keep, written
 
 
 def test_the_page_of_results_is_up_to_date():
     assert make_results.PAGE.read_text() == make_results.content(), "run scripts/make_results.py"
+    assert make_results.README.read_text() == make_results.readme(), "run scripts/make_results.py"
 
 
 def test_every_cell_of_the_page_is_a_rate_or_says_that_it_is_not_measured():
-    lines = [line for line in make_results.PAGE.read_text().splitlines() if "| level" in line]
+    lines = [line for line in make_results.PAGE.read_text().splitlines() if line.startswith("| level")]
     cells = [cell.strip() for line in lines for cell in line.split("|")[3:-1]]
     assert cells
     assert all(cell in ("-", "not measured") or "/" in cell for cell in cells)
+
+
+def test_results_are_kept_where_the_page_looks_for_them_and_name_no_place_on_this_machine(tmp_path):
+    out, place = tmp_path / "out", Path("act/state-100/level1/pick/id")
+    rows = written("level1/pick", "act", 0.5, n=20, obs="state")
+    keep(out / "eval" / place, rows, weights=f"{out}/train/act")
+    (file,) = learned_rows.keep(out, tmp_path / "kept")
+    assert file.parent == tmp_path / "kept" / place
+    (kept,) = load_results(file)
+    assert [row.success for row in kept.rows] == [row.success for row in rows]
+    assert str(tmp_path) not in file.read_text()
+
+
+def test_an_experiment_without_results_is_refused(tmp_path):
+    with pytest.raises(learned_rows.NothingLearnedError, match="Make one: labutopia-experiment"):
+        learned_rows.keep(tmp_path, tmp_path / "kept")

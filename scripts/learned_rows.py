@@ -1,0 +1,70 @@
+"""`python scripts/learned_rows.py OUT`: keep an experiment's results in `eval/learned`.
+
+After a measuring run, such as
+
+    labutopia-experiment experiment=results_cpu only=level1/pick out=OUT
+    python scripts/learned_rows.py OUT
+    python scripts/make_results.py
+
+Every finished evaluation below `OUT/eval` is kept at the same place below `eval/learned`: where its
+rows come from, and the rows, one per line and without `facts` and `history`, which are most of
+their length. Paths are written as if OUT were the default.
+"""
+
+import argparse
+import json
+from pathlib import Path
+
+from rich.console import Console
+
+import expert_rows
+from labutopia_lerobot.cli.clear_errors import clear_errors
+from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.evaluation.result_folder import RESULT
+from labutopia_lerobot.foreign_files import read_json_object
+
+KEPT = Path(__file__).parents[1] / "eval" / "learned"
+_DEFAULT = "outputs/experiments/results_cpu"
+
+
+class NothingLearnedError(UserError):
+    """A folder that holds no finished evaluation; the message says what to run."""
+
+
+@clear_errors
+def main() -> None:
+    """Keep the results of experiments."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("experiments", type=Path, nargs="+", metavar="OUT")
+    for experiment in parser.parse_args().experiments:
+        for file in keep(experiment, KEPT):
+            Console().print(f"Wrote {file}", soft_wrap=True, markup=False, highlight=False)
+
+
+def keep(experiment: Path, folder: Path) -> list[Path]:
+    """Write the rows of an experiment's finished evaluations, and return the files.
+
+    Raises:
+        NothingLearnedError: If it has none.
+    """
+    evaluations = experiment / "eval"
+    results = sorted(evaluations.rglob(RESULT))
+    if not results:
+        raise NothingLearnedError(
+            f"{evaluations} holds no {RESULT}. Make one: labutopia-experiment "
+            f"experiment=results_cpu out={experiment}"
+        )
+    return [_keep(each, experiment, folder / each.relative_to(evaluations)) for each in results]
+
+
+def _keep(result: Path, experiment: Path, file: Path) -> Path:
+    content = read_json_object(result, NothingLearnedError)
+    origin = json.dumps(content["provenance"]).replace(str(experiment), _DEFAULT)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    return expert_rows.write(file, content["rows"], json.loads(origin))
+
+
+if __name__ == "__main__":
+    main()
