@@ -17,7 +17,8 @@ def test_the_page_of_results_is_up_to_date():
 
 
 def test_every_cell_of_the_page_is_a_rate_or_says_that_it_is_not_measured():
-    lines = [line for line in make_results.PAGE.read_text().splitlines() if line.startswith("| level")]
+    table, _, _ = make_results.PAGE.read_text().partition("## Why they fail")
+    lines = [line for line in table.splitlines() if line.startswith("| level")]
     cells = [cell.strip() for line in lines for cell in line.split("|")[3:-1]]
     assert cells
     assert all(cell in ("-", "not measured") or "/" in cell for cell in cells)
