@@ -6,7 +6,7 @@
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 from typing import Literal
 
@@ -97,6 +97,16 @@ def products(species: frozenset[str]) -> set[str]:
     }
 
 
+@lru_cache(maxsize=4096)
+def _of_what_is_there(species: frozenset[str]) -> tuple[_Parsed, ...]:
+    """Return the reactions that use up none but some species."""
+    return tuple(
+        one
+        for one in known()
+        if all(used in species for used, n in one.coefficients.items() if n < 0)
+    )
+
+
 def steps(
     state: Mapping[str, float], *, temperature: float, ph: float | None, catalysts: frozenset[str]
 ) -> Iterator[ReactionStep]:
@@ -108,7 +118,7 @@ def steps(
         ph: None without water.
         catalysts: Species and formulas that are present.
     """
-    for one in known():
+    for one in _of_what_is_there(frozenset(state)):
         record = one.record
         if record.dry != (ph is None) or temperature < record.lowest_temperature:
             continue

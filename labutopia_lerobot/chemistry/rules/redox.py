@@ -9,7 +9,7 @@ Earnshaw, Chemistry of the Elements.
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 
 from pydantic import BaseModel, ConfigDict
@@ -155,6 +155,14 @@ def _reactions() -> tuple[_Pair, ...]:
     return tuple(made)
 
 
+@lru_cache(maxsize=4096)
+def _of_what_is_there(species: frozenset[str]) -> tuple[_Pair, ...]:
+    """Return the pairs whose cores some species consist of."""
+    made = network().species
+    parts = {part for key in species if key in made for part in made[key].components}
+    return tuple(pair for pair in _reactions() if pair.cores <= parts)
+
+
 def products(components: frozenset[str]) -> set[str]:
     """Return every species that couples can make of what consists of some components."""
     pairs = (pair for pair in _reactions() if pair.cores <= components)
@@ -175,14 +183,8 @@ def steps(
     ph = ph_of(settled, volume)
     litres = volume * 1000.0
     found: list[tuple[float, _Pair]] = []
-    made = network().species
-    parts = {part for key in state if key in made for part in made[key].components}
-    for pair in _reactions():
-        if (
-            not pair.cores <= parts
-            or available(state, pair.taker.oxidised) <= 0
-            or available(state, pair.giver.reduced) <= 0
-        ):
+    for pair in _of_what_is_there(frozenset(state)):
+        if available(state, pair.taker.oxidised) <= 0 or available(state, pair.giver.reduced) <= 0:
             continue
         if not all(_acts(one.record, ph, settled, litres) for one in (pair.taker, pair.giver)):
             continue
