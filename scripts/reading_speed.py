@@ -1,28 +1,25 @@
-"""`python scripts/reading_speed.py DATASET`: what reading a frame costs, by its columns.
+"""`python scripts/reading_speed.py DATASET`: what reading a frame costs, from tables and from memory.
 
-Reads the same random frames, each with a chunk of actions, from a dataset on states and from a copy
-of it without the columns that no policy reads, in turn. Prints one JSON object: processor time of a
+Reads the same random frames of a dataset on states, each with a chunk of actions, as LeRobot does
+by itself and as it does with this package, in turn. Prints one JSON object: processor time of a
 frame [ms] of both, a number per round, and their medians.
 """
 
 import argparse
 import json
 import sys
-import tempfile
 import time
 from pathlib import Path
 from statistics import median
 
 import numpy as np
-from lerobot.datasets.dataset_tools import remove_feature
+from lerobot.datasets.dataset_reader import DatasetReader
 from lerobot.datasets.lerobot_dataset import LeRobotDataset
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.datasets.dataset_folder import dataset_folder
+from labutopia_lerobot.datasets.frames_in_memory import keep_frames_in_memory
 from labutopia_lerobot.world import CONTROL_HZ
-
-UNREAD = ("commanded_action", "next.", "annotation.")
-"""What the columns begin with that no policy reads."""
 
 CHUNK = 40
 """Actions of a frame, as in policies/act/train_state.json."""
@@ -39,33 +36,29 @@ def main() -> None:
 
 
 def reading_speed(root: Path) -> dict[str, dict[str, object]]:
-    """Return name of the set -> its number of columns and its times [ms]."""
+    """Return where frames are read from -> the times [ms]."""
     chunk = {"action": [step / CONTROL_HZ for step in range(CHUNK)]}
-    whole = LeRobotDataset("local/whole", root=root, delta_timestamps=chunk)
-    unread = [name for name in whole.meta.features if name.startswith(UNREAD)]
-    with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder) / "lean"
-        remove_feature(LeRobotDataset("local/whole", root=root), unread, place, "local/lean")
-        lean = LeRobotDataset("local/lean", root=place, delta_timestamps=chunk)
-        sets = {"whole": whole, "lean": lean}
-        times: dict[str, list[float]] = {name: [] for name in sets}
-        rng = np.random.default_rng(0)
-        for name in sets:  # the first look opens its files
-            sets[name][0]
-        for index in range(_ROUNDS):
-            frames = rng.integers(0, len(whole), _FRAMES)
-            for name in list(sets) if index % 2 else list(sets)[::-1]:
-                start = time.process_time()
-                for frame in frames:
-                    sets[name][int(frame)]
-                times[name].append(1000 * (time.process_time() - start) / _FRAMES)
+    dataset = LeRobotDataset("local/frames", root=root, delta_timestamps=chunk)
+    readers = {"tables": DatasetReader.get_item}
+    keep_frames_in_memory()
+    readers["memory"] = DatasetReader.get_item
+    times: dict[str, list[float]] = {place: [] for place in readers}
+    rng = np.random.default_rng(0)
+    for read in readers.values():  # the first look opens its files, or reads all of them
+        read(dataset.reader, 0)
+    for index in range(_ROUNDS):
+        frames = rng.integers(0, len(dataset), _FRAMES)
+        for place in list(readers) if index % 2 else list(readers)[::-1]:
+            start = time.process_time()
+            for frame in frames:
+                readers[place](dataset.reader, int(frame))
+            times[place].append(1000 * (time.process_time() - start) / _FRAMES)
     return {
-        name: {
-            "columns": len(sets[name].meta.features),
-            "ms": [round(each, 2) for each in of_set],
-            "median_ms": round(median(of_set), 2),
+        place: {
+            "ms": [round(each, 3) for each in of_place],
+            "median_ms": round(median(of_place), 3),
         }
-        for name, of_set in times.items()
+        for place, of_place in times.items()
     }
 
 
