@@ -1,4 +1,4 @@
-"""`python scripts/reading_speed.py DATASET`: what reading a frame costs, from tables and from memory.
+"""`python scripts/reading_speed.py DATASET`: what a frame costs, read from tables and from memory.
 
 Reads the same random frames of a dataset on states, each with a chunk of actions, as LeRobot does
 by itself and as it does with this package, in turn. Prints one JSON object: processor time of a
