@@ -5,7 +5,6 @@ not there is "not measured" on the page. What one found out by looking at them i
 `eval/learned/findings.md`, and stands on the page before the tables.
 """
 
-from dataclasses import replace
 from pathlib import Path
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
@@ -19,6 +18,7 @@ ROOT = Path(__file__).parents[1]
 PAGE, README = ROOT / "docs" / "results.md", ROOT / "README.md"
 KEPT = ROOT / "eval" / "learned"
 FINDINGS = KEPT / "findings.md"
+_SHOWN = "level1/"
 BEGIN, END = "<!-- results -->\n", "<!-- end of results -->"
 
 _HEAD = """# Results
@@ -73,21 +73,26 @@ def content() -> str:
 
 
 def readme() -> str:
-    """Return the README with the table of what is measured of levels 1 and 2."""
+    """Return the README with the table of what is measured of level 1: a line per policy."""
     table = measured().by_task()
-    shown = [
-        (task, *rates)
-        for task, condition, *rates in table.lines
-        if isinstance(task, str)
-        and task.startswith(("level1/", "level2/"))
-        and any(isinstance(rate, Rate) for rate in rates)
+    rates = {
+        str(task).removeprefix(_SHOWN): dict(zip(table.head[2:], of_task, strict=True))
+        for task, _, *of_task in table.lines
+        if str(task).startswith(_SHOWN) and any(isinstance(rate, Rate) for rate in of_task)
+    }
+    policies = [
+        policy
+        for policy in table.head[2:]
+        if any(isinstance(of_task[policy], Rate) for of_task in rates.values())
     ]
-    heads = tuple(head for head in table.head if head != "Condition")
-    short = replace(table, title="", head=heads, lines=tuple(shown), note="")
+    lines = [f"| {' | '.join(['%', *rates])} |", "| --- " * (1 + len(rates)) + "|"]
+    for policy in policies:
+        cells = (of_task[policy] for of_task in rates.values())
+        shown = (f"{cell.percent:.0f}" if isinstance(cell, Rate) else "-" for cell in cells)
+        lines.append(f"| {' | '.join([policy, *shown])} |")
     before, _, rest = README.read_text().partition(BEGIN)
     _, _, after = rest.partition(END)
-    rows = [line for line in as_markdown(short).splitlines() if line.startswith("|")]
-    return "\n".join([before + BEGIN.rstrip(), *rows, END + after])
+    return "\n".join([before + BEGIN.rstrip(), *lines, END + after])
 
 
 def measured() -> Measured:
