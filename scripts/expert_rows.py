@@ -14,6 +14,7 @@ are most of their length. The documentation is made of these.
 
 import argparse
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -45,12 +46,19 @@ class OtherRowsError(UserError):
 @clear_errors
 def main() -> None:
     """Keep the rows of results."""
+    keep_each(__doc__, keep, RESULTS)
+
+
+def keep_each(
+    description: str | None, keep: Callable[[Path, Path], list[Path]], folder: Path
+) -> None:
+    """Keep what lies in every OUT of the command line in a folder, and say what was written."""
     parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+        description=description, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("results", type=Path, nargs="+", metavar="OUT")
-    for result in parser.parse_args().results:
-        for file in keep(result, RESULTS):
+    parser.add_argument("out", type=Path, nargs="+", metavar="OUT")
+    for out in parser.parse_args().out:
+        for file in keep(out, folder):
             Console().print(f"Wrote {file}", soft_wrap=True, markup=False, highlight=False)
 
 

@@ -11,11 +11,8 @@ rows come from, and the rows, one per line and without `facts` and `history`, wh
 their length. Paths are written as if OUT were the default.
 """
 
-import argparse
 import json
 from pathlib import Path
-
-from rich.console import Console
 
 import expert_rows
 from labutopia_lerobot.cli.clear_errors import clear_errors
@@ -25,6 +22,7 @@ from labutopia_lerobot.foreign_files import read_json_object
 
 KEPT = Path(__file__).parents[1] / "eval" / "learned"
 _DEFAULT = "outputs/experiments/results_cpu"
+"""Where the experiment is made if OUT is not said."""
 
 
 class NothingLearnedError(UserError):
@@ -34,13 +32,7 @@ class NothingLearnedError(UserError):
 @clear_errors
 def main() -> None:
     """Keep the results of experiments."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("experiments", type=Path, nargs="+", metavar="OUT")
-    for experiment in parser.parse_args().experiments:
-        for file in keep(experiment, KEPT):
-            Console().print(f"Wrote {file}", soft_wrap=True, markup=False, highlight=False)
+    expert_rows.keep_each(__doc__, keep, KEPT)
 
 
 def keep(experiment: Path, folder: Path) -> list[Path]:
@@ -61,7 +53,9 @@ def keep(experiment: Path, folder: Path) -> list[Path]:
 
 def _keep(result: Path, experiment: Path, file: Path) -> Path:
     content = read_json_object(result, NothingLearnedError)
-    origin = json.dumps(content["provenance"]).replace(str(experiment), _DEFAULT)
+    origin = json.dumps(content["provenance"])
+    for place in (experiment.resolve(), experiment):
+        origin = origin.replace(str(place), _DEFAULT)
     file.parent.mkdir(parents=True, exist_ok=True)
     return expert_rows.write(file, content["rows"], json.loads(origin))
 

@@ -163,8 +163,9 @@ class ReactiveMotion:
             change[joints] = np.clip(limits.braking(last - before), least, greatest)[joints]
         else:
             change[joints] = velocity[self._drives.joint_dofs] / CONTROL_HZ
-        short = holds is None and self._world.gripper.distance_to(target) > _SHORT
-        self._unwinding.see(last[joints], change[joints], short=short and driving_b is None)
+        free = holds is None and not touches and driving_b is None  # a hand at work stays there
+        short = free and self._world.gripper.distance_to(target) > _SHORT
+        self._unwinding.see(last[joints], change[joints], short=short)
         command: FloatArray = last + change
         return command
 

@@ -10,6 +10,7 @@ from labutopia_lerobot.evaluation.condition import EXPERT
 from labutopia_lerobot.evaluation.jobs import EvaluationJob
 from labutopia_lerobot.evaluation.policies import ExpertPolicy
 from labutopia_lerobot.evaluation.rollout import play
+from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.setting import Setting
 
@@ -30,8 +31,18 @@ def _tasks() -> list[Any]:
 
 @pytest.mark.parametrize("task", _tasks())
 def test_a_committed_row_played_again_is_the_same_row(task):
-    committed = expert_rows.read(expert_rows.RESULTS)[task][0]
-    job = EvaluationJob(Setting(task, obs="state"), EXPERT, ExpertPolicy)
+    assert_played_again(expert_rows.read(expert_rows.RESULTS)[task][0])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("task", expert_rows.read(expert_rows.RESULTS, expert_rows.OOD))
+def test_a_committed_row_of_ood_played_again_is_the_same_row(task):
+    assert_played_again(expert_rows.read(expert_rows.RESULTS, expert_rows.OOD)[task][0])
+
+
+def assert_played_again(committed: Row) -> None:
+    setting = Setting(committed.task, split=committed.split, obs="state")
+    job = EvaluationJob(setting, EXPERT, ExpertPolicy)
     again = replace(play(job, committed.seed).row, facts={}, history={})
     expected, actual = asdict(committed), asdict(again)
     for column in NEWER:

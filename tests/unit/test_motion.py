@@ -195,3 +195,28 @@ def test_an_arm_that_wound_itself_up_goes_back_and_tries_again():
     env = begun("level1/tare", split="ood", axes=("robot_start",))
     env.reset(seed=100001)
     assert played_out(env) == "success"
+
+
+@dataclass(frozen=True)
+class Before:
+    """Go to where a press of the balance's button begins."""
+
+    touches: frozenset[str]
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        goal = world.frame("balance_tare").advanced(-0.10 - world.robot.finger_reach)
+        yield Phase("go", lambda w: goal, 0.08, arrived(0.01, 0.1), self.touches, timeout_s=9.0)
+
+
+@pytest.mark.parametrize(
+    ("touches", "arrives"), [(frozenset(), True), (frozenset({"bench"}), False)]
+)
+def test_an_arm_goes_back_with_a_hand_that_is_free_and_with_no_other(touches, arrives):
+    env = begun("level1/tare", split="ood", axes=("robot_start",))
+    env.reset(seed=100001)
+    cell = env.workcell
+    expert = Expert((Before(touches),), cell.world, cell.motion)
+    expert.start()
+    for _ in range(260):
+        cell.simulation.step(expert.act().astype(np.float64))
+    assert expert.finished == arrives
