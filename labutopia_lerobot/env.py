@@ -9,11 +9,13 @@ from gymnasium.error import ResetNeeded
 from numpy.typing import NDArray
 
 from labutopia_lerobot.features import (
+    ObservedPiece,
     action_space,
     environment_state,
     forces,
     observation_features,
     observation_space,
+    observed_pieces,
     reading_names,
     readings,
     with_pictures,
@@ -69,6 +71,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         require_choices("render_mode", [render_mode], self.metadata["render_modes"])
         self.setting = setting
         self.render_mode = render_mode
+        self._observed: tuple[ObservedPiece, ...] = ()
         self._workcells = Workcells(setting)
         self._playing: tuple[Workcell, Scenario, int] | None = None
         self._frame: NDArray[np.uint8] | None = None
@@ -125,6 +128,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         super().reset(seed=seed)
         self.seed = int(self.np_random.integers(2**31)) if seed is None else seed
         self._playing = self._workcells.begin(self.seed, (options or {}).get("after"))
+        self._observed = observed_pieces(self.workcell.task)
         if self.setting.reward == DENSE:
             self._advance = advance(self.workcell.progress, self.workcell.world)
         return self._observe(), self._info()
@@ -177,7 +181,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     def environment_state(self) -> NDArray[np.float32]:
         """Return the privileged state (see `features.environment_state_names`)."""
-        return environment_state(self.workcell.task, self.workcell.world)
+        return environment_state(self._observed, self.workcell.world)
 
     @property
     def _episode(self) -> tuple[Workcell, Scenario, int]:

@@ -7,7 +7,6 @@ from what is here, so that keys, shapes and order cannot diverge. Imports neithe
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -29,7 +28,7 @@ from labutopia_lerobot.setting import (
 )
 from labutopia_lerobot.substances.filling import Fillable, with_mounted
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, FloatArray, Thing, World
+from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Thing, World
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
@@ -220,6 +219,38 @@ def readings(world: World, names: tuple[str, ...]) -> NDArray[np.float32]:
     return np.array(numbers, np.float32)
 
 
+@dataclass(frozen=True)
+class ObservedPiece:
+    """A piece that the privileged state is about, and the names of what is observed of it.
+
+    Put together once for an episode, since it is looked at in every control step.
+
+    Attributes:
+        piece: The piece.
+        joints: Names of its hinges and slides.
+        shuffled: Names of its bodies whose places are shuffled.
+        vessels: What liquid stays in: itself, or what is mounted on it.
+    """
+
+    piece: Thing
+    joints: tuple[str, ...]
+    shuffled: tuple[str, ...]
+    vessels: tuple[Fillable, ...]
+
+
+def observed_pieces(task: Task) -> tuple[ObservedPiece, ...]:
+    """Return the pieces that the privileged state of a task is about."""
+    return tuple(
+        ObservedPiece(
+            piece,
+            piece.joints,
+            region.shuffled,
+            tuple(thing for thing in with_mounted([piece]) if isinstance(thing, Fillable)),
+        )
+        for piece, region in task.start.items()
+    )
+
+
 def environment_state_names(task: Task) -> tuple[str, ...]:
     """Name the elements of `environment_state`.
 
@@ -230,49 +261,48 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
     Where there is liquid: how deep it would be in each vessel [m], were that upright. Where
     something is dissolved: by how much the pH of each is below 7, and the sRGB of 1 cm of it.
     """
+    reacts = any(filling.reacts for filling in task.contents.values())
     return tuple(
         name
-        for piece, region in task.start.items()
+        for one in observed_pieces(task)
         for name in (
-            *(f"{piece.name}.{part}" for part in _POSE_NAMES),
-            *piece.joints,
-            *(f"{body}.{axis}" for body in region.shuffled for axis in "xyz"),
-            *([f"{vessel.name}.fill" for vessel in _vessels(piece)] if task.contents else []),
+            *(f"{one.piece.name}.{part}" for part in _POSE_NAMES),
+            *one.joints,
+            *(f"{body}.{axis}" for body in one.shuffled for axis in "xyz"),
+            *([f"{vessel.name}.fill" for vessel in one.vessels] if task.contents else []),
             *(
-                [f"{v.name}.{part}" for v in _vessels(piece) for part in SOLUTION_NAMES]
-                if any(filling.reacts for filling in task.contents.values())
+                [f"{v.name}.{part}" for v in one.vessels for part in SOLUTION_NAMES]
+                if reacts
                 else []
             ),
         )
     )
 
 
-def environment_state(task: Task, world: World) -> NDArray[np.float32]:
-    """Return the elements that `environment_state_names` names, shape (elements,)."""
+def environment_state(pieces: tuple[ObservedPiece, ...], world: World) -> NDArray[np.float32]:
+    """Return the elements that `environment_state_names` names, shape (elements,).
+
+    Args:
+        pieces: The observed pieces of the task.
+        world: The world.
+    """
     to_base = world.robot_base.inverse()
-    parts: list[FloatArray] = []
-    for piece, region in task.start.items():
-        pose_b = to_base @ world.pose(piece)
-        joints = np.array([world.joint(name) for name in piece.joints])
-        shuffled = [(to_base @ world.frame(name)).position_w for name in region.shuffled]
-        parts += [pose_b.position_w, pose_b.x_axis, pose_b.y_axis, joints, *shuffled]
+    numbers: list[float] = []
+    for one in pieces:
+        pose_b = to_base @ world.pose(one.piece)
+        for three in (pose_b.position_w, pose_b.x_axis, pose_b.y_axis):
+            numbers += three.tolist()
+        numbers += [world.joint(name) for name in one.joints]
+        for name in one.shuffled:
+            numbers += (to_base @ world.frame(name)).position_w.tolist()
         if world.liquid is not None:
             inside = world.liquid.inside
-            depths = [vessel.profile.depth(inside[vessel.name]) for vessel in _vessels(piece)]
-            parts.append(np.array(depths))
-        for vessel in _vessels(piece):
+            numbers += [vessel.profile.depth(inside[vessel.name]) for vessel in one.vessels]
+        for vessel in one.vessels:
             solution = world.solution(vessel)
             if solution is not None:
-                acidity = 7.0 - solution.ph if solution.volume else 0.0
-                parts.append(np.array([acidity, *solution.colour]))
-    state: NDArray[np.float32] = np.concatenate(parts).astype(np.float32)
-    return state
-
-
-@cache
-def _vessels(piece: Thing) -> tuple[Fillable, ...]:
-    """Return what liquid stays in of a piece: itself, or what is mounted on it."""
-    return tuple(thing for thing in with_mounted([piece]) if isinstance(thing, Fillable))
+                numbers += [7.0 - solution.ph if solution.volume else 0.0, *solution.colour]
+    return np.array(numbers, np.float32)
 
 
 def observation_space(features: Mapping[str, Feature]) -> spaces.Dict:

@@ -140,11 +140,11 @@ class Progress:
         if self.over:
             return
         # What must not happen in the last step must not behind it either.
-        step = (self.step or self._last).name
+        step, history, now = (self.step or self._last).name, self.history, world.time
         for name, fact in self._asked[step].items():
-            self.history[name].note(fact.holds(world), world.time)
-        forbidden = self._forbidden[step]
-        breach = next((name for name, fact in forbidden.items() if self._holds(fact)), None)
+            history[name].note(fact.holds(world), now)
+        forbidden = self._forbidden[step].items()
+        breach = next((name for name, fact in forbidden if history[fact.name].holds), None)
         self._latch(world)
         self._clock_the_goal()
         if breach is not None:

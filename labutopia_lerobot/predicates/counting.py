@@ -137,7 +137,7 @@ class _Turns:
     angle: float = 0.0
 
     def add(self, world: World) -> float:
-        x, y, _ = (world.frame(self.vessel.rim).inverse() @ world.pose(self.rod)).position_w
+        x, y, _ = world.frame(self.vessel.rim).local(world.pose(self.rod).position_w)
         direction = math.atan2(y, x)
         step = (direction - self.angle + math.pi) % _TURN - math.pi
         self.angle += step  # unwound: it goes on beyond a full turn

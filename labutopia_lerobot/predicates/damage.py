@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 
 from labutopia_lerobot.predicates.predicate import predicate
-from labutopia_lerobot.world import ARM, BASE, HAND, LEFT_PAD, PRESSED, RIGHT_PAD, Thing, World
+from labutopia_lerobot.world import ARM, BASE, HAND, LEFT_PAD, RIGHT_PAD, Thing, World
 
 _KNOCK = 0.25
 """Speed at which a thing may meet something hard [m/s]. The paper says "undamaged", "intact";
@@ -93,6 +93,4 @@ def _displacements(world: World, moved: tuple[Thing, ...]) -> Iterator[str]:
 @predicate("any button but {named} pressed")
 def pressed_out_of_turn(world: World, *named: Thing) -> bool:
     """A button clicks that is not to be pressed now, whatever presses it."""
-    allowed = {thing.name for thing in named}
-    pressed = {n for n, r in world.readings.items() if r.unit == PRESSED and r.value > 0.0}
-    return bool(pressed - allowed)
+    return bool(world.pressed - {thing.name for thing in named})

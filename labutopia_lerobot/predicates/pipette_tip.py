@@ -53,4 +53,4 @@ def tip_above(world: World, pipette: Pipette, vessel: OpenVessel, *, by: float) 
 
 def _tip(world: World, pipette: Pipette, vessel: OpenVessel) -> FloatArray:
     """Return where the end of the tip is in the frame of the mouth, shape (3,), metres."""
-    return (world.frame(vessel.rim).inverse() @ world.frame(pipette.draws_at)).position_w
+    return world.frame(vessel.rim).local(world.frame(pipette.draws_at).position_w)

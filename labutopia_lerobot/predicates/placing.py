@@ -30,17 +30,18 @@ def _place_errors(
 
 def _distance(world: World, thing: Thing, place: Destination) -> float:
     """Return how far the axis of a thing is from a place, horizontally [m]."""
-    x, y, _ = world.pose(thing).position_w - place.position_w(world)
+    x, y, _ = (world.pose(thing).position_w - place.position_w(world)).tolist()
     return math.hypot(x, y)
 
 
 @predicate("{thing} standing on {place}")
 def standing_on(world: World, thing: Thing, place: Destination) -> bool:
     """Base of the thing is in full contact with what bears the place: it touches, level and low."""
+    if not world.touching(thing.name, place.support):
+        return False
     pose = world.pose(thing)
     gap = abs(pose.position_w[2] - place.position_w(world)[2])
-    level = pose.tilt < math.radians(_LEVEL_DEG)
-    return bool(gap < _CONTACT and level and world.touching(thing.name, place.support))
+    return bool(gap < _CONTACT and pose.tilt < math.radians(_LEVEL_DEG))
 
 
 @standing_on.measure
@@ -54,7 +55,7 @@ def seated(world: World, thing: Thing, place: Destination, *, within: float) -> 
 
     For what leans a little where it is held, as a tube in a rack or a bore.
     """
-    return _off(world, thing, place) < within and world.touching(thing.name, place.support)
+    return world.touching(thing.name, place.support) and _off(world, thing, place) < within
 
 
 @seated.measure
@@ -96,7 +97,7 @@ def released(world: World, thing: Thing) -> bool:
 @predicate("hand withdrawn {by:g} m from {thing}")
 def withdrawn(world: World, thing: Standing, *, by: float) -> bool:
     """Point between the pads is more than `by` metres from the cylinder around the thing."""
-    x, y, z = (world.pose(thing).inverse() @ world.gripper).position_w
+    x, y, z = world.pose(thing).local(world.gripper.position_w)
     aside = max(0.0, math.hypot(x, y) - thing.footprint_radius)
     beyond = max(0.0, -z, z - thing.height)
     return math.hypot(aside, beyond) > by

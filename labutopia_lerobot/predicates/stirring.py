@@ -20,7 +20,7 @@ def immersed(world: World, rod: Thing, vessel: Filled, *, filling_ml: float) -> 
     """
     volume = filling_ml * 1e-6 if world.liquid is None else world.liquid.inside[vessel.name]
     surface = vessel.profile.bottom + vessel.profile.depth(volume)
-    x, y, z = (world.pose(vessel).inverse() @ world.pose(rod)).position_w
+    x, y, z = world.pose(vessel).local(world.pose(rod).position_w)
     return math.hypot(x, y) < vessel.mouth_radius and bool(z < surface)
 
 

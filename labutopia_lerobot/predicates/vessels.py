@@ -3,8 +3,6 @@
 import math
 from collections.abc import Mapping
 
-import numpy as np
-
 from labutopia_lerobot.predicates.predicate import predicate
 from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Thing, World
 
@@ -76,8 +74,8 @@ def _within_reach(world: World, thing: Thing) -> float:
 @predicate("{thing} steady below {below:g} m/s")
 def steady(world: World, thing: Thing, *, below: float) -> bool:
     """Centre of mass moves slower than `below` [m/s], and so does by turning what is 10 cm away."""
-    turning = _LEVER * float(np.linalg.norm(world.angular_velocity(thing)))
-    return bool(np.linalg.norm(world.velocity(thing)) < below) and turning < below
+    turning, moving = world.angular_velocity(thing), world.velocity(thing)
+    return max(_LEVER * math.hypot(*turning.tolist()), math.hypot(*moving.tolist())) < below
 
 
 @predicate("{thing} knocked over beyond {beyond_deg:g} deg")

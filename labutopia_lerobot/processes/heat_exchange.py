@@ -101,9 +101,11 @@ class HeatExchange(Process):
 
     def _calm(self, apparatus: Apparatus) -> bool:
         """Return whether nothing is warmer than the room, and nothing is heated."""
-        memories = (apparatus.memory(mass) for mass in self.masses)
-        calm = all(m[0] == apparatus.ambient and m[1] == 0.0 for m in memories)
-        return calm and (apparatus.liquid is None or apparatus.liquid.all_at(apparatus.ambient))
+        for mass in self.masses:
+            memory = apparatus.memory(mass)
+            if memory[0] != apparatus.ambient or memory[1] != 0.0:
+                return False
+        return apparatus.liquid is None or apparatus.liquid.all_at(apparatus.ambient)
 
     def _take_supply(self, apparatus: Apparatus, memory: FloatArray) -> None:
         for mass in self.masses:

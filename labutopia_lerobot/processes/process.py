@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.processes.liquid_handling import LiquidHandling
 from labutopia_lerobot.world import CONTROL_HZ, FloatArray, Pose
-from labutopia_lerobot.world.reading import Reading
+from labutopia_lerobot.world.reading import PRESSED, Reading
 
 AMBIENT = 293.15
 """Temperature of a room, unless an episode has drawn another [K]: 20 degrees C."""
@@ -129,10 +129,13 @@ class Apparatus:
         first = 0
         for process in order:
             last = first + len(process.slots)
-            self._memory[process.name] = numbers[first:last]
+            if process.slots:
+                self._memory[process.name] = numbers[first:last]
             first = last
+        shown = (name for process in order for name in process.displayed)
+        self._displayed = tuple(dict.fromkeys(shown))
         self._averaging = any(process.sensors for process in order)
-        self._sum, self._count = np.zeros(model.nsensordata), 0
+        self._now, self._sum, self._count = data.sensordata, np.zeros(model.nsensordata), 0
 
     def memory(self, process: Process) -> FloatArray:
         """Return the numbers that a process remembers, a view, shape (slots,).
@@ -140,8 +143,8 @@ class Apparatus:
         Raises:
             ProcessError: If it has no slots.
         """
-        memory = self._memory[process.name]
-        if not len(memory):
+        memory = self._memory.get(process.name)
+        if memory is None:
             raise ProcessError(
                 f"'{process.name}' ({type(process).__name__}) remembers nothing: name its numbers "
                 "in `slots`"
@@ -175,7 +178,7 @@ class Apparatus:
         """Return the mean of a sensor over the physics steps since the last step, a copy."""
         first, last = self._sensed(sensor)
         if not self._count:
-            now: FloatArray = self.data.sensordata[first:last].copy()
+            now: FloatArray = self._now[first:last].copy()
             return now
         mean: FloatArray = self._sum[first:last] / self._count
         return mean
@@ -215,8 +218,16 @@ class Apparatus:
     @property
     def displayed(self) -> dict[str, Reading]:
         """The readings that a person can see on a display now, by name."""
-        names = [name for process in self.processes.values() for name in process.displayed]
-        return {name: self.reading(name) for name in dict.fromkeys(names)}
+        return {name: self.reading(name) for name in self._displayed}
+
+    @property
+    def pressed(self) -> frozenset[str]:
+        """Names of the push-buttons that are in."""
+        return frozenset(name for name in self._buttons if self.reading(name).value > 0.0)
+
+    @cached_property
+    def _buttons(self) -> tuple[str, ...]:
+        return tuple(name for name, reading in self.readings.items() if reading.unit == PRESSED)
 
     def start(self, rng: np.random.Generator) -> None:
         """Begin, where all has come to rest."""
@@ -226,7 +237,7 @@ class Apparatus:
     def sample(self) -> None:
         """Take note of the sensors, after a physics step."""
         if self._averaging:
-            self._sum += self.data.sensordata
+            self._sum += self._now
             self._count += 1
 
     def step(self) -> None:

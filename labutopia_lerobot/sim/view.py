@@ -2,8 +2,9 @@
 
 import difflib
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
+from itertools import compress
 
 import mujoco
 import numpy as np
@@ -43,6 +44,11 @@ class SimulatedWorld:
         scene = simulation.scene
         self._data = simulation.data
         self._model = scene.model
+        # Views, made once: MuJoCo's attributes would make them anew at every question.
+        self._xpos, self._xmat = self._data.xpos, self._data.xmat.reshape(-1, 3, 3)
+        self._site_xpos = self._data.site_xpos
+        self._site_xmat = self._data.site_xmat.reshape(-1, 3, 3)
+        self._touched = simulation.contacts.touched
         self._opening = scene.robot.roles.gripper
         self._gripper = scene.model.site(scene.robot.gripper.site).id
         self._group = {name: index for index, name in enumerate(scene.groups)}
@@ -51,6 +57,10 @@ class SimulatedWorld:
         self._faller = {piece.name: index for index, piece in enumerate(self._movable)}
         names = (scene.model.joint(joint).name for joint in range(scene.model.njnt))
         self._joints = {name: joint for joint, name in enumerate(names)}
+        self._turning = frozenset(_turning(scene.model))
+        self._qpos, self._qpos_of = self._data.qpos, scene.model.jnt_qposadr.tolist()
+        sites = (scene.model.site(site).name for site in range(scene.model.nsite))
+        self._sites = {name: site for site, name in enumerate(sites)}
         self._bodies: dict[str, int] = {
             piece.name: int(scene.model.body(piece.name).id) for piece in scene.pieces
         }
@@ -145,10 +155,9 @@ class SimulatedWorld:
 
     def frame(self, name: str) -> Pose:
         """Return a named frame."""
-        try:
-            return self._site(self._model.site(name).id)
-        except KeyError:
-            raise self._unknown("frame", name, self._names(self._model.nsite, "site")) from None
+        if name not in self._sites:
+            raise self._unknown("frame", name, self._sites)
+        return self._site(self._sites[name])
 
     def velocity(self, thing: Thing) -> FloatArray:
         """Return the velocity of a thing's centre of mass, shape (3,), m/s, world frame."""
@@ -167,11 +176,8 @@ class SimulatedWorld:
     def joint(self, name: str) -> float:
         """Return the position of a named hinge [rad] or slide [m]."""
         joint = self._joint(name)
-        position = float(self._data.qpos[self._model.jnt_qposadr[joint]])
-        hinge = self._model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE
-        if hinge and not self._model.jnt_limited[joint]:
-            return math.remainder(position, 2 * math.pi)
-        return position
+        position = float(self._qpos[self._qpos_of[joint]])
+        return math.remainder(position, 2 * math.pi) if joint in self._turning else position
 
     def joint_speed(self, name: str) -> float:
         """Return the greatest speed of a named hinge [rad/s] or slide [m/s]; never negative."""
@@ -191,12 +197,12 @@ class SimulatedWorld:
         try:
             return self._simulation.apparatus.reading(name)
         except UnknownReadingError:
-            raise self._unknown("reading", name, self.readings) from None
+            raise self._unknown("reading", name, self._simulation.apparatus.readings) from None
 
     @property
-    def readings(self) -> Mapping[str, Reading]:
-        """All readings that there are, by name."""
-        return self._simulation.apparatus.readings
+    def pressed(self) -> frozenset[str]:
+        """Names of the push-buttons that are in."""
+        return self._simulation.apparatus.pressed
 
     @property
     def displayed(self) -> Mapping[str, Reading]:
@@ -219,13 +225,11 @@ class SimulatedWorld:
 
     def touching(self, first: str, second: str) -> bool:
         """Return whether the two touched since the last control step."""
-        return bool(self._simulation.contacts.touched[self._pair(first, second)])
+        return bool(self._touched[self._pair(first, second)])
 
     def touched_by(self, name: str) -> frozenset[str]:
         """Return everything that touched it since the last control step."""
-        (others,) = self._simulation.contacts.touched[self._touching(name)].nonzero()
-        groups = self._simulation.scene.groups
-        return frozenset(groups[index] for index in others.tolist())
+        return frozenset(compress(self._group, self._touched[self._touching(name)].tolist()))
 
     def contact_force(self, first: str, second: str) -> float:
         """Return the greatest normal force between the two since the last control step [N]."""
@@ -261,7 +265,7 @@ class SimulatedWorld:
         return arm.inverse() @ Pose(site.xpos, site.xmat.reshape(3, 3))
 
     def _pose(self, body: int) -> Pose:
-        return Pose(self._data.xpos[body].copy(), self._data.xmat[body].reshape(3, 3).copy())
+        return Pose(self._xpos[body].copy(), self._xmat[body].copy())
 
     def _twist(self, thing: Thing) -> FloatArray:
         """Return angular and linear velocity of a thing's centre of mass, shape (6,)."""
@@ -305,6 +309,12 @@ class SimulatedWorld:
         )
 
     def _site(self, site: int) -> Pose:
-        return Pose(
-            self._data.site_xpos[site].copy(), self._data.site_xmat[site].reshape(3, 3).copy()
-        )
+        return Pose(self._site_xpos[site].copy(), self._site_xmat[site].copy())
+
+
+def _turning(model: mujoco.MjModel) -> Iterator[int]:
+    """Return the hinges that turn round and round."""
+    for joint in range(model.njnt):
+        hinge = model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE
+        if hinge and not model.jnt_limited[joint]:
+            yield joint

@@ -64,6 +64,11 @@ class Pose:
         """Return the pose of the world in this frame."""
         return Pose(-self.rotation_w.T @ self.position_w, self.rotation_w.T)
 
+    def local(self, point_w: FloatArray) -> FloatArray:
+        """Return where a point of the world is in this frame, shape (3,) [m]."""
+        point: FloatArray = self.rotation_w.T @ (point_w - self.position_w)
+        return point
+
     def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Pose":
         """Return the same orientation, displaced along the world's axes [m]."""
         return Pose(self.position_w + np.array([x, y, z]), self.rotation_w)

@@ -145,8 +145,8 @@ class World(Protocol):
         ...
 
     @property
-    def readings(self) -> Mapping[str, Reading]:
-        """All readings that there are, by name."""
+    def pressed(self) -> frozenset[str]:
+        """Names of the push-buttons that are in."""
         ...
 
     @property

@@ -1,13 +1,10 @@
 """The judge: latching, holding, breaching; in a world that says what the test wants."""
 
-from collections.abc import Mapping
 from dataclasses import replace
-from types import MappingProxyType
 
 from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.task import Step, Substep, Task
-from labutopia_lerobot.world import Reading
 
 
 class Story:
@@ -18,7 +15,7 @@ class Story:
         self.true: set[str] = set()
 
     movable: tuple[object, ...] = ()
-    readings: Mapping[str, Reading] = MappingProxyType({})
+    pressed: frozenset[str] = frozenset()
 
     def touched_by(self, name: str) -> frozenset[str]:
         return frozenset()

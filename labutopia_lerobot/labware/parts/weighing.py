@@ -90,11 +90,10 @@ class Weighing(Process):
     @override
     def step(self, apparatus: Apparatus) -> None:
         averages, rest = self._split(apparatus)
-        tared, was_in, band, steady, _, seed, steps = rest
+        tared, was_in, band, steady, _, seed, steps = rest.tolist()
         share, load = -math.expm1(-apparatus.period / _AVERAGING), self._load(apparatus)
-        for stage in range(_STAGES):
-            averages[stage] += share * (load - averages[stage])
-            load = averages[stage]
+        for stage, average in enumerate(averages.tolist()):
+            averages[stage] = load = average + share * (load - average)
         noise = _NOISE * self.resolution * (_DRAUGHT if self._open(apparatus) else 1.0)
         noise *= _drawn(int(seed), int(steps) // _RENEWED)
         pressed = apparatus.reading(self.tare).value
@@ -106,11 +105,11 @@ class Weighing(Process):
 
     @override
     def reading(self, apparatus: Apparatus) -> Reading:
-        averages, (tared, _, _, steady, noise, _, _) = self._split(apparatus)
-        if averages[-1] > _OVERLOAD * self.capacity:
+        *_, average, tared, _, _, steady, noise, _, _ = apparatus.memory(self).tolist()
+        if average > _OVERLOAD * self.capacity:
             return Reading(math.inf, "g", self.resolution, settled=False)
-        settled = bool(steady >= _STEADY_FOR)
-        return Reading(float(averages[-1] + noise - tared), "g", self.resolution, settled)
+        settled = steady >= _STEADY_FOR
+        return Reading(average + noise - tared, "g", self.resolution, settled)
 
     def _split(self, apparatus: Apparatus) -> tuple[FloatArray, FloatArray]:
         """Return the averages [g] and the rest of what it remembers, views."""
