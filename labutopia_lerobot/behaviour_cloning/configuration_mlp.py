@@ -21,6 +21,8 @@ class MLPConfig(PreTrainedConfig):
         n_obs_steps: Frames that it sees: the present one.
         chunk_size: Actions that it says at once.
         n_action_steps: How many of these are played before it looks again.
+        temporal_ensemble_coeff: How much less a newer chunk counts than an older one in the mean of
+            all that say the present action, as in ACT; `n_action_steps` must be 1. None for no mean.
         hidden: Units of each hidden layer.
         dropout: Share of the hidden units that a step of the training leaves out.
         normalization_mapping: Kind of feature -> how it is scaled.
@@ -34,6 +36,7 @@ class MLPConfig(PreTrainedConfig):
     n_obs_steps: int = 1
     chunk_size: int = 40
     n_action_steps: int = 30
+    temporal_ensemble_coeff: float | None = None
     hidden: list[int] = field(default_factory=lambda: [512, 512, 512])
     dropout: float = 0.0
     # Why poses are scaled by their range: policies/act/README.md.
@@ -55,6 +58,11 @@ class MLPConfig(PreTrainedConfig):
             raise MLPOptionError(
                 f"n_action_steps={self.n_action_steps} is impossible: 1 to chunk_size="
                 f"{self.chunk_size}"
+            )
+        if self.temporal_ensemble_coeff is not None and self.n_action_steps != 1:
+            raise MLPOptionError(
+                f"n_action_steps={self.n_action_steps} with a temporal_ensemble_coeff: a mean over "
+                "chunks looks at every step. Set n_action_steps=1"
             )
         if not self.hidden or min(self.hidden) < 1:
             raise MLPOptionError(f"hidden={self.hidden} lists no layers, such as [512,512]")

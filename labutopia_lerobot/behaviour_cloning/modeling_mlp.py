@@ -6,6 +6,7 @@ from typing import Any
 
 import torch
 from lerobot.policies import PreTrainedPolicy
+from lerobot.policies.act.modeling_act import ACTTemporalEnsembler
 from torch import Tensor, nn
 
 from labutopia_lerobot.behaviour_cloning.configuration_mlp import MLPConfig
@@ -44,6 +45,10 @@ class MLPPolicy(PreTrainedPolicy):
     def reset(self) -> None:
         """Forget the actions that were to be played."""
         self._queue: deque[Tensor] = deque(maxlen=self.config.n_action_steps)
+        coefficient = self.config.temporal_ensemble_coeff
+        self._ensemble = None
+        if coefficient is not None:
+            self._ensemble = ACTTemporalEnsembler(coefficient, self.config.chunk_size)
 
     def forward(self, batch: dict[str, Tensor]) -> tuple[Tensor, dict[str, float]]:
         """Return the mean absolute error of a batch, without what lies behind its episodes.
@@ -66,6 +71,9 @@ class MLPPolicy(PreTrainedPolicy):
     @torch.no_grad()
     def select_action(self, batch: dict[str, Tensor], **kwargs: Any) -> Tensor:
         """Return the next action, shape (environments, elements), scaled."""
+        if self._ensemble is not None:
+            mean: Tensor = self._ensemble.update(self.predict_action_chunk(batch))
+            return mean
         if not self._queue:
             chunk = self.predict_action_chunk(batch)[:, : self.config.n_action_steps]
             self._queue.extend(chunk.transpose(0, 1))

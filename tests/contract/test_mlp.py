@@ -75,6 +75,17 @@ def test_a_chunk_is_played_as_far_as_it_is_to_be_and_forgotten_at_a_reset():
     assert torch.equal(policy.select_action(first)[0], chunk[0])
 
 
+def test_a_mean_over_chunks_is_played_where_it_is_asked_for_and_forgotten_at_a_reset():
+    policy = get_policy_class("mlp")(made(n_action_steps=1, temporal_ensemble_coeff=0.0))
+    first, other = batch(1), {key: value + 1 for key, value in batch(1).items() if "obs" in key}
+    chunks = [policy.predict_action_chunk(seen)[0] for seen in (first, other)]
+    assert torch.equal(policy.select_action(first)[0], chunks[0][0])
+    mean = (chunks[0][1] + chunks[1][0]) / 2
+    assert torch.allclose(policy.select_action(other)[0], mean)
+    policy.reset()
+    assert torch.equal(policy.select_action(other)[0], chunks[1][0])
+
+
 def test_the_evaluator_plays_what_was_saved(tmp_path: Path):
     config = made()
     get_policy_class("mlp")(config).save_pretrained(tmp_path)
@@ -99,7 +110,13 @@ def test_the_evaluator_plays_what_was_saved(tmp_path: Path):
 
 @pytest.mark.parametrize(
     "options",
-    [{"n_obs_steps": 2}, {"n_action_steps": 5}, {"n_action_steps": 0}, {"hidden": []}],
+    [
+        {"n_obs_steps": 2},
+        {"n_action_steps": 5},
+        {"n_action_steps": 0},
+        {"temporal_ensemble_coeff": 0.01},
+        {"hidden": []},
+    ],
     ids=str,
 )
 def test_impossible_options_are_refused(options):
