@@ -21,8 +21,8 @@ class MLPConfig(PreTrainedConfig):
         n_obs_steps: Frames that it sees: the present one.
         chunk_size: Actions that it says at once.
         n_action_steps: How many of these are played before it looks again.
-        temporal_ensemble_coeff: How much less a newer chunk counts than an older one in the mean of
-            all that say the present action, as in ACT; `n_action_steps` must be 1. None for no mean.
+        temporal_ensemble_coeff: How much less a newer chunk counts than an older one in the mean
+            of all that say the present action, as in ACT; `n_action_steps` must be 1. None: none.
         hidden: Units of each hidden layer.
         dropout: Share of the hidden units that a step of the training leaves out.
         normalization_mapping: Kind of feature -> how it is scaled.
