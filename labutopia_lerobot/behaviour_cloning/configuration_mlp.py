@@ -18,7 +18,7 @@ class MLPConfig(PreTrainedConfig):
     """Options; every field is a flag `--policy.<field>`.
 
     Attributes:
-        n_obs_steps: Frames that it sees: the present one.
+        n_obs_steps: Frames that it sees, one after the other, the present one last.
         chunk_size: Actions that it says at once.
         n_action_steps: How many of these are played before it looks again.
         temporal_ensemble_coeff: How much less a newer chunk counts than an older one in the mean
@@ -52,8 +52,8 @@ class MLPConfig(PreTrainedConfig):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.n_obs_steps != 1:
-            raise MLPOptionError(f"n_obs_steps={self.n_obs_steps}: an mlp sees one frame")
+        if self.n_obs_steps < 1:
+            raise MLPOptionError(f"n_obs_steps={self.n_obs_steps}: an mlp sees one frame or more")
         if not 1 <= self.n_action_steps <= self.chunk_size:
             raise MLPOptionError(
                 f"n_action_steps={self.n_action_steps} is impossible: 1 to chunk_size="
@@ -94,8 +94,9 @@ class MLPConfig(PreTrainedConfig):
                 raise MLPOptionError(f"An mlp needs {name}: train it on a dataset with obs=state")
 
     @property
-    def observation_delta_indices(self) -> None:
-        """Frames that it sees beside the present one: none."""
+    def observation_delta_indices(self) -> list[int] | None:
+        """Frames that it sees, counted from the present one; None if that is all."""
+        return None if self.n_obs_steps == 1 else list(range(1 - self.n_obs_steps, 1))
 
     @property
     def action_delta_indices(self) -> list[int]:

@@ -86,6 +86,21 @@ def test_a_mean_over_chunks_is_played_where_it_is_asked_for_and_forgotten_at_a_r
     assert torch.equal(policy.select_action(other)[0], chunks[1][0])
 
 
+def test_what_was_seen_before_counts_where_it_is_asked_for():
+    policy = get_policy_class("mlp")(made(n_obs_steps=2, n_action_steps=1))
+    first, other = batch(1), {key: value + 1 for key, value in batch(1).items() if "obs" in key}
+    shown = {key: torch.stack([first[key], other[key]], dim=1) for key in other}
+    learned = shown | {key: first[key] for key in ("action", "action_is_pad")}
+    loss, _ = policy.forward(learned)
+    policy.select_action(first)
+    said = policy.predict_action_chunk(other)
+    assert torch.isclose((said - first["action"]).abs().mean(), loss)
+    policy.reset()
+    still = policy.predict_action_chunk(other)
+    assert not torch.equal(still, said)
+    assert torch.equal(policy.predict_action_chunk(other), still)  # as if it had always been so
+
+
 def test_the_evaluator_plays_what_was_saved(tmp_path: Path):
     config = made()
     get_policy_class("mlp")(config).save_pretrained(tmp_path)
@@ -111,7 +126,7 @@ def test_the_evaluator_plays_what_was_saved(tmp_path: Path):
 @pytest.mark.parametrize(
     "options",
     [
-        {"n_obs_steps": 2},
+        {"n_obs_steps": 0},
         {"n_action_steps": 5},
         {"n_action_steps": 0},
         {"temporal_ensemble_coeff": 0.01},
