@@ -151,17 +151,19 @@ class Measured:
         return [Table("Why they fail", head, tuple(lines))] if lines else []
 
     def _curve_tables(self) -> list[Table]:
-        return [
-            Table(
-                title,
-                ("Policy and task", *map(str, places)),
-                tuple(
-                    (str(line), *(points.get(x) for x in places)) for line, points in lines.items()
-                ),
-                _RATES,
-            )
-            for title, places, lines in self._series()
-        ]
+        """Curves of which two points or more are measured, and how many others there are to be."""
+        tables = []
+        for title, places, lines in self._series():
+            drawn = [
+                (str(line), *(points.get(x) for x in places))
+                for line, points in lines.items()
+                if sum(isinstance(rate, Rate) for rate in points.values()) > 1
+            ]
+            left = len(lines) - len(drawn)
+            note = f"{_RATES} Not measured yet: {left} of {len(lines)} curves." if left else _RATES
+            if drawn:
+                tables.append(Table(title, ("Policy and task", *map(str, places)), (*drawn,), note))
+        return tables
 
     def _series(self) -> list[tuple[str, list[int], dict["Line", dict[int, Cell]]]]:
         """Return title, places on the axis, and line -> place -> its rate."""

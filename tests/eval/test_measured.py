@@ -33,6 +33,9 @@ def test_a_result_stands_beside_what_is_not_measured(tmp_path):
         "Success over demonstrations",
         "Success over steps of the training",
     ]
+    curves = measured.tables()[2]
+    assert [line[0] for line in curves.lines] == ["act, level1/pick, id"]
+    assert curves.note.endswith("Not measured yet: 1 of 2 curves.")
     assert [chart["policy"] for chart in measured.curves()] == [
         f"act, id: {title.lower()}" for title in titles[2:]
     ]
