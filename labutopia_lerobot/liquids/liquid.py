@@ -285,13 +285,7 @@ class Liquid:
         return whereabouts(points_w, around.glass, around.inner, around.smallest_first)
 
     def solution(self, vessel: int) -> Solution | None:
-        """Return what is in a vessel or a pipette; None where nothing is dissolved anywhere.
-
-        Judges and observations ask for the same ones: each is worked out once after `take_account`.
-
-        Args:
-            vessel: Which of `names`.
-        """
+        """Return what one of `names` holds, found once per account; None if nothing is dissolved."""
         if self.solutions is None:
             return None
         if vessel not in self._known:
