@@ -285,7 +285,7 @@ class Liquid:
         return whereabouts(points_w, around.glass, around.inner, around.smallest_first)
 
     def solution(self, vessel: int) -> Solution | None:
-        """Return what one of `names` holds, found once per account; None if nothing is dissolved."""
+        """Return what one of `names` holds, found once per account; None if none is dissolved."""
         if self.solutions is None:
             return None
         if vessel not in self._known:
