@@ -150,7 +150,6 @@ class Liquid:
         self.diverged = False
         self._be(what)
         self.accounted: NDArray[np.int64] = np.full(len(positions), -1)
-        self._known: dict[int, Solution] = {}
         self.speeds: FloatArray = np.zeros(len(self.names))
         self._pressure: FloatArray = np.zeros(len(positions))
         self._touching: NDArray[np.int64] = np.full(len(positions), NOTHING)
@@ -285,15 +284,17 @@ class Liquid:
         return whereabouts(points_w, around.glass, around.inner, around.smallest_first)
 
     def solution(self, vessel: int) -> Solution | None:
-        """Return what one of `names` holds, found once per account; None if none is dissolved."""
+        """Return what is in a vessel or a pipette; None where nothing is dissolved anywhere.
+
+        Args:
+            vessel: Which of `names`.
+        """
         if self.solutions is None:
             return None
-        if vessel not in self._known:
-            kept = self.kept.portion.part(np.flatnonzero(self.kept.holders == vessel))
-            what = self._what.part(np.flatnonzero(self.accounted == vessel)).with_more(kept)
-            weights = capacities(what.amounts, self.substances, self.volume)
-            self._known[vessel] = self.solutions.solution(vessel, what, weights)
-        return self._known[vessel]
+        kept = self.kept.portion.part(np.flatnonzero(self.kept.holders == vessel))
+        what = self._what.part(np.flatnonzero(self.accounted == vessel)).with_more(kept)
+        weights = capacities(what.amounts, self.substances, self.volume)
+        return self.solutions.solution(vessel, what, weights)
 
     def step(self) -> None:
         """Move on by 1 / `hertz`, to where the bodies are now, and push them.
@@ -350,7 +351,6 @@ class Liquid:
         last = np.where(inside >= 0, inside, self._what.last_held)
         self._what = self._what._replace(last_held=last)
         self.accounted, self.speeds = inside, mean_speeds(count, self.velocities, inside)
-        self._known = {}
         kept.remember(kept.holders)
         return LiquidAccount(self.names, counts, moves, self.speeds, self.volume)
 

@@ -49,6 +49,8 @@ class SimulatedWorld:
         self._site_xpos = self._data.site_xpos
         self._site_xmat = self._data.site_xmat.reshape(-1, 3, 3)
         self._touched = simulation.contacts.touched
+        self._solutions: dict[str, Solution | None] = {}
+        self._solutions_at = simulation.account
         self._opening = scene.robot.roles.gripper
         self._gripper = scene.model.site(scene.robot.gripper.site).id
         self._group = {name: index for index, name in enumerate(scene.groups)}
@@ -216,12 +218,20 @@ class SimulatedWorld:
 
     def solution(self, vessel: Thing) -> Solution | None:
         """Return what a vessel holds; None where nothing is dissolved in the scene's liquids."""
-        liquid = self._simulation.liquid
+        return self.solution_in(vessel.name)
+
+    def solution_in(self, name: str) -> Solution | None:
+        """Return what the vessel of a name holds, worked out once after each control step."""
+        liquid, account = self._simulation.liquid, self._simulation.account
         if liquid is None or liquid.solutions is None:
             return None
-        if vessel.name not in liquid.names:
-            raise self._unknown("vessel", vessel.name, liquid.names)
-        return liquid.solution(liquid.names.index(vessel.name))
+        if account is not self._solutions_at:
+            self._solutions, self._solutions_at = {}, account
+        if name not in self._solutions:
+            if name not in liquid.names:
+                raise self._unknown("vessel", name, liquid.names)
+            self._solutions[name] = liquid.solution(liquid.names.index(name))
+        return self._solutions[name]
 
     def touching(self, first: str, second: str) -> bool:
         """Return whether the two touched since the last control step."""

@@ -279,7 +279,7 @@ class Workcell:
         liquid = self.simulation.liquid
         if liquid is None or liquid.solutions is None:
             return {}
-        held = {name: liquid.solution(index) for index, name in enumerate(liquid.names)}
+        held = {name: self.world.solution_in(name) for name in liquid.names}
         return {
             "solutions": {name: one.numbers for name, one in held.items() if one is not None},
             "unreacted": liquid.solutions.unreacted,
