@@ -21,6 +21,7 @@ from attacks.plays import (
 )
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.task import NeedsLiquidError
 
 FEW = ("level1/open_drawer", "level1/pick", "level1/press")
 """A mechanism, a thing that is taken, a button: what the other tasks are made of."""
@@ -44,7 +45,10 @@ def named(task: object) -> str:
 
 @pytest.fixture(params=DRY, scope="module", ids=named)
 def env(request: pytest.FixtureRequest) -> LabEnv:
-    return begun(request.param)
+    try:
+        return begun(request.param)
+    except NeedsLiquidError:
+        pytest.skip("it is judged by its liquid, and attacked with that")
 
 
 @pytest.fixture(params=WET, scope="module", ids=named)
