@@ -7,7 +7,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from labutopia_lerobot.navigation.clearance import Clearance
 from labutopia_lerobot.navigation.occupancy import FREE, Occupancy
 from labutopia_lerobot.navigation.path import Path
 from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, PathPlanner
@@ -30,6 +32,17 @@ class FloorRectangle:
 
     length: float
     width: float
+
+    def turns(self, clearance: Clearance, points: FloatArray) -> NDArray[np.bool_]:
+        """Return whether it can turn all round at points, shape (n,).
+
+        Its corners may reach further than the disc as which it drives.
+
+        Args:
+            clearance: How far everything is.
+            points: Of the middle of the base, shape (n, 2) [m], frame of the map.
+        """
+        return clearance.at(points) >= math.hypot(self.length, self.width) / 2
 
     def fits(self, occupancy: Occupancy, position: FloatArray, yaw: float) -> bool:
         """Return whether it is on the floor and in no cell that is not free.
@@ -87,7 +100,9 @@ def approach_to(
     position: FloatArray,
     yaw: float,
 ) -> FloatArray:
-    """Return the nearest point straight behind a place where the disc can be, shape (2,) [m].
+    """Return the nearest point straight behind a place where the robot can turn, shape (2,) [m].
+
+    Its disc can be there, and its footprint at any heading; where there is no such point, the disc.
 
     Args:
         planner: Knows where the disc can be.
@@ -99,23 +114,30 @@ def approach_to(
     Raises:
         BlockedPlaceError: If the footprint touches something there or on the way in.
     """
-    back = -np.array([math.cos(yaw), math.sin(yaw)])
-    for distance in np.arange(0.0, LONGEST, _STEP):
-        point: FloatArray = position + distance * back
-        if not footprint.fits(occupancy, point, yaw):
-            what = "there" if distance == 0.0 else f"{distance:.2f} m behind it"
-            raise BlockedPlaceError(
-                f"The place ({position[0]:.2f}, {position[1]:.2f}) m, heading "
-                f"{math.degrees(yaw):.0f} deg, is blocked: a base of {footprint.length:g} x "
-                f"{footprint.width:g} m touches something {what}. Choose another place"
-            )
-        if planner.free(point):
-            return point
-    raise BlockedPlaceError(
-        f"The place ({position[0]:.2f}, {position[1]:.2f}) m, heading {math.degrees(yaw):.0f} deg, "
-        f"is too far in: within {LONGEST:g} m behind it there is no room for a robot of "
-        f"{planner.clearance.radius:g} m radius to turn. Choose another place"
+    place = (
+        f"The place ({position[0]:.2f}, {position[1]:.2f}) m, heading {math.degrees(yaw):.0f} deg,"
     )
+    reason = (
+        f"is too far in: within {LONGEST:g} m behind it there is no room for a robot of "
+        f"{planner.clearance.radius:g} m radius to turn"
+    )
+    back = -np.array([math.cos(yaw), math.sin(yaw)])
+    free: list[FloatArray] = []
+    for distance in np.arange(0.0, LONGEST, _STEP):
+        point = position + distance * back
+        if not footprint.fits(occupancy, point, yaw):
+            reason = (
+                f"is blocked: a base of {footprint.length:g} x {footprint.width:g} m touches "
+                f"something {'there' if distance == 0.0 else f'{distance:.2f} m behind it'}"
+            )
+            break
+        if planner.free(point):
+            free.append(point)
+            if footprint.turns(planner.clearance, point[None]).all():
+                return point
+    if not free:
+        raise BlockedPlaceError(f"{place} {reason}. Choose another place")
+    return free[0]
 
 
 def plan_docking(

@@ -7,6 +7,8 @@ from functools import cache
 
 import numpy as np
 
+from labutopia_lerobot.navigation.clearance import Clearance
+from labutopia_lerobot.navigation.docking import FloorRectangle
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.path_planner import RADIUS
 from labutopia_lerobot.robots.mobile_base import MobileBase
@@ -78,7 +80,8 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
         for point, wide in _points(plan, base, dock)
     ]
     occupancy: Occupancy = map_around(plan, place)
-    starts = occupancy.middles(largest_part(occupancy.passable(RADIUS)))
+    free = occupancy.middles(largest_part(occupancy.passable(RADIUS)))
+    turns = FloorRectangle(*base.size).turns(Clearance.of(occupancy, RADIUS), free)
     floor = Floor(
         occupancy.cells,
         occupancy.origin,
@@ -98,7 +101,7 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
         for dock, there in found
         if (height := _deep(plan, base, dock)) is not None
     ]
-    return Ground(floor, tuple(spots), tuple(deep), fixtures, starts)
+    return Ground(floor, tuple(spots), tuple(deep), fixtures, free[turns])
 
 
 def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArray, bool]]:

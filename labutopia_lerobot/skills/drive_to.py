@@ -69,12 +69,12 @@ class DriveTo:
         yield Phase("stow", done=arrived(within=0.01), timeout_s=10.0, **hand)
         for way in self._ways(world):
             position, yaw = base_at(world)
-            if way.planner.free(position):
+            if way.turns_at(position):
                 break
             try:
                 out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
             except BlockedPlaceError:
-                if way.planner.clearance.radius == RADIUS:
+                if way.planner.clearance.radius == RADIUS and not way.planner.free(position):
                     raise
             else:
                 yield parking("leave", Parking(out, yaw, way.limits), hand)

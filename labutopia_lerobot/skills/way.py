@@ -106,6 +106,11 @@ class Way:
         path = free.path(base_at(world)[0], self.before(dock))
         return Route(world.time, thing, tuple(around), path, dock)
 
+    def turns_at(self, point: FloatArray) -> bool:
+        """Return whether the base can turn all round at a point, shape (2,) [m], world frame."""
+        turns = self.footprint.turns(self.planner.clearance, point[None]).all()
+        return bool(turns) and self.planner.free(point)
+
     def before(self, dock: Dock) -> FloatArray:
         """Return the point straight behind a dock to which this base drives, shape (2,) [m].
 

@@ -71,6 +71,22 @@ def test_a_robot_docks_nearer_to_a_bench_than_its_disc_may_be():
         assert BASE.fits(occupancy, docking.before + share * (place - docking.before), docking.yaw)
 
 
+def test_a_robot_turns_before_a_bench_where_its_corners_touch_nothing():
+    occupancy, place = with_bench((3.5, 1.0, 4.4, 1.8)), np.array([5.2 - 0.48 - 0.02, 2.5])
+    before = approach_to(planner(occupancy), occupancy, BASE, place, 0.0)
+    assert planner(occupancy).free(before + np.array((0.02, 0.0)))  # the disc could be nearer
+    for yaw in np.linspace(-math.pi, math.pi, 73):
+        points = corners(before, yaw)
+        assert all(occupancy.cells[occupancy.cell(*point)] == FREE for point in points)
+
+
+def test_a_robot_turns_where_its_disc_can_be_if_there_is_no_more_room():
+    slot = with_bench((1.0, 0.0, 5.2, 1.85), (1.0, 3.15, 5.2, 5.0))
+    before = approach_to(planner(slot), slot, BASE, np.array([4.7, 2.5]), 0.0)
+    assert planner(slot).free(before)
+    assert not BASE.turns(planner(slot).clearance, before[None]).any()
+
+
 @pytest.mark.parametrize(
     ("place", "yaw", "reason"),
     [

@@ -185,6 +185,6 @@ def test_a_way_begins_where_the_base_stopped_short_of_its_room(env):
     env.reset(seed=0)
     way, (dock, *_, last) = Way.of(env.workcell.world), env.workcell.world.floor.docks
     ahead = np.array([math.cos(dock.yaw), math.sin(dock.yaw)])
-    short = dock.before + 0.01 * ahead
-    assert not way.planner.free(short)
+    on = (dock.before + far * ahead for far in np.arange(0.0, 1.0, 0.01))
+    short = next(point for point in on if not way.planner.free(point))
     assert way.path(short, last.before).length > 0.2
