@@ -132,6 +132,7 @@ class Apparatus:
             if process.slots:
                 self._memory[process.name] = numbers[first:last]
             first = last
+        self._moving = [p for p in order if type(p).step is not Process.step]
         shown = (name for process in order for name in process.displayed)
         self._displayed = tuple(dict.fromkeys(shown))
         self._averaging = any(process.sensors for process in order)
@@ -242,7 +243,7 @@ class Apparatus:
 
     def step(self) -> None:
         """Let every process move on by one control period."""
-        for process in self.processes.values():
+        for process in self._moving:
             process.step(self)
         if self._averaging:
             self._sum[:] = 0.0

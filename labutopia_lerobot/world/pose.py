@@ -84,7 +84,8 @@ class Pose:
 
     def distance_to(self, other: "Pose") -> float:
         """Return the distance between the two origins [m]."""
-        return float(np.linalg.norm(other.position_w - self.position_w))
+        offset = other.position_w - self.position_w
+        return math.sqrt(offset @ offset)
 
     def angle_to(self, other: "Pose") -> float:
         """Return the angle of the rotation between the two frames [rad]."""
