@@ -28,7 +28,7 @@ from labutopia_lerobot.setting import (
 )
 from labutopia_lerobot.substances.filling import Fillable, with_mounted
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Thing, World
+from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Graspable, Standing, Thing, World
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
@@ -40,6 +40,8 @@ _DEPTH_PATH = "images."
 """Prefix of depths in the environment's observation; the name of the picture follows."""
 
 _POSE_NAMES = ("x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz")
+
+SIZE_NAMES = ("height", "footprint_radius", "grip_height", "grip_width")
 
 SOLUTION_NAMES = ("acidity", "red", "green", "blue")
 
@@ -230,12 +232,14 @@ class ObservedPiece:
         joints: Names of its hinges and slides.
         shuffled: Names of its bodies whose places are shuffled.
         vessels: What liquid stays in: itself, or what is mounted on it.
+        sizes: Of what stands by itself and is grasped, as `SIZE_NAMES` has them [m]; else none.
     """
 
     piece: Thing
     joints: tuple[str, ...]
     shuffled: tuple[str, ...]
     vessels: tuple[Fillable, ...]
+    sizes: tuple[float, ...]
 
 
 def observed_pieces(task: Task) -> tuple[ObservedPiece, ...]:
@@ -246,9 +250,17 @@ def observed_pieces(task: Task) -> tuple[ObservedPiece, ...]:
             piece.joints,
             region.shuffled,
             tuple(thing for thing in with_mounted([piece]) if isinstance(thing, Fillable)),
+            _sizes(piece),
         )
         for piece, region in task.start.items()
     )
+
+
+def _sizes(piece: Thing) -> tuple[float, ...]:
+    """Return the sizes of a piece that are observed [m]."""
+    if not isinstance(piece, Graspable) or not isinstance(piece, Standing):
+        return ()
+    return piece.height, piece.footprint_radius, piece.grip_height, piece.grip_width
 
 
 def environment_state_names(task: Task) -> tuple[str, ...]:
@@ -257,7 +269,8 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
     For each thing its position [m] in the robot's base frame and the first two axes of its frame
     there: the continuous representation of rotations (Zhou et al. 2019, "On the Continuity of
     Rotation Representations in Neural Networks"), since quaternions jump. Then the position of each
-    of its hinges [rad] and slides [m], and the place [m] of each of its parts that is shuffled.
+    of its hinges [rad] and slides [m], the place [m] of each of its parts that is shuffled, and the
+    sizes [m] of what stands by itself and is grasped: a task may draw it of many kinds.
     Where there is liquid: how deep it would be in each vessel [m], were that upright. Where
     something is dissolved: by how much the pH of each is below 7, and the sRGB of 1 cm of it.
     """
@@ -269,6 +282,7 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
             *(f"{one.piece.name}.{part}" for part in _POSE_NAMES),
             *one.joints,
             *(f"{body}.{axis}" for body in one.shuffled for axis in "xyz"),
+            *(f"{one.piece.name}.{size}" for size in SIZE_NAMES if one.sizes),
             *([f"{vessel.name}.fill" for vessel in one.vessels] if task.contents else []),
             *(
                 [f"{v.name}.{part}" for v in one.vessels for part in SOLUTION_NAMES]
@@ -295,6 +309,7 @@ def environment_state(pieces: tuple[ObservedPiece, ...], world: World) -> NDArra
         numbers += [world.joint(name) for name in one.joints]
         for name in one.shuffled:
             numbers += (to_base @ world.frame(name)).position_w.tolist()
+        numbers += one.sizes
         if world.liquid is not None:
             inside = world.liquid.inside
             numbers += [vessel.profile.depth(inside[vessel.name]) for vessel in one.vessels]

@@ -11,14 +11,18 @@ from lerobot.policies.act.modeling_act import ACTPolicy
 
 
 def save(
-    folder: Path, state: int = 8, action: int = 8, things: int = 1, cameras: tuple[str, ...] = ()
+    folder: Path,
+    state: int = 8,
+    action: int = 8,
+    privileged: int = 13,
+    cameras: tuple[str, ...] = (),
 ) -> Path:
-    """Save it, and return the folder."""
+    """Save it, for level1/pick by default, and return the folder."""
     inputs = {"observation.state": PolicyFeature(FeatureType.STATE, (state,))}
     for camera in cameras:
         inputs[f"observation.images.{camera}"] = PolicyFeature(FeatureType.VISUAL, (3, 64, 64))
     if not cameras:
-        inputs["observation.environment_state"] = PolicyFeature(FeatureType.ENV, (9 * things,))
+        inputs["observation.environment_state"] = PolicyFeature(FeatureType.ENV, (privileged,))
     config = ACTConfig(
         input_features=inputs,
         output_features={"action": PolicyFeature(FeatureType.ACTION, (action,))},

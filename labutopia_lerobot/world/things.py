@@ -16,6 +16,7 @@ class Thing(Protocol):
         ...
 
 
+@runtime_checkable
 class Standing(Thing, Protocol):
     """A thing with an upright axis."""
 
@@ -60,6 +61,7 @@ class OpenVessel(Thing, Protocol):
         ...
 
 
+@runtime_checkable
 class Graspable(Thing, Protocol):
     """A thing with a place for the fingers."""
 

@@ -29,9 +29,9 @@ def save_checkpoint(tmp_path: Path) -> Saver:
     """Save a tiny ACT with random weights, as `lerobot-train` saves a trained one."""
 
     def save(
-        state: int = 8, action: int = 8, things: int = 1, cameras: tuple[str, ...] = ()
+        state: int = 8, action: int = 8, privileged: int = 13, cameras: tuple[str, ...] = ()
     ) -> Path:
         folder = tmp_path / "trained" / "checkpoints" / "last" / "pretrained_model"
-        return tiny_act.save(folder, state, action, things, cameras)
+        return tiny_act.save(folder, state, action, privileged, cameras)
 
     return save

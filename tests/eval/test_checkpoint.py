@@ -58,7 +58,7 @@ def test_a_folder_may_hold_one_policy_per_task(save_checkpoint: Saver, tmp_path:
     [
         ({"action": 7}, "`action` has 8 elements"),
         ({"state": 6}, "`observation.state` has 8 elements"),
-        ({"things": 2}, "`observation.environment_state` has 9 elements"),
+        ({"privileged": 12}, "`observation.environment_state` has 13 elements"),
         ({"cameras": ("side",)}, "observation.images.side.*observation.images.front"),
     ],
 )

@@ -100,7 +100,7 @@ DAMAGED: dict[str, Damage] = {
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A checkpoint that would play press in its privileged state."""
-    return tiny_act.save(tmp_path / "policy", things=3)
+    return tiny_act.save(tmp_path / "policy", privileged=21)
 
 
 @pytest.mark.parametrize("damage", DAMAGED.values(), ids=DAMAGED)
@@ -109,7 +109,7 @@ def test_a_damaged_checkpoint_is_refused(
     damage: Damage, program: str, folder: Path, tmp_path: Path
 ) -> None:
     damage(folder)
-    ended = run(program, *arguments(program), folder=tmp_path)
+    ended = run(program, *arguments(program), folder=tmp_path, limit_s=60.0)
     assert ended.harmless, ended
     assert "Traceback" not in ended.output, ended
     if program == "evaluate":

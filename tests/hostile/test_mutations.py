@@ -107,7 +107,7 @@ def test_a_mutated_room_is_reported_clearly(seed: int, tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def policy(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tiny_act.save(tmp_path_factory.mktemp("policy") / "policy", things=3)
+    return tiny_act.save(tmp_path_factory.mktemp("policy") / "policy", privileged=21)
 
 
 def clear(program: str, *words: str, folder: Path) -> None:
