@@ -10,6 +10,11 @@ from labutopia_lerobot.world import Thing, World
 class Gauge(Protocol):
     """Something that shows how much has been poured."""
 
+    @property
+    def pause_s(self) -> float:
+        """Shortest time after which what has left the lip is shown [s]."""
+        ...
+
     def shown(self, world: World) -> float:
         """Return how much has arrived, in the gauge's unit."""
         ...
@@ -25,9 +30,11 @@ class Weighed:
 
     Attributes:
         reading: What it reads [g].
+        pause_s: Shortest time after which it shows what has left the lip [s]; ours.
     """
 
     reading: Readable
+    pause_s: float = 1.0
 
     def shown(self, world: World) -> float:
         """Return what the balance reads [g]."""
@@ -45,10 +52,13 @@ class Received:
     Attributes:
         origin: What it was filled into.
         into: What it is poured into.
+        pause_s: Shortest time after which what has left the lip is there [s]; ours: it falls 0.1 m
+            in 0.15 s.
     """
 
     origin: Thing
     into: Thing
+    pause_s: float = 0.4
 
     def shown(self, world: World) -> float:
         """Return what has arrived [ml]."""
@@ -71,6 +81,11 @@ class Beyond:
 
     gauge: Gauge
     already: float
+
+    @property
+    def pause_s(self) -> float:
+        """Shortest time after which what has left the lip is shown [s]."""
+        return self.gauge.pause_s
 
     def shown(self, world: World) -> float:
         """Return how much more it shows now."""

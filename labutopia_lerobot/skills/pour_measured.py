@@ -42,7 +42,6 @@ class PourMeasured:
         short: How far before the middle of the other mouth the lip is [m].
         hover: How much higher the start position is, and the end of one that tapers [m].
         turn_speed: How fast it leans at first [rad/s].
-        pause_s: Shortest wait for the reading to settle [s].
     """
 
     thing: Pourable
@@ -57,7 +56,6 @@ class PourMeasured:
     short: float = 0.012
     hover: float = 0.08
     turn_speed: float = 0.12
-    pause_s: float = 1.0
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield start, ready, pour, ease, then add until it is there, tilt back, perhaps rise."""
@@ -105,7 +103,7 @@ class PourMeasured:
         return 2 * _WATER * math.pi * self.thing.footprint_radius**3
 
     def _read(self, world: World, target: Pose, elapsed: float) -> bool:
-        return elapsed >= self.pause_s and self.gauge.settled(world)
+        return elapsed >= self.gauge.pause_s and self.gauge.settled(world)
 
     def _read_or_nearly_there(self, world: World, target: Pose, elapsed: float) -> bool:
         nearly = self.gauge.shown(world) >= self.amount - self.within / 2

@@ -63,7 +63,7 @@ def neutralise(draw: Draw) -> Task:
         },
         steps=(
             actions.pick(source, by=actions.OFF_THE_BENCH),
-            actions.pour_until_it_turns(source, target, to="green", about_ml=needed, within_ml=0.8),
+            actions.pour_until_it_turns(source, target, to="green", about_ml=needed, within_ml=1.2),
             actions.place(source, back, within=_WITHIN),
         ),
         goal=(
