@@ -124,7 +124,7 @@ def approach_to(
     back = -np.array([math.cos(yaw), math.sin(yaw)])
     free: list[FloatArray] = []
     for distance in np.arange(0.0, LONGEST, _STEP):
-        point = position + distance * back
+        point: FloatArray = position + distance * back
         if not footprint.fits(occupancy, point, yaw):
             reason = (
                 f"is blocked: a base of {footprint.length:g} x {footprint.width:g} m touches "
