@@ -16,7 +16,7 @@ from labutopia_lerobot.setting import Setting
 
 INPUTS = {
     "observation.state": PolicyFeature(FeatureType.STATE, (8,)),
-    "observation.environment_state": PolicyFeature(FeatureType.ENV, (9,)),
+    "observation.environment_state": PolicyFeature(FeatureType.ENV, (13,)),
 }
 OUTPUTS = {"action": PolicyFeature(FeatureType.ACTION, (8,))}
 
@@ -33,7 +33,7 @@ def batch(frames: int = 32) -> dict[str, torch.Tensor]:
     states = torch.randn(frames, 8)
     return {
         "observation.state": states,
-        "observation.environment_state": torch.randn(frames, 9),
+        "observation.environment_state": torch.randn(frames, 13),
         "action": states[:, None, :].repeat(1, 4, 1),
         "action_is_pad": torch.zeros(frames, 4, dtype=torch.bool),
     }
