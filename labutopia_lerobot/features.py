@@ -258,9 +258,9 @@ def observed_pieces(task: Task) -> tuple[ObservedPiece, ...]:
 
 def _sizes(piece: Thing) -> tuple[float, ...]:
     """Return the sizes of a piece that are observed [m]."""
-    if not isinstance(piece, Graspable) or not isinstance(piece, Standing):
-        return ()
-    return piece.height, piece.footprint_radius, piece.grip_height, piece.grip_width
+    if isinstance(piece, Graspable) and isinstance(piece, Standing):
+        return piece.height, piece.footprint_radius, piece.grip_height, piece.grip_width
+    return ()
 
 
 def environment_state_names(task: Task) -> tuple[str, ...]:

@@ -65,8 +65,7 @@ def _of_moved_things(env: LabEnv, states: FloatArray) -> list[int]:
     """Return which elements of `environment_state` belong to things that move by a millimetre.
 
     Without their sizes, and what is about their contents, which stay as they are where nothing is
-    poured in. Before
-    a robot that drives all moves: of that what it handles.
+    poured in. Before a robot that drives all moves: of that what it handles.
     """
     names = environment_state_names(env.workcell.task)
     moves = dict(zip(names, np.ptp(states, axis=0) > 1e-3, strict=True))

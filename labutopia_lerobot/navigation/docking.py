@@ -7,7 +7,6 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from labutopia_lerobot.navigation.clearance import Clearance
 from labutopia_lerobot.navigation.occupancy import FREE, Occupancy
@@ -33,16 +32,15 @@ class FloorRectangle:
     length: float
     width: float
 
-    def turns(self, clearance: Clearance, points: FloatArray) -> NDArray[np.bool_]:
-        """Return whether it can turn all round at points, shape (n,).
-
-        Its corners may reach further than the disc as which it drives.
+    def turns(self, clearance: Clearance, position: FloatArray) -> bool:
+        """Return whether it can turn all round: its corners may reach further than its disc.
 
         Args:
             clearance: How far everything is.
-            points: Of the middle of the base, shape (n, 2) [m], frame of the map.
+            position: Middle of the base, shape (2,) [m], frame of the map.
         """
-        return clearance.at(points) >= math.hypot(self.length, self.width) / 2
+        corner = math.hypot(self.length, self.width) / 2
+        return bool(clearance.at(position[None])[0] >= corner)
 
     def fits(self, occupancy: Occupancy, position: FloatArray, yaw: float) -> bool:
         """Return whether it is on the floor and in no cell that is not free.
@@ -133,7 +131,7 @@ def approach_to(
             break
         if planner.free(point):
             free.append(point)
-            if footprint.turns(planner.clearance, point[None]).all():
+            if footprint.turns(planner.clearance, point):
                 return point
     if not free:
         raise BlockedPlaceError(f"{place} {reason}. Choose another place")

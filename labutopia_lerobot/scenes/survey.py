@@ -7,8 +7,6 @@ from functools import cache
 
 import numpy as np
 
-from labutopia_lerobot.navigation.clearance import Clearance
-from labutopia_lerobot.navigation.docking import FloorRectangle
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.path_planner import RADIUS
 from labutopia_lerobot.robots.mobile_base import MobileBase
@@ -80,8 +78,8 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
         for point, wide in _points(plan, base, dock)
     ]
     occupancy: Occupancy = map_around(plan, place)
-    free = occupancy.middles(largest_part(occupancy.passable(RADIUS)))
-    turns = FloorRectangle(*base.size).turns(Clearance.of(occupancy, RADIUS), free)
+    # Where its corners have room, too: it begins with a turn.
+    starts = largest_part(occupancy.passable(RADIUS)) & occupancy.passable(base.radius)
     floor = Floor(
         occupancy.cells,
         occupancy.origin,
@@ -101,7 +99,7 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
         for dock, there in found
         if (height := _deep(plan, base, dock)) is not None
     ]
-    return Ground(floor, tuple(spots), tuple(deep), fixtures, free[turns])
+    return Ground(floor, tuple(spots), tuple(deep), fixtures, occupancy.middles(starts))
 
 
 def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArray, bool]]:

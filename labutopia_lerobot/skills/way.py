@@ -108,8 +108,7 @@ class Way:
 
     def turns_at(self, point: FloatArray) -> bool:
         """Return whether the base can turn all round at a point, shape (2,) [m], world frame."""
-        turns = self.footprint.turns(self.planner.clearance, point[None]).all()
-        return bool(turns) and self.planner.free(point)
+        return self.planner.free(point) and self.footprint.turns(self.planner.clearance, point)
 
     def before(self, dock: Dock) -> FloatArray:
         """Return the point straight behind a dock to which this base drives, shape (2,) [m].

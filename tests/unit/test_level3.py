@@ -184,6 +184,19 @@ def test_state_limits_and_sub_steps_are_the_same_for_every_draw(task):
         assert [substep.name for substep in drawn.substeps] == substeps
 
 
+def test_the_state_says_how_large_the_vessel_is_that_was_drawn():
+    env, heights = begun("level3/pick"), set()
+    for seed in range(8):
+        observation, _ = env.reset(seed=seed)
+        (vessel,) = env.workcell.task.start
+        names = environment_state_names(env.workcell.task)
+        for size in ("height", "footprint_radius", "grip_height", "grip_width"):
+            said = observation["environment_state"][names.index(f"{vessel.name}.{size}")]
+            assert said == pytest.approx(getattr(vessel, size))
+        heights.add(vessel.height)
+    assert len(heights) == 3  # of three flasks
+
+
 def test_starts_are_no_narrower_than_level_1_s():
     twins = {"pick": "level1/pick", "pick_sizes": "level1/pick", "pour_sizes": "level1/pour"}
     twins |= {name: f"level2/{name}" for name in ("heat_beaker", "pour_liquid", "transport_beaker")}
