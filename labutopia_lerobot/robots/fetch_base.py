@@ -47,6 +47,7 @@ FETCH_BASE = MobileBase(
     arm=(0.03265, 0.0, 0.72601),
     ahead=(0.57, 0.82),  # ours: a beaker of 0.25 m further out stays within the reach
     gap=0.10,  # ours: nearer by, the arm has to fold as far as it can
+    door_room=0.35,  # ours: with 0.25 the elbow folds up before the door is wide open
     # Ours: every third ray, a degree apart.
     scanner=LaserScanner((0.235, 0.0, 0.2878), 220.0, 221, 0.05, 25.0),  # [URDF] [TIM]
 )

@@ -28,6 +28,7 @@ class MobileBase:
         ahead: Least and greatest distance before the base of the arm at which it takes things well
             [m].
         gap: Least distance from a bench at which it stands while the arm works there [m].
+        door_room: How much farther off than to reach in it stands to open a door [m].
         scanner: Its laser scanner.
     """
 
@@ -40,6 +41,7 @@ class MobileBase:
     arm: tuple[float, float, float]
     ahead: tuple[float, float]
     gap: float
+    door_room: float
     scanner: LaserScanner
 
     @property

@@ -49,6 +49,7 @@ RIDGEBACK = MobileBase(
     # within the reach of 0.855.
     ahead=(0.45, 0.70),
     gap=0.01,  # ours
+    door_room=0.0,  # as the arm on its stand
     # Its standard front one: on the chassis, whose frame is 0.0259 m above the floor [URDF]. Ours:
     # every fourth ray, a degree apart.
     scanner=LaserScanner((0.3932, 0.0, 0.2330 + 0.0259), 270.0, 271, 0.06, 10.0),  # [URDF] [UST]

@@ -20,7 +20,7 @@ _ROOMS = {
 """Family -> numbers of its rooms."""
 
 _WITH_SINKS = {
-    "analytical": (0, 2, 3, 6, 7, 8, 9),
+    "analytical": (2, 3, 6, 7, 8, 9),
     "biology": (0, 1, 3, 4, 7),
     "corridor": (0, 1, 2, 4, 5, 9),
     "glove_box": (0, 2, 3, 4, 5, 6, 7, 8, 9),
@@ -28,8 +28,8 @@ _WITH_SINKS = {
     "preparation": (0, 2, 3, 4, 5, 6, 7, 8, 9),
     "teaching": (1, 2, 5, 8, 9, 10),
 }
-"""Family -> numbers of its rooms in which a robot gets to a sink and to a bench with free places
-for three things, 0.25 m apart; one bench is enough."""
+"""Family -> numbers of its rooms in which every robot gets to a sink and to a bench with free
+places for three things, 0.25 m apart; one bench is enough."""
 
 _SHALLOW = frozenset(
     {"analytical_0", "analytical_2", "analytical_6", "organic_9", "physics_2", "physics_5"}

@@ -1,6 +1,7 @@
 """Skills: what scripted experts can do, one class per action."""
 
 from labutopia_lerobot.skills.aspirate import Aspirate
+from labutopia_lerobot.skills.back_off import BackOff
 from labutopia_lerobot.skills.carry import Carry
 from labutopia_lerobot.skills.close import Close
 from labutopia_lerobot.skills.dilute import Dilute
@@ -29,6 +30,7 @@ from labutopia_lerobot.skills.wait import WaitUntil, WaitUntilDue, WaitUntilRead
 
 __all__ = [
     "Aspirate",
+    "BackOff",
     "Carry",
     "Close",
     "Dilute",

@@ -8,7 +8,7 @@ from labutopia_lerobot.skills.skill import Phase
 from labutopia_lerobot.skills.way import Way, base_at, dock_for, in_hand, parking
 from labutopia_lerobot.world import Thing, World
 
-_IN = 0.4
+INWARDS = 0.4
 """Share of the base's speeds with which it goes in; ours: centimetres before furniture."""
 
 
@@ -27,7 +27,7 @@ class Face:
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield turn and dock."""
         hand, dock = in_hand(world, self.carrying), dock_for(world, self.thing)
-        limits = Way.of(world, _IN).limits
+        limits = Way.of(world, INWARDS).limits
         yield parking("turn", Parking(base_at(world)[0], dock.yaw, limits), hand)
         if limits.sideways:
             yield parking("line up", Parking(dock.before, dock.yaw, limits), hand)

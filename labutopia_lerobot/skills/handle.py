@@ -21,6 +21,9 @@ _OPENING = 0.05
 """Distance between the pads around a bar [m]: keeps the outer finger 2 cm off the door."""
 _NARROW = 0.040
 """The same for a hand that keeps its heading, and is aslant to the open door [m]."""
+_BEYOND = 0.009
+"""Distance by which the finger tips get beyond the middle of a bar [m]; ours: farther, those of a
+hand that keeps its heading would meet the door."""
 _SQUEEZE = 0.012
 """Amount by which the closed gripper is commanded narrower than the bar [m]: the full force."""
 _STANDOFF = 0.10
@@ -129,7 +132,15 @@ def move_by_handle(
     there = onward(world)  # still against the stop: a hand that gave way would drag the bar along
     yield Phase("release", lambda w: there, opening, waited(0.5), touches)
     away = _turned_back(there.advanced(-_STANDOFF), here)
-    yield Phase("leave", lambda w: away, opening, arrived(0.01, 0.1), touches)
+    yield Phase(
+        "leave",
+        lambda w: away,
+        opening,
+        arrived(0.01, 0.1),
+        touches,
+        timeout_s=2.0,
+        may_fail=True,  # an arm that is stretched beside the open door gets less far: far enough
+    )
 
 
 def _onward(handle: Bar, part: Jointed, to: float, world: World, *, turning: bool = True) -> Target:
@@ -173,4 +184,5 @@ def _grasp(handle: Bar, world: World, heading: float | None) -> Pose:
     forward = math.cos(approach.pitch) * level - math.sin(approach.pitch) * up
     across = np.cross(forward, frame.z_axis)
     across /= np.linalg.norm(across)
-    return Pose(frame.position_w, np.column_stack([np.cross(across, forward), across, forward]))
+    pose = Pose(frame.position_w, np.column_stack([np.cross(across, forward), across, forward]))
+    return pose.advanced(_BEYOND - world.robot.finger_reach)

@@ -60,6 +60,11 @@ class Wheels(Protocol):
         ...
 
     @property
+    def door_room(self) -> float:
+        """Distance by which it stands farther off to open a door than to reach in [m]."""
+        ...
+
+    @property
     def limits(self) -> Pace:
         """How fast it is."""
         ...

@@ -225,6 +225,14 @@ def test_the_expert_drives_with_it_to_a_beaker_and_picks_it_up():
         assert [outcome(env, seed) for seed in range(100100, 100103)] == ["success"] * 3
 
 
+@installed
+@pytest.mark.slow
+def test_the_expert_opens_the_cupboard_with_it_and_fetches_the_bottle():
+    setting = Setting("level5/fetch_reagent", obs="state", robot="fetch")
+    with LabEnv(setting) as env:
+        assert [outcome(env, seed) for seed in range(100100, 100103)] == ["success"] * 3
+
+
 @pytest.mark.slow
 def test_it_gets_to_two_benches_of_every_room_to_drive_in():
     for names in rooms_to_drive_in():

@@ -3,6 +3,8 @@
 Beyond the paper: its "Open Door" and "transport container between areas" in one.
 """
 
+from dataclasses import replace
+
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.storage.reagent_cupboard import ReagentCupboard
 from labutopia_lerobot.labware.instruments.target_plate import TargetPlate
@@ -10,14 +12,14 @@ from labutopia_lerobot.layout import Inside, OnDeepBench, OnSomeBench
 from labutopia_lerobot.places import OnShelf, OnTop, OverBench
 from labutopia_lerobot.predicates import gripped, halted, near, touching
 from labutopia_lerobot.scenes.views import DRIVING_VIEW
-from labutopia_lerobot.skills import Carry, Go, Pick
+from labutopia_lerobot.skills import BackOff, Carry, Face, Pick
 from labutopia_lerobot.task import Step, Substep, Task
 from labutopia_lerobot.tasks import actions, driving, failures
 from labutopia_lerobot.tasks.level1.open_door import HASTY
-from labutopia_lerobot.tasks.level4.drying_beakers import HEADING, INSIDE, OUTSIDE, YAW, open_wide
+from labutopia_lerobot.tasks.level4.drying_beakers import YAW, open_wide
 
 PLACE = (-0.10, -0.13)  # ours: on the shelf, as in drying_beakers in the right half
-OUT = OverBench("before the cupboard", ahead=0.42, left=-0.02, height=0.42)
+OUT = OverBench("before the cupboard", ahead=0.45, left=-0.02, height=0.42)
 
 
 def fetch_reagent() -> Task:
@@ -25,14 +27,17 @@ def fetch_reagent() -> Task:
     bottle = glassware("reagent_bottle_amber", "100 ml", "bottle")
     cupboard, plate = ReagentCupboard("cupboard"), TargetPlate("target_plate")
     door, within = cupboard.door, 0.04  # as in transport_between_areas
+    swing = open_wide(door)
     on_shelf = OnShelf("place on the shelf", cupboard.shelf, *PLACE)
     held, height = gripped(bottle), cupboard.shelf_height
     take = Step(
         "take",
         (
-            Go((OUTSIDE, INSIDE), HEADING),  # round the free edge of the door
+            BackOff(),  # the hand gets round the open door
+            Face(cupboard),
             Pick(bottle, lift=0.05, support=None, hover=0.02),
             Carry(bottle, (OUT,)),
+            BackOff(bottle),
         ),
         (
             Substep("gripped", (held,)),
@@ -61,7 +66,7 @@ def fetch_reagent() -> Task:
         steps=(
             driving.navigate(cupboard).named("1_navigate"),
             driving.face(cupboard).named("2_face"),
-            open_wide(door).named("3_open"),
+            replace(swing, skills=(BackOff(to_open=True), *swing.skills)).named("3_open"),
             take.named("4_take"),
             driving.navigate(plate, carrying=bottle).named("5_navigate"),
             driving.face(plate, carrying=bottle).named("6_face"),
