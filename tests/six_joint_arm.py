@@ -60,4 +60,5 @@ SIX = Robot(
     base_body="socket",
     vessel_approach=Approach(yaw=0.0, pitch=0.1),
     handle_approach=Approach(yaw=0.0, pitch=0.1),
+    deep_approach=Approach(yaw=0.0, pitch=1.5),
 )

@@ -65,6 +65,8 @@ FETCH = Robot(
     base_body="arm_mount",
     vessel_approach=Approach(yaw=math.radians(-45.0), pitch=math.radians(8.0)),
     handle_approach=Approach(yaw=math.radians(-25.0), pitch=math.radians(15.0)),
+    # Turned by half the forearm would be at the end of its range, with the elbow up.
+    deep_approach=Approach(yaw=0.0, pitch=math.pi / 2),
     base=FETCH_BASE,
     trunk=(FETCH_BASE.body, "torso_fixed", "torso_lift_link", "head_pan_link"),
     stowed=(0.345, 0.523, -1.089, 0.215, 2.03, 2.023, -1.822, -0.519),

@@ -67,4 +67,5 @@ IIWA = Robot(
     # For the same reason, and steeply from above: joint 4 comes as near to its end as 3.7 % of its
     # range when a drawer is opened, 1.3 % when it is closed, measured over twenty runs each.
     handle_approach=Approach(yaw=math.radians(-25.0), pitch=math.radians(35.0)),
+    deep_approach=Approach(yaw=math.pi, pitch=math.pi / 2),  # as the Panda
 )

@@ -53,4 +53,6 @@ PANDA = Robot(
     # Level and straight ahead the wrist cannot reach either; like this no joint comes nearer to its
     # ends than 8 % of its range, measured over a hundred runs of the four tasks.
     handle_approach=Approach(yaw=math.radians(-25.0), pitch=math.radians(20.0)),
+    # Turned by half the hand has its joints near their middles, and the elbow is up.
+    deep_approach=Approach(yaw=math.pi, pitch=math.pi / 2),
 )

@@ -33,8 +33,8 @@ class Pick:
         depth: How far beyond the middle of the pads its axis lies [m]; keeps the widest beaker,
             of 70 mm, off the palm; from above nothing is in its way.
         tries: How often it is grasped for.
-        approach: `side`, or `above`: the hand points down, the fingers close around the rim; or
-            how the hand points while it grasps at the side.
+        approach: `side`, or `above`: the hand points down, the fingers close around the rim; or how
+            the hand points while it grasps at the side, for `deep` down as this robot reaches deep.
     """
 
     thing: Graspable
@@ -45,7 +45,7 @@ class Pick:
     squeeze: float = 0.012
     depth: float = 0.004
     tries: int = 2
-    approach: Literal["side", "above"] | Approach = "side"
+    approach: Literal["side", "above", "deep"] | Approach = "side"
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield hover, lower, reach, settle and close, again after a miss, then lift and hold."""
@@ -90,6 +90,8 @@ class Pick:
             return hand_at(world, thing.position_w + height * thing.z_axis, FROM_ABOVE)
         centre = thing.position_w + self.thing.grip_height * thing.z_axis
         approach = self.approach if isinstance(self.approach, Approach) else None
+        if self.approach == "deep":
+            approach = world.robot.deep_approach
         return hand_at(world, centre, approach).advanced(-self.depth)
 
     def _before(self, world: World) -> Pose:

@@ -22,7 +22,8 @@ class Place:
         retreat: How far the open hand draws back, along its own axis [m] (original: 0.15).
         through: What the thing is carried through on the way there, and the hand on the way back,
             such as the opening of an oven; None for the straight way.
-        yaw_above: How far to the left of the bearing a hand points that holds it from above [rad].
+        deep: Whether that is deep in something: a hand that holds it from above points as this
+            robot's arm reaches deep (`Robot.deep_approach`).
     """
 
     thing: Thing
@@ -32,7 +33,7 @@ class Place:
     press: float = 0.004
     retreat: float = 0.15
     through: Destination | None = None
-    yaw_above: float = 0.0
+    deep: bool = False
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield above, lower, align, settle, open, retract and done."""
@@ -64,7 +65,8 @@ class Place:
 
     def _upright(self, world: World, base_w: FloatArray) -> Pose:
         """Return the pose of the thing with its base at a point, shape (3,) [m], world frame."""
-        return upright_in_hand(world, self.thing, base_w, self.yaw_above)
+        yaw_above = world.robot.deep_approach.yaw if self.deep else 0.0
+        return upright_in_hand(world, self.thing, base_w, yaw_above)
 
     def _landed(self, world: World, target: Pose, elapsed: float) -> bool:
         return world.touching(self.thing.name, self.on.support)

@@ -13,11 +13,6 @@ FROM_ABOVE = Approach(yaw=0.0, pitch=math.pi / 2)
 """The hand points down, the fingers close across the bearing: the pose in which arms are shown."""
 
 
-FROM_ABOVE_TURNED = Approach(yaw=math.pi, pitch=math.pi / 2)
-"""The same, turned by half: an arm whose hand then has its joints near their middles reaches down
-into something with its elbow up."""
-
-
 def horizontal(direction: FloatArray) -> FloatArray:
     """Return the horizontal part of a direction, shape (3,), as a unit vector."""
     level: FloatArray = direction * (1.0, 1.0, 0.0)

@@ -17,7 +17,7 @@ from labutopia_lerobot.predicates import (
 )
 from labutopia_lerobot.skills import DriveTo, Face, Pick
 from labutopia_lerobot.task import Step, Substep
-from labutopia_lerobot.world import Approach, Graspable, Thing
+from labutopia_lerobot.world import Graspable, Thing
 
 NEAR = 1.5
 """Greatest distance of the base from a thing that it has driven to [m]; ours: from there it goes
@@ -66,7 +66,7 @@ def face(thing: Thing, *, carrying: Graspable | None = None) -> Step:
     )
 
 
-def pick(thing: Graspable, *, approach: Literal["side", "above"] | Approach = "side") -> Step:
+def pick(thing: Graspable, *, approach: Literal["side", "deep"] = "side") -> Step:
     """Pick: grasp a thing from whatever it stands on and lift it (paper: "securely grasp").
 
     Args:

@@ -99,6 +99,11 @@ class Manipulator(Protocol):
         ...
 
     @property
+    def deep_approach(self) -> Approach:
+        """Approach of the hand that points down, to what stands deep in something, likewise."""
+        ...
+
+    @property
     def base(self) -> Wheels | None:
         """What carries it over the floor; None for an arm on a stand."""
         ...

@@ -11,7 +11,6 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop, OverBench
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills import DriveTo, Face, Pick, Place
-from labutopia_lerobot.skills.posture import FROM_ABOVE_TURNED
 from labutopia_lerobot.tasks.level4.drying_beakers import MIDDLE, MOUTH, RIGHT
 from labutopia_lerobot.tasks.level5.beyond.clear_bench import BASIN, PLACES
 from labutopia_lerobot.world import CONTROL_HZ
@@ -213,12 +212,11 @@ def elsewhere_in_the_basin(env: LabEnv) -> Actions:
     """Stand the first one in the middle, move it to the side, and go on as anybody would."""
     yield from until_phase(env, "place/above", "6_place")
     first, *_ = env.workcell.task.start
-    turned = FROM_ABOVE_TURNED
     yield from skilled(
         env,
-        Place(first, BASIN, hover=0.30, retreat=0.30, yaw_above=turned.yaw),
-        Pick(first, 0.02, support=None, hover=0.15, approach=turned),
-        Place(first, PLACES[0], hover=0.05, retreat=0.30, yaw_above=turned.yaw),
+        Place(first, BASIN, hover=0.30, retreat=0.30, deep=True),
+        Pick(first, 0.02, support=None, hover=0.15, approach="deep"),
+        Place(first, PLACES[0], hover=0.05, retreat=0.30, deep=True),
     )
     rest = [skill for step in env.workcell.task.steps[6:] for skill in step.skills]
     yield from skilled(env, *rest)

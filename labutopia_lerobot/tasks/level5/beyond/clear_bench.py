@@ -17,7 +17,6 @@ from labutopia_lerobot.places import BesideSeat, Destination
 from labutopia_lerobot.predicates import carried_into, halted
 from labutopia_lerobot.scenes.views import DRIVING_VIEW
 from labutopia_lerobot.skills import BackOff, Place
-from labutopia_lerobot.skills.posture import FROM_ABOVE_TURNED
 from labutopia_lerobot.task import Step, Task
 from labutopia_lerobot.tasks import actions, driving, failures
 
@@ -78,10 +77,10 @@ def _carry(beaker: Vessel, place: Destination) -> Iterator[Step]:
     """Yield the steps that bring one beaker into the sink; it is grasped from above."""
     yield driving.navigate(beaker, clearance=CLEARANCE)
     yield driving.face(beaker)
-    pick = driving.pick(beaker, approach=FROM_ABOVE_TURNED)
+    pick = driving.pick(beaker, approach="deep")
     yield replace(pick, skills=(*pick.skills, BackOff(beaker)))
     yield driving.navigate(SINK, carrying=beaker, clearance=CLEARANCE)
     yield driving.face(SINK, carrying=beaker)
     # Over the edge of the basin, which is 0.25 m deep, and back out of it.
-    into = Place(beaker, place, hover=0.30, retreat=0.30, yaw_above=FROM_ABOVE_TURNED.yaw)
+    into = Place(beaker, place, hover=0.30, retreat=0.30, deep=True)
     yield replace(actions.place(beaker, BASIN, within=WITHIN), skills=(into, BackOff()))
