@@ -138,14 +138,16 @@ def test_an_unfinished_result_is_refused(tmp_path):
         expert_rows.keep(tmp_path, tmp_path / "kept")
 
 
-def test_the_kept_rows_of_the_papers_tasks_are_of_one_build_where_one_drives_and_where_not():
-    builds: dict[bool, set[str]] = {}
+def test_kept_rows_of_a_split_of_the_papers_tasks_are_of_one_build_driving_ones_and_others():
+    builds: dict[tuple[bool, str], set[str]] = {}
     for result in load_results(expert_rows.RESULTS):
         if not is_beyond_paper(task := result.rows[0].task):
             reported = {name: result.provenance[name] for name in ("sources", "versions")}
-            drives = task.startswith("level5/")
-            builds.setdefault(drives, set()).add(json.dumps(reported, sort_keys=True))
-    assert [len(each) for each in builds.values()] == [1, 1]
+            sweep = task.startswith("level5/"), result.rows[0].split
+            builds.setdefault(sweep, set()).add(json.dumps(reported, sort_keys=True))
+    assert {sweep: len(each) for sweep, each in builds.items()} == {
+        (drives, split): 1 for drives in (False, True) for split in ("id", "ood")
+    }
 
 
 @pytest.mark.parametrize(
