@@ -219,17 +219,9 @@ def test_the_expert_plays_ten_episodes_with_it(task):
 
 @installed
 @pytest.mark.slow
-def test_the_expert_drives_with_it_to_a_beaker_and_picks_it_up():
-    setting = Setting("level5/navigation_and_manipulation", obs="state", robot="fetch")
-    with LabEnv(setting) as env:
-        assert [outcome(env, seed) for seed in range(100100, 100103)] == ["success"] * 3
-
-
-@installed
-@pytest.mark.slow
-def test_the_expert_opens_the_cupboard_with_it_and_fetches_the_bottle():
-    setting = Setting("level5/fetch_reagent", obs="state", robot="fetch")
-    with LabEnv(setting) as env:
+@pytest.mark.parametrize("task", ["navigation_and_manipulation", "fetch_reagent"])
+def test_the_expert_drives_with_it_to_a_beaker_or_a_cupboard_and_does_there_what_it_is_to(task):
+    with LabEnv(Setting(f"level5/{task}", obs="state", robot="fetch")) as env:
         assert [outcome(env, seed) for seed in range(100100, 100103)] == ["success"] * 3
 
 
