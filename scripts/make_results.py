@@ -5,6 +5,7 @@ not there is "not measured" on the page. What one found out by looking at them i
 `eval/learned/findings.md`, and stands on the page before the tables.
 """
 
+from dataclasses import replace
 from pathlib import Path
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
@@ -35,6 +36,7 @@ labutopia-experiment experiment=results_cpu plan=true            # what would be
 make results-cpu                                                 # everything that needs no GPU
 labutopia-experiment experiment=results_cpu only=level1/pick     # one task of the tables
 make results-gpu                                                 # the paper's settings, on one GPU
+labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU without a network
 ```
 
 - An experiment records demonstrations, verifies them, trains with `lerobot-train` by the
@@ -48,6 +50,10 @@ make results-gpu                                                 # the paper's s
   again.
 - A killed one goes on with the same command, a training from its last checkpoint. A part that
   fails leaves the others standing; the tables say "not measured", and why.
+- `kit=KIT` records and verifies, and fills a folder for a machine that has a GPU, Python with
+  torch, and no network: recordings, recipes, commands, packages. `bash KIT/train.sh 600 4` there
+  trains four at once for ten minutes, and goes on when it is called again. `KIT/train`, copied back
+  below `out`, is what the experiment then evaluates.
 - `out/report.html` has tables, curves, causes and films; `out/logs/` what every program said.
 - State policies are given the poses of all things and see no pictures: their numbers are not
   comparable with the paper's.
@@ -64,17 +70,28 @@ def main() -> None:
 
 def content() -> str:
     """Return the page."""
-    kept = measured()
+    kept = measured("results_cpu")
     state = f"Of the {len(kept.evaluations)} evaluations below {len(kept.results) or 'none'} "
     state += "is measured." if len(kept.results) < 2 else "are measured."
     tables = "\n".join(as_markdown(table) for table in kept.tables())
-    gpu = "## With pictures\n\nThe paper's settings (`make results-gpu`): not measured.\n"
-    return f"{_HEAD.format(state=state)}{FINDINGS.read_text()}\n{tables}\n{gpu}"
+    return f"{_HEAD.format(state=state)}{FINDINGS.read_text()}\n{tables}\n{_with_pictures()}"
+
+
+def _with_pictures() -> str:
+    kept = measured("small_pictures")
+    tables = (replace(each, title=f"{each.title}, with pictures") for each in kept.tables())
+    state = f"{len(kept.results)} of {len(kept.evaluations)} evaluations are measured"
+    return (
+        "## With pictures\n\n"
+        f"Two cameras at 96x96, from scratch (`experiment=small_pictures`): {state}.\n"
+        "The paper's settings (`make results-gpu`): not measured.\n\n"
+        + "\n".join(map(as_markdown, tables))
+    )
 
 
 def readme() -> str:
     """Return the README with the table of what is measured of level 1: a line per policy."""
-    table = measured().by_task()
+    table = measured("results_cpu").by_task()
     rates = {
         str(task).removeprefix(_SHOWN): dict(zip(table.head[2:], of_task, strict=True))
         for task, _, *of_task in table.lines
@@ -95,9 +112,9 @@ def readme() -> str:
     return "\n".join([before + BEGIN.rstrip(), *lines, END + after])
 
 
-def measured() -> Measured:
-    """Return what is kept of the experiment that needs no GPU, learned policies only."""
-    chosen = parse(["experiment=results_cpu"])
+def measured(experiment: str) -> Measured:
+    """Return what is kept of an experiment, learned policies only."""
+    chosen = parse([f"experiment={experiment}"])
     learned = [e for e in evaluations(parts_of(chosen)) if e.policy not in REFERENCES]
     return kept_results(KEPT, learned)
 

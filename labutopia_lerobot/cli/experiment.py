@@ -51,6 +51,9 @@ def main() -> None:
         raise type(interrupt)(f"Go on: {command}") from None
     if experiment.plan:
         return
+    if experiment.kit and not missing:
+        console.print(f"Filled {experiment.kit}; there: bash train.sh", markup=False)
+        return
     tables = Measured.of(evaluations(planned)).tables()
     print_tables([*tables, *([missing_table(missing)] if missing else [])], "text")
     if page(experiment).exists():

@@ -11,6 +11,8 @@ rates               what parts took on this machine, and what others will take
 warm_up             the same parts in small, to measure rates that nobody knows yet
 child_process       one program in a process of its own, watched
 runner              what is missing is done, what stands is left, what failed stops nothing else
+training_kit        what trains elsewhere: recordings, recipes, packages and commands in a folder
+kit_trainer         the program in that folder that trains
 running_bars        what is done while it runs, and how long everything takes
 measured            results as tables and curves: what is not measured says so
 """

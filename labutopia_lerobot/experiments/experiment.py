@@ -39,6 +39,11 @@ class ExperimentConfig(StudyConfig):
     device: str | None = option(None, "Device of torch for trainings and evaluations.")
     videos: int = option(1, "How many successes and how many failures of each to film.")
     plan: bool = option(False, "Print what would be done and what it costs, and do nothing.")
+    kit: str | None = option(
+        None,
+        "A folder to fill with all that the trainings need on another machine, one with a GPU and "
+        "without a network; records and verifies, and leaves the rest.",
+    )
     warm_up: bool = option(
         True, "Whether rates that no earlier part has measured are measured first, in small."
     )
@@ -64,6 +69,7 @@ class Experiment:
         device: Device of torch, or None for the recipe's, and for CUDA where there is one.
         videos: How many successes and failures of each evaluation are filmed.
         plan: Whether nothing is done.
+        kit: Folder for a kit of the trainings, which are then left to another machine, or None.
         warm_up: Whether unknown rates are measured first.
         again: Whether parts whose inputs have changed are made anew.
     """
@@ -76,6 +82,7 @@ class Experiment:
     device: str | None
     videos: int
     plan: bool
+    kit: Path | None
     warm_up: bool
     again: bool
 
@@ -128,6 +135,7 @@ def make_experiment(chosen: Mapping[str, Any]) -> Experiment:
         device=config.device,
         videos=config.videos,
         plan=config.plan,
+        kit=None if config.kit is None else Path(config.kit),
         warm_up=config.warm_up,
         again=config.again,
     )

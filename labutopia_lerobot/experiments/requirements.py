@@ -1,6 +1,5 @@
 """What must hold before anything is done: inputs that stand, room on the disk, memory."""
 
-import os
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,6 +12,7 @@ from labutopia_lerobot.experiments.parts.experiment_part import ExperimentPart
 from labutopia_lerobot.experiments.parts.recording_part import RecordingPart
 from labutopia_lerobot.experiments.rates import Cost
 from labutopia_lerobot.runtime.claim import differences
+from labutopia_lerobot.runtime.memory import free_memory_bytes
 
 LEAST_MEMORY_BYTES = 1_000_000_000
 """What a recording takes at its peak (docs/datasets.md, "What it costs") [bytes]."""
@@ -94,7 +94,7 @@ def require_room(out: Path, cost: Cost) -> None:
             f"{size_text(free)} free. Make room, choose another out=, or ask for fewer "
             "demonstrations=, tasks or only="
         )
-    memory = _free_memory_bytes()
+    memory = free_memory_bytes()
     needed = max(cost.memory_bytes, LEAST_MEMORY_BYTES)
     if needed > memory:
         raise NoMemoryError(
@@ -116,12 +116,3 @@ def _needs_are_there(part: ExperimentPart) -> bool:
 
 def _differing(part: ExperimentPart, record: PartRecord) -> list[str]:
     return differences({"inputs": record.inputs}, {"inputs": part.inputs()})
-
-
-def _free_memory_bytes() -> int:
-    """Return how much memory programs can still have [bytes]."""
-    try:
-        lines = dict(line.split(":") for line in Path("/proc/meminfo").read_text().splitlines())
-        return 1024 * int(lines["MemAvailable"].split()[0])
-    except (OSError, KeyError, ValueError):
-        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_AVPHYS_PAGES")

@@ -1,7 +1,7 @@
 """The runner: what is missing is done, what stands is left, what fails stops nothing else."""
 
 import shutil
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from labutopia_lerobot.experiments.experiment import Experiment
 from labutopia_lerobot.experiments.part_record import BEGUN, DONE, FAILED, PartRecord, PartRecords
 from labutopia_lerobot.experiments.parts.evaluation_part import EvaluationPart
 from labutopia_lerobot.experiments.parts.experiment_part import ExperimentPart, log_of
+from labutopia_lerobot.experiments.parts.training_part import TrainingPart
 from labutopia_lerobot.experiments.planning import check, parts_of
 from labutopia_lerobot.experiments.rates import Cost, Rates, cost_of, price_list
 from labutopia_lerobot.experiments.requirements import (
@@ -23,6 +24,7 @@ from labutopia_lerobot.experiments.requirements import (
     stands,
 )
 from labutopia_lerobot.experiments.running_bars import RunningBars
+from labutopia_lerobot.experiments.training_kit import fetch_wheels, fill_kit
 from labutopia_lerobot.experiments.warm_up import FOLDER, warm_up
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import locked
@@ -58,6 +60,9 @@ def run_experiment(
         records = PartRecords(experiment.out)
         if not experiment.again:
             require_not_outdated(parts, records)
+        elsewhere = [part for part in parts if experiment.kit and isinstance(part, TrainingPart)]
+        if experiment.kit:
+            parts = [part for training in elsewhere for part in training.needs]
         pending = [part for part in parts if not stands(part, records)]
         small = warm_up(pending, _rates(experiment.out), experiment.out)
         if experiment.warm_up and small:
@@ -69,6 +74,13 @@ def run_experiment(
             missing = do_parts(parts, records, experiment.again, console, lambda: report(parts))
         finally:
             report(parts)
+        if experiment.kit:
+            ready = [part for part in elsewhere if not _lacking(part, missing)]
+            fill_kit(ready, experiment.kit)
+            fetch_wheels(experiment.kit / "wheels")
+            for part in ready:  # so that what comes back is taken for what was begun here
+                if not stands(part, records):
+                    records.keep(part, _begun(part))
     return missing
 
 
@@ -103,7 +115,7 @@ def do_parts(
     pending = [part for part in parts if not stands(part, records)]
     with RunningBars(len(pending), console) as bars:
         for index, part in enumerate(parts):
-            lacking = [need.name for need in part.needs if need.name in missing]
+            lacking = _lacking(part, missing)
             if not lacking and stands(part, records):  # or not, once what it needs is made anew
                 continue
             reason = f"needs {lacking[0]}" if lacking else _cleared(part, records, again)
@@ -116,6 +128,10 @@ def do_parts(
             elif isinstance(part, EvaluationPart):
                 evaluated()
     return missing
+
+
+def _lacking(part: ExperimentPart, missing: Mapping[str, str]) -> list[str]:
+    return [need.name for need in part.needs if need.name in missing]
 
 
 def _cleared(part: ExperimentPart, records: PartRecords, again: bool) -> str:
@@ -136,9 +152,7 @@ def _do_one(
 ) -> str:
     """Do a part, or go on with what a killed one has left; return why it failed."""
     try:
-        begun = PartRecord(
-            part.name, part.rate_key, BEGUN, part.inputs(), machine=provenance.machine()
-        )
+        begun = _begun(part)
         if part.finished():  # a kill came between its end and its record
             records.keep(part, replace(begun, state=DONE, digest=part.digest()))
             return ""
@@ -163,6 +177,10 @@ def _do_one(
     except UserError as error:
         return str(error)
     return ""
+
+
+def _begun(part: ExperimentPart) -> PartRecord:
+    return PartRecord(part.name, part.rate_key, BEGUN, part.inputs(), machine=provenance.machine())
 
 
 def _done(part: ExperimentPart, begun: PartRecord, ended: EndedChild) -> PartRecord:

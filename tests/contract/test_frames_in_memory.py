@@ -1,4 +1,4 @@
-"""Trainings read our recordings of states from memory, and are given what LeRobot gives them."""
+"""Trainings read our recordings from memory, and are given what LeRobot gives them."""
 
 import sys
 from pathlib import Path
@@ -25,7 +25,7 @@ def pressed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def lerobots_own(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(DatasetReader, "get_item", frames_in_memory._read_from_tables)
+    monkeypatch.setattr(DatasetReader, "get_item", frames_in_memory._read_from_files)
 
 
 def frames(root: Path, **options: Any) -> list[dict[str, Any]]:
@@ -36,18 +36,33 @@ def frames(root: Path, **options: Any) -> list[dict[str, Any]]:
 @pytest.mark.parametrize("episodes", [None, [0, 2]])
 @pytest.mark.parametrize("around", [None, AROUND])
 def test_frames_from_memory_are_those_from_tables(pressed, lerobots_own, episodes, around) -> None:
-    tables = frames(pressed, episodes=episodes, delta_timestamps=around)
+    of_files = frames(pressed, episodes=episodes, delta_timestamps=around)
     keep_frames_in_memory()
-    memory = frames(pressed, episodes=episodes, delta_timestamps=around)
-    assert len(tables) == len(memory) > 30
-    for table, kept in zip(tables, memory, strict=True):
-        assert list(table) == list(kept)
-        for name, value in table.items():
+    of_memory = frames(pressed, episodes=episodes, delta_timestamps=around)
+    assert len(of_files) > 30
+    require_equal(of_files, of_memory)
+
+
+@pytest.mark.parametrize("as_bytes", [True, False])
+@pytest.mark.parametrize("around", [None, {**AROUND, "observation.images.front": [-0.1, 0.0]}])
+def test_pictures_from_memory_are_those_from_videos(filmed, lerobots_own, as_bytes, around) -> None:
+    options = {"delta_timestamps": around, "return_uint8": as_bytes, "video_backend": "pyav"}
+    of_files = frames(filmed, **options)
+    keep_frames_in_memory()
+    of_memory = frames(filmed, **options)
+    assert any(".images." in name for name in of_memory[0])
+    require_equal(of_files, of_memory)
+
+
+def require_equal(of_files: list[dict[str, Any]], of_memory: list[dict[str, Any]]) -> None:
+    for file, memory in zip(of_files, of_memory, strict=True):
+        assert set(file) == set(memory)
+        for name, value in file.items():
             if isinstance(value, torch.Tensor):
-                assert value.dtype == kept[name].dtype
-                assert torch.equal(value, kept[name])
+                assert value.dtype == memory[name].dtype
+                assert torch.equal(value, memory[name])
             else:
-                assert value == kept[name]
+                assert value == memory[name]
 
 
 def test_what_a_frame_is_changed_to_does_not_change_the_next_reading(pressed, lerobots_own) -> None:
@@ -60,13 +75,30 @@ def test_what_a_frame_is_changed_to_does_not_change_the_next_reading(pressed, le
     assert torch.equal(dataset[5]["commanded_action"], before)
 
 
-def test_lerobots_programs_read_states_from_memory_and_pictures_as_ever(
-    pressed, filmed, lerobots_own, monkeypatch
-) -> None:
+def test_lerobots_programs_read_from_memory(pressed, filmed, lerobots_own, monkeypatch) -> None:
     monkeypatch.setattr(sys, "excepthook", sys.excepthook)  # the plugin sets its own
     monkeypatch.delitem(sys.modules, "lerobot_env_labutopia", raising=False)
     register_third_party_plugins()
-    for root, kept in ((pressed, True), (filmed, False)):
-        dataset = LeRobotDataset("local/frames", root=root, video_backend="pyav")
-        assert dataset[0]["frame_index"] == 0
-        assert any(isinstance(v, FramesInMemory) for v in vars(dataset.reader).values()) == kept
+    for root in (pressed, filmed):
+        assert kept(root)
+
+
+def test_pictures_that_half_of_the_memory_does_not_hold_are_read_as_ever(
+    filmed, lerobots_own, monkeypatch
+) -> None:
+    keep_frames_in_memory()
+    monkeypatch.setattr(frames_in_memory, "free_memory_bytes", lambda: 1_000_000)
+    assert not kept(filmed)
+
+
+def test_processes_that_load_read_pictures_as_ever(filmed, lerobots_own) -> None:
+    keep_frames_in_memory()
+    dataset = LeRobotDataset("local/frames", root=filmed, video_backend="pyav")
+    loader = torch.utils.data.DataLoader(dataset, num_workers=1, batch_size=2)
+    assert len(next(iter(loader))["frame_index"]) == 2
+
+
+def kept(root: Path) -> bool:
+    dataset = LeRobotDataset("local/frames", root=root, video_backend="pyav")
+    assert dataset[0]["frame_index"] == 0
+    return any(isinstance(value, FramesInMemory) for value in vars(dataset.reader).values())

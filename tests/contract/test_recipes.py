@@ -93,7 +93,7 @@ def test_the_folder_above_datasets_is_reported_with_those_in_it(dataset: Path) -
 
 
 def test_mistakes_are_reported(dataset: Path, tmp_path: Path) -> None:
-    with pytest.raises(RecipeError, match="Recipes: act, diffusion, mlp, pi0, smolvla"):
+    with pytest.raises(RecipeError, match="Recipes: act, act_small, diffusion, mlp, pi0, smolvla"):
         training_command("pick", dataset, None, None, None)
     with pytest.raises(NoDatasetError, match="is no LeRobotDataset"):
         training_command("act", tmp_path, None, None, None)

@@ -100,7 +100,9 @@ def test_one_line_of_a_table_can_be_repeated_alone(tmp_path):
 
 @pytest.mark.parametrize("name", experiment_files())
 def test_the_experiments_that_come_with_the_package_fit_their_tasks_and_recipes(name):
-    for only in ("level1/pick", "level3/pick", "level4/clean_beaker"):
+    tasks = {task for study in parse([f"experiment={name}"]).studies for task in study.tasks}
+    assert "level1/pick" in tasks
+    for only in tasks & {"level1/pick", "level3/pick", "level4/clean_beaker"}:
         words = (f"experiment={name}", f"only={only}")
         # Whether there is a GPU is the machine's.
         check([replace(p, device=None) if hasattr(p, "device") else p for p in planned(*words)])

@@ -162,7 +162,11 @@ class TrainingPart:
         if (self.place / _LAST).exists():
             config = self.place / _LAST / "train_config.json"
             return [*program, f"--config_path={config}", "--resume=true"]
-        return [*program, *self._made()[1:], *self._further()]
+        return [*program, *self.first_words()]
+
+    def first_words(self) -> list[str]:
+        """Return what is said to `lerobot-train` to begin."""
+        return [*self._made()[1:], *self._further()]
 
     def progress(self) -> float:
         """Return what LeRobot's progress bar shows."""
