@@ -6,8 +6,8 @@
     labutopia-experiment experiment=results_gpu             # evaluates and goes on
 
 The kit holds the recordings, the recipes, the commands, and the packages of this environment as
-wheels; Python and torch are those of the other machine. `train.sh SECONDS AT_ONCE` trains so many at
-once, stops in time, and goes on from the last checkpoint of each when it is called again: let
+wheels; Python and torch are those of the other machine. `train.sh SECONDS AT_ONCE` trains so many
+at once, stops in time, and goes on from the last checkpoint of each when it is called again: let
 `save_freq` be shorter than a call.
 """
 
