@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from labutopia_lerobot.robots.element import Element
 from labutopia_lerobot.robots.fetch_base import FETCH_BASE, FETCH_DIFFERENTIAL_BASE
 from labutopia_lerobot.robots.fetch_gripper import FETCH_GRIPPER
+from labutopia_lerobot.robots.mesh_package import FETCH_MESHES
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.world import Approach
 
@@ -68,6 +69,7 @@ FETCH = Robot(
     # Turned by half the forearm would be at the end of its range, with the elbow up.
     deep_approach=Approach(yaw=0.0, pitch=math.pi / 2),
     base=FETCH_BASE,
+    meshes=FETCH_MESHES,
     trunk=(FETCH_BASE.body, "torso_fixed", "torso_lift_link", "head_pan_link"),
     stowed=(0.345, 0.523, -1.089, 0.215, 2.03, 2.023, -1.822, -0.519),
 )

@@ -16,7 +16,7 @@ import mujoco
 
 from labutopia_lerobot.robots.fetch_base import FETCH_BASE
 from labutopia_lerobot.robots.fetch_gripper_model import add_fetch_gripper
-from labutopia_lerobot.robots.meshes import MeshPackage
+from labutopia_lerobot.robots.mesh_package import FETCH_MESHES
 from labutopia_lerobot.robots.parts import (
     Capsule,
     Inertia,
@@ -30,10 +30,6 @@ from labutopia_lerobot.robots.parts import (
 from labutopia_lerobot.robots.planar_base import add_planar_base
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.world.model import COLLISION_GROUP
-
-FETCH_MESHES = MeshPackage(
-    "gymnasium-robotics", "gymnasium_robotics/envs/assets/stls/fetch", extra="fetch"
-)
 
 
 class _Link(NamedTuple):

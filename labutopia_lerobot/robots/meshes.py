@@ -5,7 +5,6 @@ import logging
 import os
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
-from importlib.metadata import PackageNotFoundError, distribution, version
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,64 +12,15 @@ import numpy as np
 import trimesh
 from scipy.spatial.transform import Rotation
 
-from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.kernel import user_cache
 from labutopia_lerobot.robots.collada import read_collada
+from labutopia_lerobot.robots.mesh_package import RTB_DATA, MeshPackage
 from labutopia_lerobot.robots.thinning import Part, ThinMesh, shaded, thin_mesh
 
 logger = logging.getLogger(__name__)
 
 _MADE_BY = 2
 """Version of the way that meshes are made; what another has left in the cache is not taken."""
-
-
-class NoMeshesError(UserError, ModuleNotFoundError):
-    """The package that a robot's meshes are in is not installed; the message says how it is."""
-
-
-class MeshPackage(NamedTuple):
-    """An installed package with meshes.
-
-    Attributes:
-        name: What it is called where packages are.
-        folder: Where the meshes are in it.
-        extra: Of this package's extras that which brings it; None if it always comes along.
-    """
-
-    name: str
-    folder: str
-    extra: str | None = None
-
-    @property
-    def version(self) -> str:
-        """Its version.
-
-        Raises:
-            NoMeshesError: If it is not installed.
-        """
-        try:
-            return version(self.name)
-        except PackageNotFoundError:
-            wanted = self.name if self.extra is None else f"lerobot_env_labutopia[{self.extra}]"
-            raise NoMeshesError(
-                f"The robot is drawn with meshes of {self.name}, which is not installed. Run "
-                f"pip install '{wanted}', or choose another robot"
-            ) from None
-
-    def path(self, name: str) -> Path:
-        """Return where a mesh lies.
-
-        Raises:
-            FileNotFoundError: If there is none of that name.
-        """
-        path = Path(str(distribution(self.name).locate_file(f"{self.folder}/{name}")))
-        if not path.is_file():
-            raise FileNotFoundError(f"{self.name} {self.version} has no mesh {name!r}.")
-        return path
-
-
-RTB_DATA = MeshPackage("rtb-data", "rtbdata")
-"""Data of the Robotics Toolbox (P. Corke), MIT."""
 
 
 class PlacedMesh(NamedTuple):

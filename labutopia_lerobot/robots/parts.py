@@ -7,9 +7,8 @@ import mujoco
 import numpy as np
 
 from labutopia_lerobot.robots.element import Element
+from labutopia_lerobot.robots.mesh_package import RTB_DATA, MeshPackage
 from labutopia_lerobot.robots.meshes import (
-    RTB_DATA,
-    MeshPackage,
     PlacedMesh,
     load_assembly,
     load_mesh,

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.robots.element import Element
+from labutopia_lerobot.robots.mesh_package import RTB_DATA, MeshPackage
 from labutopia_lerobot.robots.mobile_base import MobileBase
 from labutopia_lerobot.world import Approach
 
@@ -88,6 +89,7 @@ class Robot:
         stowed: The joints while it drives [rad; m]; of an arm on a stand none.
         torso: The slide that lifts the arm [m]; None for an arm that stands on its base.
         trunk: Bodies of its own that forearm and hand could run into: base, torso, head.
+        meshes: The package that it is drawn with.
     """
 
     name: str
@@ -106,6 +108,7 @@ class Robot:
     stowed: tuple[float, ...] = ()
     torso: Element | None = None
     trunk: tuple[str, ...] = ()
+    meshes: MeshPackage = RTB_DATA
 
     @property
     def joints(self) -> tuple[Element, ...]:

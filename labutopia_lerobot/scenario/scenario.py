@@ -95,6 +95,7 @@ def _scenario(setting: Setting, draw: Draw) -> Scenario:
 def _drawn(setting: Setting, draw: Draw) -> tuple[Task, Variation]:
     task = task_function(setting.task, setting.tasks_dir)(draw)
     robot = load_robot(setting.robot)
+    robot.meshes.require()
     if task.drives:
         _require_base(setting)
         if setting.room == DEFAULT_ROOM:  # nobody has chosen one

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from importlib.metadata import PackageNotFoundError, version
 
 import mujoco
@@ -12,10 +13,11 @@ from scipy.spatial.transform import Rotation
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import action_feature
 from labutopia_lerobot.layout import Workspace
-from labutopia_lerobot.robots import FETCH, PANDA
+from labutopia_lerobot.robots import FETCH, PANDA, ROBOTS
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.fetch_base import FETCH_BASE
-from labutopia_lerobot.robots.meshes import MeshPackage, NoMeshesError
+from labutopia_lerobot.robots.mesh_package import MeshPackage, NoMeshesError
+from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.scenes import LABORATORY, load_room, rooms_to_drive_in
 from labutopia_lerobot.setting import Setting
 
@@ -76,9 +78,11 @@ def posed(model: mujoco.MjModel, joints: tuple[float, ...]) -> mujoco.MjData:
     return data
 
 
-def test_without_its_meshes_it_says_how_to_get_them():
+def test_without_its_meshes_it_says_how_to_get_them_before_anything_is_played(monkeypatch):
+    lacking = replace(FETCH, meshes=MeshPackage("no-such-package", "meshes", extra="fetch"))
+    monkeypatch.setitem(ROBOTS, "fetch", lacking)
     with pytest.raises(NoMeshesError, match=r"pip install 'lerobot_env_labutopia\[fetch\]'"):
-        _ = MeshPackage("no-such-package", "meshes", extra="fetch").version
+        canonical_task(Setting("level5/navigate", robot="fetch"))
 
 
 def test_its_elements_are_torso_arm_gripper_and_base_by_what_they_do():

@@ -37,7 +37,7 @@ def fetch_reagent() -> Task:
             Face(cupboard),
             Pick(bottle, lift=0.05, support=None, hover=0.02),
             Carry(bottle, (OUT,)),
-            BackOff(bottle),
+            BackOff(bottle, past=door),
         ),
         (
             Substep("gripped", (held,)),
