@@ -50,6 +50,9 @@ labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU wit
   again.
 - A killed one goes on with the same command, a training from its last checkpoint. A part that
   fails leaves the others standing; the tables say "not measured", and why.
+- `launcher=ray` joins the cluster at `RAY_ADDRESS`, whose machines share `out`, or starts one of
+  this machine: parts that do not need each other run at the same time, as cores and GPUs allow,
+  and go on elsewhere when a machine is lost.
 - `kit=KIT` records and verifies, and fills a folder for a machine that has a GPU, Python with
   torch, and no network: recordings, recipes, commands, packages. `bash KIT/train.sh 600 4` there
   trains four at once for ten minutes, and goes on when it is called again. `KIT/train`, copied back

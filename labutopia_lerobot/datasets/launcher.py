@@ -38,7 +38,7 @@ def launcher(config: RecordingConfig, work: Path) -> Iterator[Launcher]:
         UserError: If it cannot be started.
     """
     if config.launcher == "ray":
-        from labutopia_lerobot.datasets.ray_cluster import ray_cluster  # needs the extra `ray`
+        from labutopia_lerobot.datasets.ray_candidates import ray_cluster  # needs the extra `ray`
 
         with ray_cluster(config, work) as started:
             yield Launcher(*started)

@@ -21,13 +21,10 @@ from labutopia_lerobot.datasets.candidate import (
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.claim import differences
+from labutopia_lerobot.runtime.ray_cluster import RayError, joined_cluster
 
 Played = dict[str, bytes]
 """The files of a candidate's folder, by name."""
-
-
-class RayError(UserError):
-    """Ray is not there, or a machine of its cluster cannot be used; the message says why."""
 
 
 @contextmanager
@@ -46,32 +43,19 @@ def ray_cluster(
     Raises:
         RayError: If Ray is not installed, or no cluster answers.
     """
-    try:
-        import ray
-    except ImportError:
-        raise RayError("launcher=ray needs Ray: pip install 'lerobot_env_labutopia[ray]'") from None
-    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # Ray would report to its makers
-    try:
-        context = ray.init(log_to_driver=False, ignore_reinit_error=True)
-    except (ConnectionError, ValueError) as error:
-        raise RayError(
-            f"launcher=ray: no cluster at RAY_ADDRESS={os.environ.get('RAY_ADDRESS')}: {error}"
-        ) from None
-    remote = ray.remote(num_cpus=1, max_retries=-1)(_play_there)
-    expected = _build(config)
+    with joined_cluster() as ray:
+        remote = ray.remote(num_cpus=1, max_retries=-1)(_play_there)
+        expected = _build(config)
 
-    def play(task: str, index: int) -> Future[Candidate]:
-        there: Future[Played] = remote.remote(config, expected, task, index).future()
-        here: Future[Candidate] = Future()
-        there.add_done_callback(
-            lambda done: _settle(done, here, candidate_folder(work, task, index))
-        )
-        return here
+        def play(task: str, index: int) -> Future[Candidate]:
+            there: Future[Played] = remote.remote(config, expected, task, index).future()
+            here: Future[Candidate] = Future()
+            there.add_done_callback(
+                lambda done: _settle(done, here, candidate_folder(work, task, index))
+            )
+            return here
 
-    try:
         yield int(ray.cluster_resources().get("CPU", 1)), play
-    finally:
-        context.disconnect()
 
 
 def _play_there(

@@ -10,6 +10,7 @@ part_record         what is kept of a part: its inputs, what it took, how it end
 rates               what parts took on this machine, and what others will take
 warm_up             the same parts in small, to measure rates that nobody knows yet
 child_process       one program in a process of its own, watched
+part_launcher       where programs run: on this machine, or all over a Ray cluster (ray_parts)
 runner              what is missing is done, what stands is left, what failed stops nothing else
 training_kit        what trains elsewhere: recordings, recipes, packages and commands in a folder
 kit_trainer         the program in that folder that trains

@@ -11,6 +11,7 @@ from omegaconf.errors import OmegaConfBaseException
 from yaml import YAMLError
 
 from labutopia_lerobot.errors import did_you_mean
+from labutopia_lerobot.experiments.part_launcher import LAUNCHERS
 from labutopia_lerobot.experiments.study import (
     ExperimentOptionError,
     Study,
@@ -18,7 +19,7 @@ from labutopia_lerobot.experiments.study import (
     study_of,
 )
 from labutopia_lerobot.runtime.shipped import shipped
-from labutopia_lerobot.setting import option
+from labutopia_lerobot.setting import option, require_choices
 
 STUDIES = "studies"
 """Key of a file's list of studies."""
@@ -35,6 +36,11 @@ class ExperimentConfig(StudyConfig):
     workers: int = field(
         default_factory=lambda: len(os.sched_getaffinity(0)),
         metadata={"help": "Processes that play; no result depends on it."},
+    )
+    launcher: str = option(
+        "local",
+        "`local`, or `ray`: parts that do not need each other run at the same time, all over the "
+        "cluster at RAY_ADDRESS, whose machines share `out`.",
     )
     device: str | None = option(None, "Device of torch for trainings and evaluations.")
     videos: int = option(1, "How many successes and how many failures of each to film.")
@@ -66,6 +72,7 @@ class Experiment:
         out: Folder of everything.
         only: Of all tasks those that are done, or none for all.
         workers: Processes that play.
+        launcher: Where the programs run: `local` or `ray`.
         device: Device of torch, or None for the recipe's, and for CUDA where there is one.
         videos: How many successes and failures of each evaluation are filmed.
         plan: Whether nothing is done.
@@ -79,6 +86,7 @@ class Experiment:
     out: Path
     only: tuple[str, ...]
     workers: int
+    launcher: str
     device: str | None
     videos: int
     plan: bool
@@ -121,6 +129,7 @@ def make_experiment(chosen: Mapping[str, Any]) -> Experiment:
             raise ExperimentOptionError(
                 f"only={task} is no task of {name}. Tasks: {', '.join(sorted(tasks))}"
             )
+    require_choices("launcher", [config.launcher], LAUNCHERS)
     for option_name, least in {"workers": 1, "videos": 0}.items():
         if getattr(config, option_name) < least:
             raise ExperimentOptionError(
@@ -132,6 +141,7 @@ def make_experiment(chosen: Mapping[str, Any]) -> Experiment:
         out=Path(config.out or f"outputs/experiments/{name}"),
         only=tuple(config.only),
         workers=config.workers,
+        launcher=config.launcher,
         device=config.device,
         videos=config.videos,
         plan=config.plan,

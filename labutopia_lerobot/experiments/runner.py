@@ -1,16 +1,21 @@
 """The runner: what is missing is done, what stands is left, what fails stops nothing else."""
 
 import shutil
-from collections.abc import Callable, Mapping, Sequence
+import threading
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from rich.console import Console
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.reporting.table import TextTable
-from labutopia_lerobot.experiments.child_process import EndedChild, last_words, run_child
+from labutopia_lerobot.experiments.child_process import EndedChild, last_words
 from labutopia_lerobot.experiments.experiment import Experiment
+from labutopia_lerobot.experiments.part_launcher import HERE, PartLauncher, launcher
 from labutopia_lerobot.experiments.part_record import BEGUN, DONE, FAILED, PartRecord, PartRecords
 from labutopia_lerobot.experiments.parts.evaluation_part import EvaluationPart
 from labutopia_lerobot.experiments.parts.experiment_part import ExperimentPart, log_of
@@ -62,7 +67,7 @@ def run_experiment(
             require_not_outdated(parts, records)
         elsewhere = [part for part in parts if experiment.kit and isinstance(part, TrainingPart)]
         if experiment.kit:
-            parts = [part for training in elsewhere for part in training.needs]
+            parts = list(dict.fromkeys(need for part in elsewhere for need in part.needs))
         pending = [part for part in parts if not stands(part, records)]
         small = warm_up(pending, _rates(experiment.out), experiment.out)
         if experiment.warm_up and small:
@@ -71,7 +76,9 @@ def run_experiment(
         cost = _announce(parts, records, console)
         require_room(experiment.out, cost)
         try:
-            missing = do_parts(parts, records, experiment.again, console, lambda: report(parts))
+            with launcher(experiment.launcher, parts) as launched:
+                again, evaluated = experiment.again, partial(report, parts)
+                missing = do_parts(parts, records, again, console, evaluated, launched)
         finally:
             report(parts)
         if experiment.kit:
@@ -98,6 +105,7 @@ def do_parts(
     again: bool,
     console: Console,
     evaluated: Callable[[], None],
+    launched: PartLauncher = HERE,
 ) -> dict[str, str]:
     """Do parts in their order, but those that stand and those that need what is missing.
 
@@ -107,27 +115,70 @@ def do_parts(
         again: Whether what other inputs made is deleted and made anew.
         console: Where progress is printed.
         evaluated: Called after every evaluation.
+        launched: What runs their programs.
 
     Returns:
         Name of every part that is not done -> why.
     """
     missing: dict[str, str] = {}
     pending = [part for part in parts if not stands(part, records)]
-    with RunningBars(len(pending), console) as bars:
-        for index, part in enumerate(parts):
-            lacking = _lacking(part, missing)
-            if not lacking and stands(part, records):  # or not, once what it needs is made anew
-                continue
-            reason = f"needs {lacking[0]}" if lacking else _cleared(part, records, again)
-            behind = [each for each in parts[index + 1 :] if each in pending]
-            reason = reason or _do_one(part, behind, records, bars)
+    settled: dict[str, Future[None]] = {}
+    one = threading.Lock()  # for what is printed and reported
+
+    def settle(part: ExperimentPart, index: int) -> None:
+        for need in part.needs:
+            if need.name in settled:
+                settled[need.name].result()
+        lacking = _lacking(part, missing)
+        if not lacking and stands(part, records):  # or not, once what it needs is made anew
+            return
+        reason = f"needs {lacking[0]}" if lacking else _cleared(part, records, again)
+        behind = [each for each in parts[index + 1 :] if each in pending]
+
+        def watch(share: float, left_s: float | None) -> None:
+            with one:
+                bars.shown(part, share, None if launched.together else left_s)
+
+        reason = reason or _do_one(part, behind, records, launched, watch)
+        with one:
             bars.ended(part)
             if reason:
                 missing[part.name] = reason
                 console.print(f"Not done: {part.name}: {reason}", markup=False, soft_wrap=True)
             elif isinstance(part, EvaluationPart):
                 evaluated()
+
+    with RunningBars(len(pending), console) as bars, _threads(parts, launched) as submit:
+        for index, part in enumerate(parts):
+            settled[part.name] = submit(settle, part, index)
+        for done in settled.values():
+            done.result()
     return missing
+
+
+@contextmanager
+def _threads(
+    parts: Sequence[ExperimentPart], launched: PartLauncher
+) -> Iterator[Callable[..., "Future[None]"]]:
+    """Yield what does parts: at once, each waiting for what it needs, or one after the other."""
+    if not launched.together:
+        yield _done_now
+        return
+    threads = ThreadPoolExecutor(max(len(parts), 1))
+    try:
+        yield threads.submit
+    finally:  # at the end all have ended
+        launched.stop()
+        threads.shutdown(cancel_futures=True)
+
+
+def _done_now[**Arguments](
+    function: Callable[Arguments, None], *args: Arguments.args, **kwargs: Arguments.kwargs
+) -> "Future[None]":
+    function(*args, **kwargs)
+    done: Future[None] = Future()
+    done.set_result(None)
+    return done
 
 
 def _lacking(part: ExperimentPart, missing: Mapping[str, str]) -> list[str]:
@@ -148,7 +199,11 @@ def _cleared(part: ExperimentPart, records: PartRecords, again: bool) -> str:
 
 
 def _do_one(
-    part: ExperimentPart, behind: Sequence[ExperimentPart], records: PartRecords, bars: RunningBars
+    part: ExperimentPart,
+    behind: Sequence[ExperimentPart],
+    records: PartRecords,
+    launched: PartLauncher,
+    watch: Callable[[float, float | None], None],
 ) -> str:
     """Do a part, or go on with what a killed one has left; return why it failed."""
     try:
@@ -157,18 +212,18 @@ def _do_one(
             records.keep(part, replace(begun, state=DONE, digest=part.digest()))
             return ""
         records.keep(part, begun)
-        part.prepare()
         log = log_of(part)
         written = log.stat().st_size if log.exists() else 0
         rates = _rates(records.out)
         left = cost_of(behind, rates)
 
-        def watch(share: float) -> None:
+        def look(share: float) -> None:
             own = rates.seconds(part, 1.0 - share)
             known = own is not None and "seconds" not in left.unknown
-            bars.shown(part, share, (own or 0.0) + left.seconds if known else None)
+            watch(share, (own or 0.0) + left.seconds if known else None)
 
-        ended = run_child(part.command(), log, part.progress, watch)
+        ended, machine = launched.run(part, begun.inputs, look)
+        begun = replace(begun, machine=machine)
         if ended.status or not part.finished():
             reason = f"{last_words(log, written)} (log: {log})"
             records.keep(part, replace(begun, state=FAILED, reason=reason))

@@ -81,6 +81,14 @@ class EvaluationPart:
         return self.out / "eval" / self.label / (learned or self.obs) / self.task / self._how
 
     @property
+    def cores(self) -> int:
+        return self.workers
+
+    @property
+    def gpus(self) -> int:
+        return int((self.device or "").startswith("cuda"))
+
+    @property
     def needs(self) -> tuple[ExperimentPart, ...]:
         return self.trainings
 

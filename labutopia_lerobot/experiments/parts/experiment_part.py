@@ -45,6 +45,16 @@ class ExperimentPart(Protocol):
         ...
 
     @property
+    def cores(self) -> int:
+        """How many cores its program keeps busy."""
+        ...
+
+    @property
+    def gpus(self) -> int:
+        """How many GPUs its program needs."""
+        ...
+
+    @property
     def needs(self) -> "tuple[ExperimentPart, ...]":
         """Parts that must be done before it."""
         ...

@@ -77,6 +77,14 @@ class RecordingPart:
         return self.out / "datasets" / self.subject / self.variety / str(self.demonstrations)
 
     @property
+    def cores(self) -> int:
+        return self.workers
+
+    @property
+    def gpus(self) -> int:
+        return 0
+
+    @property
     def needs(self) -> tuple[ExperimentPart, ...]:
         return ()
 
@@ -206,6 +214,14 @@ class VerificationPart:
     def place(self) -> Path:
         """The log, which has its verdict."""
         return log_of(self)
+
+    @property
+    def cores(self) -> int:
+        return 1
+
+    @property
+    def gpus(self) -> int:
+        return 0
 
     @property
     def needs(self) -> tuple[ExperimentPart, ...]:

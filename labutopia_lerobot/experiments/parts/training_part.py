@@ -87,6 +87,14 @@ class TrainingPart:
         return self.out / "train" / self.label / numbered / kind
 
     @property
+    def cores(self) -> int:
+        return 1
+
+    @property
+    def gpus(self) -> int:
+        return int((self.device or "").startswith("cuda"))
+
+    @property
     def needs(self) -> tuple[ExperimentPart, ...]:
         return (self.recording, VerificationPart(self.out, self.recording))
 
