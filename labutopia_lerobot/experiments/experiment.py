@@ -11,6 +11,7 @@ from omegaconf.errors import OmegaConfBaseException
 from yaml import YAMLError
 
 from labutopia_lerobot.errors import did_you_mean
+from labutopia_lerobot.evaluation.condition import REFERENCES
 from labutopia_lerobot.experiments.part_launcher import LAUNCHERS
 from labutopia_lerobot.experiments.study import (
     ExperimentOptionError,
@@ -135,6 +136,10 @@ def make_experiment(chosen: Mapping[str, Any]) -> Experiment:
             raise ExperimentOptionError(
                 f"{option_name}={getattr(config, option_name)} is too small: at least {least}"
             )
+    if config.kit is not None and all(set(study.policies) <= set(REFERENCES) for study in made):
+        raise ExperimentOptionError(
+            f"kit={config.kit} is for trainings, and no policy of {name} is trained. Leave kit= out"
+        )
     return Experiment(
         name=name,
         studies=made,

@@ -83,11 +83,11 @@ def run_experiment(
             report(parts)
         if experiment.kit:
             ready = [part for part in elsewhere if not _lacking(part, missing)]
-            fill_kit(ready, experiment.kit)
+            left = [part for part in ready if not stands(part, records)]
+            fill_kit(left, experiment.kit)
             fetch_wheels(experiment.kit / "wheels")
-            for part in ready:  # so that what comes back is taken for what was begun here
-                if not stands(part, records):
-                    records.keep(part, _begun(part))
+            for part in left:  # so that what comes back is taken for what was begun here
+                records.keep(part, _begun(part))
     return missing
 
 

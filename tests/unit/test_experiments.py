@@ -123,6 +123,8 @@ def test_the_experiments_that_come_with_the_package_fit_their_tasks_and_recipes(
         ((*PICK, "axes=[[a]]"), "is no list of names"),
         (("experiment=results_cp",), "Did you mean 'results_cpu'"),
         ((*PICK, "policy=[act,diffusion]", "label=x"), "label=x names one policy of 2"),
+        ((*PICK, "launcher=slurm"), "'slurm'"),
+        ((*PICK, "policy=expert", "kit=K"), "no policy of experiment is trained. Leave kit= out"),
     ],
 )
 def test_a_wrong_word_is_reported_with_the_cure(words, reported):
