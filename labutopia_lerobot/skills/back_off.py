@@ -1,13 +1,14 @@
 """Drive straight back from a bench: to swing a door open before it, or to fold the arm up."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from labutopia_lerobot.navigation.docking import approach_to
 from labutopia_lerobot.navigation.parking import Parking
+from labutopia_lerobot.navigation.path_planner import BlockedPlaceError
 from labutopia_lerobot.skills.face import INWARDS
 from labutopia_lerobot.skills.handle import Operable
 from labutopia_lerobot.skills.skill import Phase, arrived
@@ -16,6 +17,9 @@ from labutopia_lerobot.world import FloatArray, Thing, World
 
 _STEP = 0.05
 """Distances in which one looks whether there is room behind [m]; ours: that of cells of the map."""
+
+_FINE = 0.01
+"""The same where an aisle is hardly as wide as the disc [m]; ours."""
 
 
 @dataclass(frozen=True)
@@ -46,28 +50,27 @@ class BackOff:
             return
         way, (position, yaw) = Way.of(world, INWARDS), base_at(world)
         backwards = -np.array([math.cos(yaw), math.sin(yaw)])
-        out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
-        free = float(np.hypot(*(out - position)))
-        distance = room if self.to_open else free + room
-        while free < distance and way.planner.free(position + (free + _STEP) * backwards):
-            free += _STEP
-        free = far = min(free, distance)
-        while (
-            not self.to_open
-            and far < distance
-            and way.footprint.fits(way.occupancy, position + (far + _STEP) * backwards, yaw)
-        ):
-            far += _STEP
+
+        def fits(distance: float) -> bool:
+            return way.footprint.fits(way.occupancy, position + distance * backwards, yaw)
+
+        def free(distance: float) -> bool:
+            return way.planner.free(position + distance * backwards)
+
         here = world.robot_base.inverse() @ world.gripper
         hand = in_hand(world, self.carrying)
         kept = hand.copy()
         kept["target"] = lambda world: world.robot_base @ here
         kept["opening"] = world.commanded_opening
+        turning = 0.0 if self.to_open else _turning(way, position, yaw, room)
+        near = _farthest(free, turning, turning + room)
+        far = _farthest(fits, 0.0 if self.to_open else max(near, 0.0), max(turning, 0.0) + room)
         yield parking("back", Parking(position + far * backwards, yaw, way.limits), kept)
-        if not self.to_open:
-            yield Phase("stow", done=arrived(within=0.01), timeout_s=10.0, **hand)
-        if far > free:
-            end = self._aside(world, way, position + free * backwards, yaw)
+        if self.to_open:
+            return
+        yield Phase("stow", done=arrived(within=0.01), timeout_s=10.0, **hand)
+        if far > near:
+            end = self._aside(world, way, position + near * backwards, yaw)
             yield parking("forth", Parking(end, yaw, way.limits), hand)
 
     def _aside(self, world: World, way: Way, point: FloatArray, yaw: float) -> FloatArray:
@@ -81,3 +84,28 @@ class BackOff:
         while steps < most and way.planner.free(point + (steps + 1) * step):
             steps += 1
         return point + steps * step
+
+
+def _farthest(possible: Callable[[float], bool], begin: float, end: float) -> float:
+    """Return how far one gets from one distance towards another, both [m]."""
+    distance = begin
+    while distance < end and possible(min(distance + _STEP, end)):
+        distance = min(distance + _STEP, end)
+    return distance
+
+
+def _turning(way: Way, position: FloatArray, yaw: float, room: float) -> float:
+    """Return how far behind a place the base can turn [m]; negative is before it, so far at most.
+
+    Raises:
+        BlockedPlaceError: If it can nowhere.
+    """
+    try:
+        out = approach_to(way.planner, way.occupancy, way.footprint, position, yaw)
+    except BlockedPlaceError:
+        ahead = np.array([math.cos(yaw), math.sin(yaw)])
+        for distance in np.arange(0.0, room, _FINE):
+            if way.planner.free(position + distance * ahead):
+                return -float(distance)
+        raise
+    return float(np.hypot(*(out - position)))
