@@ -229,6 +229,14 @@ def test_the_expert_drives_with_it_to_a_beaker_or_a_cupboard_and_does_there_what
         assert [outcome(env, seed) for seed in range(100100, 100103)] == ["success"] * 3
 
 
+@installed
+@pytest.mark.slow
+def test_in_an_aisle_hardly_wider_than_its_disc_it_has_the_room_to_open_a_door():
+    narrow = (100012, 100023, 100036)  # where its disc could back off by 0.30 m at most
+    with LabEnv(Setting("level5/fetch_reagent", obs="state", robot="fetch")) as env:
+        assert [outcome(env, seed) for seed in narrow] == ["success"] * len(narrow)
+
+
 @pytest.mark.slow
 def test_it_gets_to_two_benches_of_every_room_to_drive_in():
     for names in rooms_to_drive_in():
