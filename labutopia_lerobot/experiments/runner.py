@@ -83,12 +83,17 @@ def run_experiment(
             report(parts)
         if experiment.kit:
             ready = [part for part in elsewhere if not _lacking(part, missing)]
-            left = [part for part in ready if not stands(part, records)]
-            fill_kit(left, experiment.kit)
-            fetch_wheels(experiment.kit / "wheels")
-            for part in left:  # so that what comes back is taken for what was begun here
-                records.keep(part, _begun(part))
+            _leave_to(experiment.kit, ready, records)
     return missing
+
+
+def _leave_to(kit: Path, trainings: Sequence[TrainingPart], records: PartRecords) -> None:
+    """Fill a kit, and note that its trainings are begun: they are adopted when they come back."""
+    left = [training for training in trainings if not stands(training, records)]
+    fill_kit(left, kit)
+    fetch_wheels(kit / "wheels")
+    for training in left:
+        records.keep(training, _begun(training))
 
 
 def _announce(parts: Sequence[ExperimentPart], records: PartRecords, console: Console) -> Cost:
