@@ -38,7 +38,7 @@ def _get_item(reader: DatasetReader, idx: int) -> dict[str, Any]:
     """Return a frame and what a policy asks for around it, as LeRobot's own function does."""
     table, kept = reader.hf_dataset, vars(reader).get(_KEPT)
     if kept is None or kept.table is not table:
-        if _OURS not in reader._meta.features or not _fits(reader):
+        if _OURS not in reader._meta.features or not (_plain(table) and _fits(reader)):
             return _read_from_files(reader, idx)
         kept = vars(reader)[_KEPT] = FramesInMemory(
             table, reader._meta.tasks.index, _pictures_of(reader)
@@ -51,6 +51,13 @@ def _get_item(reader: DatasetReader, idx: int) -> dict[str, Any]:
         if reader._image_transforms is not None:
             frame[camera] = reader._image_transforms(frame[camera])
     return frame
+
+
+def _plain(table: datasets.Dataset) -> bool:
+    """Return whether columns are words, numbers and lists of numbers: those of language are not."""
+    types = table.features.arrow_schema.types
+    inner = [getattr(each, "value_type", each) for each in types]
+    return not any(pa.types.is_nested(each) for each in inner)
 
 
 def _fits(reader: DatasetReader) -> bool:

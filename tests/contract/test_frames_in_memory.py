@@ -12,7 +12,7 @@ from lerobot.utils.import_utils import register_third_party_plugins
 
 from labutopia_lerobot.datasets import frames_in_memory
 from labutopia_lerobot.datasets.frames_in_memory import FramesInMemory, keep_frames_in_memory
-from recordings import recording
+from recordings import FILM, recording
 
 AROUND = {"action": [step / 30 for step in range(-2, 40)], "observation.state": [-0.1, 0.0]}
 
@@ -89,6 +89,12 @@ def test_pictures_that_half_of_the_memory_does_not_hold_are_read_as_ever(
     keep_frames_in_memory()
     monkeypatch.setattr(frames_in_memory, "free_memory_bytes", lambda: 1_000_000)
     assert not kept(filmed)
+
+
+def test_recordings_with_language_are_read_as_ever(tmp_path, lerobots_own) -> None:
+    root = recording(tmp_path / "told", *FILM, "episodes=1", "cameras=[front]", "language=true")
+    keep_frames_in_memory()
+    assert not kept(root)
 
 
 def test_processes_that_load_read_pictures_as_ever(filmed, lerobots_own) -> None:
