@@ -38,7 +38,7 @@ def _get_item(reader: DatasetReader, idx: int) -> dict[str, Any]:
     """Return a frame and what a policy asks for around it, as LeRobot's own function does."""
     table, kept = reader.hf_dataset, vars(reader).get(_KEPT)
     if kept is None or kept.table is not table:
-        if _OURS not in reader._meta.features or not (_plain(table) and _fits(reader)):
+        if _OURS not in reader._meta.features or not (_fits(reader) and _plain(table)):
             return _read_from_files(reader, idx)
         kept = vars(reader)[_KEPT] = FramesInMemory(
             table, reader._meta.tasks.index, _pictures_of(reader)
@@ -55,7 +55,7 @@ def _get_item(reader: DatasetReader, idx: int) -> dict[str, Any]:
 
 def _plain(table: datasets.Dataset) -> bool:
     """Return whether columns are words, numbers and lists of numbers: those of language are not."""
-    types = table.features.arrow_schema.types
+    types = table.data.schema.types  # `features` would be copied, frame by frame
     inner = [getattr(each, "value_type", each) for each in types]
     return not any(pa.types.is_nested(each) for each in inner)
 

@@ -85,12 +85,14 @@ def fetch_wheels(folder: Path) -> None:
     """Fetch the packages of this environment that ours needs, in their very versions.
 
     Args:
-        folder: Where the wheels are written, those of before being deleted.
+        folder: Where the wheels are written. Those of before, and what was installed of them beside
+            it, are deleted.
 
     Raises:
         TrainingKitError: If pip cannot fetch them.
     """
-    shutil.rmtree(folder, ignore_errors=True)
+    for before in (folder, folder.with_name("packages")):
+        shutil.rmtree(before, ignore_errors=True)
     named = [_source(each) or f"{each.name}=={each.version}" for each in packages_needed()]
     command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "-w", str(folder)]
     if subprocess.run([*command, *named], check=False).returncode:
