@@ -29,7 +29,7 @@ from labutopia_lerobot.experiments.requirements import (
     stands,
 )
 from labutopia_lerobot.experiments.running_bars import RunningBars
-from labutopia_lerobot.experiments.training_kit import fetch_wheels, fill_kit
+from labutopia_lerobot.experiments.training_kit import fetch_wheels, fill_kit, require_no_trainings
 from labutopia_lerobot.experiments.warm_up import FOLDER, warm_up
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import locked
@@ -58,6 +58,8 @@ def run_experiment(
     """
     parts = parts_of(experiment)
     check(parts)
+    if experiment.kit:
+        require_no_trainings(experiment.kit)
     if experiment.plan:
         _announce(parts, PartRecords(experiment.out), console)
         return {}

@@ -53,6 +53,19 @@ class TrainingKitError(UserError):
     """A kit that cannot be filled; the message says why."""
 
 
+def require_no_trainings(folder: Path) -> None:
+    """Refuse to fill a kit that has trained, maybe from other recordings or recipes.
+
+    Raises:
+        TrainingKitError: If it holds trainings.
+    """
+    if (folder / "train").exists():
+        raise TrainingKitError(
+            f"kit={folder} holds trainings, which may be of other recordings or recipes. Copy "
+            f"{folder / 'train'} below out= if they are wanted, and name another folder"
+        )
+
+
 def fill_kit(trainings: Sequence[TrainingPart], folder: Path) -> None:
     """Write the kit of trainings whose recordings are there.
 

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from rich.console import Console
 
 from labutopia_lerobot.cli.experiment import parse
@@ -17,7 +18,7 @@ from labutopia_lerobot.experiments.parts.training_part import TrainingPart
 from labutopia_lerobot.experiments.planning import parts_of
 from labutopia_lerobot.experiments.requirements import outdated, stands
 from labutopia_lerobot.experiments.runner import run_experiment
-from labutopia_lerobot.experiments.training_kit import packages_needed
+from labutopia_lerobot.experiments.training_kit import TrainingKitError, packages_needed
 
 STEPS = 2
 SOURCES = Path(__file__).parents[2]
@@ -79,6 +80,16 @@ def _take_the_last_step_away(kit: Path, place: Path) -> None:
     assert kept.exists()
     last.unlink()
     last.symlink_to(kept.parents[1].name)
+
+
+def test_a_kit_that_has_trained_is_not_filled_again(tmp_path) -> None:
+    kit = tmp_path / "kit"
+    (kit / "train").mkdir(parents=True)
+    with pytest.raises(TrainingKitError, match="holds trainings"):
+        run_experiment(
+            experiment(tmp_path / "out", f"kit={kit}"), Console(quiet=True), lambda parts: None
+        )
+    assert not (tmp_path / "out").exists()
 
 
 def test_a_kit_has_every_package_that_ours_needs_but_torch() -> None:
