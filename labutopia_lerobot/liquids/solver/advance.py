@@ -65,8 +65,7 @@ def advance(
     pairs = near_pairs(ends, reach)
     unpacked = ends.copy()
     pack(ends, pairs, contacts, pressure, matter, flow)
-    # What has been moved may be nearer to all glass by as much.
-    clear -= np.sqrt(np.sum((ends - unpacked) ** 2, axis=1))
+    _come_nearer(clear, unpacked, ends)
     stop_at_vessels(positions, ends, glass, clear, matter.mass, impulse)
     velocities[:] = (ends - positions) / dt
     positions[:] = ends
@@ -75,6 +74,21 @@ def advance(
     _add_pushes(positions, contacts, matter.mass, impulse)
     impulse /= dt
     _drag(positions, velocities, contacts, matter, glass, shapes, flow, impulse, touching)
+
+
+@kernel
+def _come_nearer(
+    clear: NDArray[np.float64], start: NDArray[np.float64], end: NDArray[np.float64]
+) -> None:
+    """Take from the clearances, shape (vessels, n) [m], what particles have been moved by.
+
+    They may be nearer to all glass by as much.
+    """
+    for a in range(len(start)):
+        x, y, z = end[a, 0] - start[a, 0], end[a, 1] - start[a, 1], end[a, 2] - start[a, 2]
+        moved = np.sqrt(x * x + y * y + z * z)
+        for v in range(len(clear)):
+            clear[v, a] -= moved
 
 
 @kernel

@@ -146,6 +146,8 @@ def stop_at_vessels(
     p, q, moved = np.empty(3), np.empty(3), np.empty(3)
     vessels = len(clear)
     for a in range(len(start)):
+        if not _may_meet(clear, a):
+            continue
         v, quiet = -1, 0
         for _ in range(_ROUNDS * vessels):
             if quiet == vessels:
@@ -164,6 +166,15 @@ def stop_at_vessels(
                 moved *= mass[a]
                 add_moment(impulse[v], end[a], moved)
                 quiet = 1
+
+
+@kernel
+def _may_meet(clear: NDArray[np.float64], a: int) -> bool:
+    """Return whether a particle may come to the glass of any vessel."""
+    near = False
+    for v in range(len(clear)):
+        near |= clear[v, a] < 0.0
+    return near
 
 
 @kernel

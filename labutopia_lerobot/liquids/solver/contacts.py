@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.liquids.solver.bodies import BodyFrames, Glass, Shapes, into
-from labutopia_lerobot.liquids.solver.obstacles import distance
+from labutopia_lerobot.liquids.solver.obstacles import distance, half_lengths
 from labutopia_lerobot.liquids.solver.walls import (
     ALONG_R,
     ALONG_Z,
@@ -25,6 +25,9 @@ from labutopia_lerobot.liquids.solver.walls import (
 
 _ROOM = 6
 """Planes per particle that there is room for at first: a corner of a vessel against a hand."""
+
+_ROUNDING = 1e-6
+"""What boxes around shapes are too large by [m]."""
 
 _COVER = 3
 """Index of the number of a joined wall that says how much of a plane it covers."""
@@ -81,13 +84,14 @@ def find_contacts(
         reach: How far a wall matters [m].
     """
     near = _shapes_near(positions, shapes, reach)
+    boxes = _boxes_around(shapes, near, reach)
     joined = np.append(glass.edges[:, SMOOTH_START] > 0.0, False)
     room = _ROOM * len(positions) + len(glass.edges) + len(near)
     while True:
         starts = np.zeros(len(positions) + 1, np.int64)
         normal, offset, extent = np.empty((room, 3)), np.empty(room), np.empty(room)
         contacts = Contacts(starts, normal, offset, extent, np.empty(room, np.int64), np.empty(0))
-        if _list_walls(positions, glass, shapes, clear, reach, near, joined, contacts):
+        if _list_walls(positions, glass, shapes, clear, reach, near, boxes, joined, contacts):
             break
         room *= 2
     count = starts[-1]
@@ -109,6 +113,7 @@ def _list_walls(
     clear: NDArray[np.float64],
     reach: float,
     near: NDArray[np.int64],
+    boxes: NDArray[np.float64],
     joined: NDArray[np.bool_],
     contacts: Contacts,
 ) -> bool:
@@ -154,6 +159,8 @@ def _list_walls(
                 count += 1
         for index in range(len(near)):
             s = near[index]
+            if _outside(boxes[index], point):
+                continue
             into(shapes.now, s, point, local)
             far, (nx, ny, nz) = distance(
                 shapes.kind[s], shapes.size[s], local[0], local[1], local[2]
@@ -188,6 +195,42 @@ def _shapes_near(positions: NDArray[np.float64], shapes: Shapes, reach: float) -
             chosen[count] = s
             count += 1
     return chosen[:count]
+
+
+@kernel
+def _boxes_around(shapes: Shapes, near: NDArray[np.int64], reach: float) -> NDArray[np.float64]:
+    """Return boxes along the world's axes that hold all within reach of shapes [m].
+
+    Args:
+        shapes: The shapes.
+        near: Indices of those that matter, shape (m,).
+        reach: How far from a shape it matters [m].
+
+    Returns:
+        Lowest and highest corner of each, shape (m, 2, 3), a little too large for rounding.
+    """
+    boxes = np.empty((len(near), 2, 3))
+    half = np.empty(3)
+    for index in range(len(near)):
+        s = near[index]
+        rotation = shapes.now.rotation[s]
+        half_lengths(shapes.kind[s], shapes.size[s], half)
+        for k in range(3):
+            far = reach + _ROUNDING
+            for axis in range(3):
+                far += abs(rotation[k, axis]) * half[axis]
+            boxes[index, 0, k] = shapes.now.origin[s, k] - far
+            boxes[index, 1, k] = shapes.now.origin[s, k] + far
+    return boxes
+
+
+@kernel
+def _outside(box: NDArray[np.float64], point: NDArray[np.float64]) -> bool:
+    """Return whether a point, shape (3,), is outside a box, shape (2, 3)."""
+    beyond = False
+    for k in range(3):
+        beyond |= point[k] < box[0, k] or point[k] > box[1, k]
+    return beyond
 
 
 @kernel

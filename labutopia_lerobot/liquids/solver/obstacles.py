@@ -9,6 +9,9 @@ type Point = tuple[float, float, float]
 
 PLANE, SPHERE, CAPSULE, CYLINDER, BOX = range(5)
 
+_ENDLESS = 1e6
+"""Half length of what has no end [m]."""
+
 
 @kernel
 def distance(
@@ -44,6 +47,26 @@ def distance(
             return side, (ux, uy, 0.0)
         return end, (0.0, 0.0, up)
     return _from_box(size, x, y, z)
+
+
+@kernel
+def half_lengths(kind: int, size: NDArray[np.float64], half: NDArray[np.float64]) -> None:
+    """Set the half lengths, shape (3,) [m], of the box along a shape's own axes that holds it.
+
+    Args:
+        kind: One of the constants of this module.
+        size: As of `distance`.
+        half: Changed in place.
+    """
+    if kind == PLANE:  # what is below it, too
+        half[:] = _ENDLESS
+    elif kind == SPHERE:
+        half[:] = size[0]
+    elif kind == BOX:
+        half[:] = size
+    else:
+        half[:] = size[0]
+        half[2] = size[1] + (size[0] if kind == CAPSULE else 0.0)
 
 
 @kernel
