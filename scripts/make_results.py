@@ -35,6 +35,7 @@ what a table's interval means is in [statistics](statistics.md).
 labutopia-experiment experiment=results_cpu plan=true            # what would be done; nothing is
 make results-cpu                                                 # everything that needs no GPU
 labutopia-experiment experiment=results_cpu only=level1/pick     # one task of the tables
+labutopia-experiment experiment=controls                         # what one thing changes
 make results-gpu                                                 # the paper's settings, on one GPU
 labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU without a network
 ```
@@ -53,6 +54,8 @@ labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU wit
 - `launcher=ray` joins the cluster at `RAY_ADDRESS`, whose machines share `out`, or starts one of
   this machine: parts that do not need each other run at the same time, as cores and GPUs allow,
   and go on elsewhere when a machine is lost.
+- A study with `control=act` differs from that of `act` in one thing, such as `particles: 300`, and
+  is compared with it on common seeds.
 - `kit=KIT` records and verifies, and fills a folder for a machine that has a GPU, Python with
   torch, and no network: recordings, recipes, commands, packages. `bash KIT/train.sh 600 4` there
   trains four at once for ten minutes, and goes on when it is called again. `KIT/train`, copied back
@@ -76,8 +79,9 @@ def content() -> str:
     kept = measured("results_cpu")
     state = f"Of the {len(kept.evaluations)} evaluations below {len(kept.results) or 'none'} "
     state += "is measured." if len(kept.results) < 2 else "are measured."
-    tables = "\n".join(as_markdown(table) for table in kept.tables())
-    return f"{_HEAD.format(state=state)}{FINDINGS.read_text()}\n{tables}\n{_with_pictures()}"
+    tables = [*kept.tables(), *measured("controls").controls()]
+    shown = "\n".join(map(as_markdown, tables))
+    return f"{_HEAD.format(state=state)}{FINDINGS.read_text()}\n{shown}\n{_with_pictures()}"
 
 
 def _with_pictures() -> str:

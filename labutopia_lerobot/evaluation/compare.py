@@ -155,6 +155,13 @@ class Comparison:
         return pairs.interval()
 
     @property
+    def cells(self) -> tuple[Cell, ...]:
+        """What tables show of it: both rates, and `NUMBERS`."""
+        low, high = self.interval
+        difference = f"{100 * self.pairs.difference:+.1f} [{100 * low:+.1f}, {100 * high:+.1f}]"
+        return (*self.rates, difference, _p(self.p_value), _p(self.p_value_holm))
+
+    @property
     def columns(self) -> dict[str, Any]:
         """Everything about it, as JSON has it."""
         pairs = self.pairs
@@ -208,6 +215,28 @@ def compare(first: Sequence[LoadedResult], second: Sequence[LoadedResult]) -> li
     return adjusted(comparisons)
 
 
+def compare_controlled(changed: LoadedResult, usual: LoadedResult) -> Comparison:
+    """Return the comparison of two results, seed by seed, whose conditions differ on purpose.
+
+    Args:
+        changed: What differs in one thing, such as in how many particles the liquid is divided.
+        usual: What it is compared with, and whose condition the comparison has.
+
+    Raises:
+        NoCommonEpisodesError: If they have no episode in common, one of them holds several
+            conditions, or what should be the same episode was another scene.
+    """
+    ours, theirs = played_episodes([changed]), played_episodes([usual])
+    if len(ours.rows) == len(theirs.rows) == 1:
+        ((_, mine),), ((condition, others),) = ours.rows.items(), theirs.rows.items()
+        pairs = PairedOutcomes.of(common_outcomes(mine, others))
+        if pairs.n:
+            return Comparison(condition, pairs, bool(ours.sequential | theirs.sequential))
+    raise NoCommonEpisodesError(
+        f"These are not one condition each with common seeds. First: {ours}. Second: {theirs}"
+    )
+
+
 def adjusted(comparisons: Sequence[Comparison]) -> list[Comparison]:
     """Return comparisons with p-values adjusted for how many there are, and all tasks pooled."""
     p_values = holm([comparison.p_value for comparison in comparisons])
@@ -230,14 +259,20 @@ def comparison_table(comparisons: Sequence[Comparison], names: tuple[str, str]) 
     """
     lines: list[tuple[Cell, ...]] = []
     for each in comparisons:
-        low, high = each.interval
-        difference = f"{100 * each.pairs.difference:+.1f} [{100 * low:+.1f}, {100 * high:+.1f}]"
         condition = "" if each.condition is None else each.condition.without_task()
-        p_values = (_p(each.p_value), _p(each.p_value_holm))
-        lines.append((each.task, condition, *each.rates, difference, *p_values))
-    head = ("Task", "Condition", *names, "difference, points", "p", "p (Holm)")
+        lines.append((each.task, condition, *each.cells))
+    head = ("Task", "Condition", *names, *NUMBERS)
+    return Table("Comparison on common seeds", head, tuple(lines), explanation(comparisons))
+
+
+NUMBERS = ("difference, points", "p", "p (Holm)")
+"""Heads of the numbers of comparisons behind the rates."""
+
+
+def explanation(comparisons: Iterable[Comparison]) -> str:
+    """Return what is to be known of the numbers of comparisons."""
     kinds = {each.sequential for each in comparisons}
-    note = " ".join(
+    return " ".join(
         [
             "Common episodes only. Rates in per cent, differences in percentage points.",
             *[_FIXED] * (False in kinds),
@@ -245,7 +280,6 @@ def comparison_table(comparisons: Sequence[Comparison], names: tuple[str, str]) 
             "Holm: adjusted for the number of conditions.",
         ]
     )
-    return Table("Comparison on common seeds", head, tuple(lines), note)
 
 
 _FIXED = "95 %: Wilson, of differences the score interval of Tango 1998; p: exact McNemar test."

@@ -1,7 +1,7 @@
 """An experiment: studies that share a folder, parsed and checked once."""
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -124,6 +124,7 @@ def make_experiment(chosen: Mapping[str, Any]) -> Experiment:
     config = _merged(ExperimentConfig, file, content, chosen)
     shared = {name: value for name, value in content.items() if name in _OF_THE_STUDIES}
     made = tuple(study_of(_merged(StudyConfig, file, shared, s, of_studies)) for s in studies)
+    _require_controls(made)
     tasks = {task for study in made for task in study.tasks}
     for task in config.only:
         if task not in tasks:
@@ -154,6 +155,23 @@ def make_experiment(chosen: Mapping[str, Any]) -> Experiment:
         warm_up=config.warm_up,
         again=config.again,
     )
+
+
+def _require_controls(studies: Sequence[Study]) -> None:
+    """Make sure that what studies are compared with plays the same tasks."""
+    for study in studies:
+        for task in study.tasks if study.control is not None else ():
+            others = {
+                each.label_of(policy)
+                for each in studies
+                for policy in each.policies
+                if each != study and task in each.tasks
+            }
+            if study.control not in others:
+                raise ExperimentOptionError(
+                    f"control={study.control} is no other policy of {task} here. There are: "
+                    f"{', '.join(sorted(others)) or 'none'}"
+                )
 
 
 def _file(named: str | None) -> Path | None:

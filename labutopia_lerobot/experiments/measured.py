@@ -8,9 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from labutopia_lerobot.evaluation.compare import (
+    NUMBERS,
     NoCommonEpisodesError,
     compare,
+    compare_controlled,
     comparison_table,
+    explanation,
 )
 from labutopia_lerobot.evaluation.condition import REFERENCES
 from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
@@ -18,6 +21,7 @@ from labutopia_lerobot.evaluation.reporting.charts import curve
 from labutopia_lerobot.evaluation.reporting.report_entry import report_entries
 from labutopia_lerobot.evaluation.reporting.result_tables import success
 from labutopia_lerobot.evaluation.reporting.table import Cell, Rate, Table
+from labutopia_lerobot.evaluation.uncertainty.paired import holm
 from labutopia_lerobot.experiments.parts.evaluation_part import EvaluationPart
 from labutopia_lerobot.experiments.rates import UNKNOWN
 
@@ -101,11 +105,12 @@ class Measured:
         return UNKNOWN if result is None else success(report_entries([result])[0])
 
     def tables(self) -> list[Table]:
-        """Return the table of all tasks, why episodes failed, learning curves, comparisons."""
+        """Return the tables of all tasks, causes, learning curves, controls, comparisons."""
         return [
             self.by_task(),
             *self._causes(),
             *self._curve_tables(),
+            *self.controls(),
             *self._comparisons(),
         ]
 
@@ -187,14 +192,52 @@ class Measured:
             if (shown := {line: points for line, points in lines.items() if len(points) > 1})
         ]
 
+    def controls(self) -> list[Table]:
+        """Return the table of what is compared with what differs from it in one thing, if any is.
+
+        The difference is what the change makes.
+        """
+        partners = {
+            each: other
+            for each in self.final
+            for other in self.final
+            if (each.control, *_same(each)) == (other.label, *_same(other))
+        }
+        pairs = {
+            each: compare_controlled(self.results[each], self.results[usual])
+            for each, usual in partners.items()
+            if each in self.results and usual in self.results
+        }
+        p_values = holm([comparison.p_value for comparison in pairs.values()])
+        compared = {
+            each: replace(comparison, p_value_holm=p)
+            for (each, comparison), p in zip(pairs.items(), p_values, strict=True)
+        }
+        missing = [UNKNOWN] * len(NUMBERS)
+        lines = tuple(
+            (each.label, each.control, each.task, _played(each))
+            + (
+                compared[each].cells
+                if each in compared
+                else (self.rate(each), self.rate(usual), *missing)
+            )
+            for each, usual in partners.items()
+        )
+        head = ("Changed", "Usual", "Task", "Condition", "changed", "usual", *NUMBERS)
+        note = explanation(compared.values())
+        return [Table("Controls", head, lines, note)] if lines else []
+
     def _comparisons(self) -> list[Table]:
-        """Every two learned policies on common seeds."""
+        """Every two learned policies on common seeds, but those that are among the controls."""
+        controlled = {frozenset((each.label, each.control)) for each in self.final}
         of: dict[str, list[LoadedResult]] = {}
         for each in self.final:
             if each in self.results and each.policy not in REFERENCES:
                 of.setdefault(each.label, []).append(self.results[each])
         tables = []
         for first, second in combinations(of, 2):
+            if {first, second} in controlled:
+                continue
             try:
                 compared = compare(of[first], of[second])
             except NoCommonEpisodesError:
@@ -214,6 +257,11 @@ def kept_results(folder: Path, evaluations: Sequence[EvaluationPart]) -> Measure
     moved = {each: folder / each.place.relative_to(each.out / "eval") for each in evaluations}
     there = {e: load_results(place)[0] for e, place in moved.items() if place.exists()}
     return Measured(tuple(evaluations), there)
+
+
+def _same(evaluation: EvaluationPart) -> tuple[str, str]:
+    """Return what an evaluation has in common with what it is compared with."""
+    return evaluation.task, _played(evaluation)
 
 
 def _played(evaluation: EvaluationPart) -> str:

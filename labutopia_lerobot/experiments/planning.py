@@ -118,6 +118,7 @@ def _evaluation(
         out=experiment.out,
         policy=policy,
         label=study.label_of(policy),
+        control=study.control,
         task=task,
         shift=shift,
         play=play,

@@ -37,6 +37,11 @@ class StudyConfig(SettingOptions):
     label: str | None = option(
         None, "What tables call the policy; its recipe's name when null. Keeps trainings apart."
     )
+    control: str | None = option(
+        None,
+        "What tables call the policy of another study that differs from this one in one thing: "
+        "both are compared on common seeds.",
+    )
     steps: int | None = option(None, "Steps of a training; the recipe's when null.")
     epochs: int | None = option(None, "How often every frame is seen, instead of `steps`.")
     batch_size: int | None = option(None, "Frames per step; the recipe's when null.")
@@ -99,6 +104,7 @@ class Study:
     Attributes:
         policies: Recipes, and reference policies such as `expert`.
         label: What tables call the policy, or None for its recipe's name.
+        control: What they call that of the study which it is compared with, or None.
         tasks: Task ids.
         demonstrations: Numbers of demonstrations that are learned from, in increasing order.
         budget: What each training may use.
@@ -112,6 +118,7 @@ class Study:
 
     policies: tuple[str, ...]
     label: str | None
+    control: str | None
     tasks: tuple[str, ...]
     demonstrations: tuple[int, ...]
     budget: Budget
@@ -158,6 +165,7 @@ def study_of(config: StudyConfig) -> Study:
     return Study(
         policies=policies,
         label=config.label,
+        control=config.control,
         tasks=tuple(choose_tasks(config.task, config.level, config.tasks_dir)),
         demonstrations=_increasing("demonstrations", config.demonstrations),
         budget=Budget(config.steps, config.epochs, config.batch_size, _said(config.training)),

@@ -1,12 +1,15 @@
 """Results of an experiment: tables, curves, and what is not measured."""
 
+from dataclasses import replace
+
 from labutopia_lerobot.cli.experiment import parse
 from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.evaluation.reporting.charts import curve
 from labutopia_lerobot.evaluation.reporting.page import page
-from labutopia_lerobot.evaluation.reporting.table import Rate, Table
+from labutopia_lerobot.evaluation.reporting.table import Cell, Rate, Table
 from labutopia_lerobot.experiments import planning
 from labutopia_lerobot.experiments.measured import Measured, kept_results
+from labutopia_lerobot.experiments.parts.evaluation_part import EvaluationPart
 
 from .written_rows import keep, written
 
@@ -45,6 +48,38 @@ def test_a_result_stands_beside_what_is_not_measured(tmp_path):
     assert sum(int(cause.rsplit(" ", 1)[1]) for cause in causes.split(", ")) == failures
     moved = kept_results(out / "eval", evaluations)
     assert moved.tables()[0].lines == measured.tables()[0].lines
+
+
+def test_what_differs_in_one_thing_is_compared_with_the_usual_seed_by_seed(tmp_path):
+    file, out = tmp_path / "mine.yaml", tmp_path / "out"
+    file.write_text(
+        "obs: state\nstudies:\n"
+        "  - {policy: act, task: [level2/pour_liquid, level1/pick]}\n"
+        "  - {policy: act, task: [level2/pour_liquid, level1/pick], label: coarse, control: act, "
+        "particles: 300}\n"
+    )
+    evaluations = planning.evaluations(
+        planning.parts_of(parse([f"experiment={file}", f"out={out}"]))
+    )
+    usual, _, coarse, _ = evaluations
+    rows = written("level2/pour_liquid", "act", 0.9, n=40, obs="state")
+    keep(usual.place, rows)
+    assert _control(evaluations)[-3:] == ("not measured",) * 3
+    keep(coarse.place, [replace(row, particles=300, success=False) for row in rows])
+    *names, lost, won, difference, _, _ = _control(evaluations)
+    assert names == ["coarse", "act", "level2/pour_liquid", "id"]
+    assert (lost.count, won.count) == (0, sum(row.success for row in rows))
+    assert difference.startswith(f"{-100 * won.count / 40:.1f} [")
+    titles = [table.title for table in Measured.of(evaluations).tables()]
+    assert "Comparison on common seeds" not in titles  # their conditions differ
+
+
+def _control(evaluations: list[EvaluationPart]) -> tuple[Cell, ...]:
+    """Return the line of the first control; the second is not measured."""
+    (table,) = Measured.of(evaluations).controls()
+    first, second = table.lines
+    assert second[4:] == ("not measured",) * 5
+    return first
 
 
 def test_a_table_compares_what_has_learned_from_as_many_demonstrations(tmp_path):

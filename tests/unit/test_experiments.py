@@ -101,8 +101,9 @@ def test_one_line_of_a_table_can_be_repeated_alone(tmp_path):
 @pytest.mark.parametrize("name", experiment_files())
 def test_the_experiments_that_come_with_the_package_fit_their_tasks_and_recipes(name):
     tasks = {task for study in parse([f"experiment={name}"]).studies for task in study.tasks}
-    assert "level1/pick" in tasks
-    for only in tasks & {"level1/pick", "level3/pick", "level4/clean_beaker"}:
+    judged = tasks & {"level1/pick", "level1/pour", "level3/pick", "level4/clean_beaker"}
+    assert judged
+    for only in judged:
         words = (f"experiment={name}", f"only={only}")
         # Whether there is a GPU is the machine's.
         check([replace(p, device=None) if hasattr(p, "device") else p for p in planned(*words)])
@@ -121,6 +122,7 @@ def test_the_experiments_that_come_with_the_package_fit_their_tasks_and_recipes(
         ((*PICK, "training=[a]"), "is no map of options"),
         ((*PICK, "label=../up"), "is to be a folder's name"),
         ((*PICK, "axes=[[a]]"), "is no list of names"),
+        ((*PICK, "control=mlp"), "control=mlp is no other policy of level1/pick here"),
         (("experiment=results_cp",), "Did you mean 'results_cpu'"),
         ((*PICK, "policy=[act,diffusion]", "label=x"), "label=x names one policy of 2"),
         ((*PICK, "launcher=slurm"), "'slurm'"),

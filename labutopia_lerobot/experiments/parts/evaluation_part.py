@@ -23,6 +23,7 @@ class EvaluationPart:
         out: Folder of the experiment.
         policy: Its recipe, or a reference policy.
         label: What tables and folders call it.
+        control: What tables call the policy that it is compared with, or None.
         task: Task id.
         shift: What the episodes draw.
         play: `single` or `staged`.
@@ -39,6 +40,7 @@ class EvaluationPart:
     out: Path
     policy: str
     label: str
+    control: str | None
     task: str
     shift: Shift
     play: str
