@@ -102,13 +102,16 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """The same, where LeRobot looks for it."""
         return self.task
 
-    def expert(self) -> Expert:
+    def expert(self, pace: float = 1.0) -> Expert:
         """Return the scripted expert of the present episode; `start` it.
+
+        Args:
+            pace: How fast its hand moves, as a share of its usual speeds.
 
         Raises:
             ResetNeeded: If there is no episode yet.
         """
-        return self.workcell.expert()
+        return self.workcell.expert(pace=pace)
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None

@@ -154,7 +154,7 @@ def play_into(folder: Path, config: RecordingConfig, task: str, index: int) -> C
                 video.add(pictures[name])
 
         with located_in_play(task, config.tasks_dir):
-            demonstration = demonstrate(env, config.seed + index, film)
+            demonstration = demonstrate(env, config.seed + index, film, config.pace)
     candidate = _summary(env, config.seed + index, index, demonstration)
     if candidate.stored(config.keep):
         arrays: dict[str, Any] = dict(demonstration.columns)

@@ -41,17 +41,20 @@ class Demonstration:
     routes: Routes | None
 
 
-def demonstrate(env: LabEnv, seed: int, film: Callable[[Pictures], None]) -> Demonstration:
+def demonstrate(
+    env: LabEnv, seed: int, film: Callable[[Pictures], None], pace: float = 1.0
+) -> Demonstration:
     """Let the expert play the episode of this seed.
 
     Args:
         env: Where to play.
         seed: The episode to play.
         film: Gets the pictures of each frame with `obs="pixels"`.
+        pace: How fast the expert's hand moves, as a share of its usual speeds.
     """
     observation, info = env.reset(seed=seed)
     frames = Frames(env, env.setting.obs)
-    expert = env.expert()
+    expert = env.expert(pace)
     expert.start()
     over = False
     while not over:

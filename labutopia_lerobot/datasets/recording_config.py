@@ -24,6 +24,9 @@ from labutopia_lerobot.setting import (
 LARGEST_SEED = 2**62
 """Beyond, tables have no numbers."""
 
+SLOWEST = 0.2
+"""Least `pace`; ours: no task leaves the time for less."""
+
 KEEP = ("successes", "failures")
 LAUNCHERS = ("local", "ray")
 
@@ -57,6 +60,9 @@ class RecordingConfig(SettingOptions):
     )
     keep: str = option(
         "successes", "`successes`, or `failures`: those that fail on the way are stored beside."
+    )
+    pace: float = option(
+        1.0, "How fast the expert's hand moves, as a share of its usual speeds; at most 1."
     )
     language: bool = option(
         False,
@@ -137,6 +143,10 @@ class RecordingConfig(SettingOptions):
         if self.seed + self.episodes >= LARGEST_SEED:
             raise RecordingOptionError(
                 f"seed={self.seed} is too large: seeds are below {LARGEST_SEED}"
+            )
+        if not SLOWEST <= self.pace <= 1.0:
+            raise RecordingOptionError(
+                f"pace={self.pace} is impossible: it is from {SLOWEST:g} to 1, the usual"
             )
         require_choices("keep", [self.keep], KEEP)
         require_choices("launcher", [self.launcher], LAUNCHERS)

@@ -96,6 +96,7 @@ def _training(
     out = experiment.out
     chosen = dict(study.options)
     own = chosen.pop("step", None)
+    chosen |= {} if study.pace == 1.0 else {"pace": study.pace}
     recording = RecordingPart(
         out, task, step or own, count, study.obs, tuple(chosen.items()), experiment.workers
     )

@@ -34,6 +34,9 @@ class StudyConfig(SettingOptions):
     demonstrations: Any = option(
         100, "How many demonstrations are learned from; a list gives a learning curve."
     )
+    pace: float = option(
+        1.0, "How fast the hand moves in the demonstrations, as a share of the expert's speeds."
+    )
     label: str | None = option(
         None, "What tables call the policy; its recipe's name when null. Keeps trainings apart."
     )
@@ -107,6 +110,7 @@ class Study:
         control: What they call that of the study which it is compared with, or None.
         tasks: Task ids.
         demonstrations: Numbers of demonstrations that are learned from, in increasing order.
+        pace: How fast the hand moves in them, as a share of the expert's speeds.
         budget: What each training may use.
         evaluate_at: Steps at which a training is evaluated too, in increasing order.
         shifts: What the evaluations draw.
@@ -121,6 +125,7 @@ class Study:
     control: str | None
     tasks: tuple[str, ...]
     demonstrations: tuple[int, ...]
+    pace: float
     budget: Budget
     evaluate_at: tuple[int, ...]
     shifts: tuple[Shift, ...]
@@ -168,6 +173,7 @@ def study_of(config: StudyConfig) -> Study:
         control=config.control,
         tasks=tuple(choose_tasks(config.task, config.level, config.tasks_dir)),
         demonstrations=_increasing("demonstrations", config.demonstrations),
+        pace=config.pace,
         budget=Budget(config.steps, config.epochs, config.batch_size, _said(config.training)),
         evaluate_at=_increasing("evaluate_at", config.evaluate_at),
         shifts=(

@@ -114,11 +114,16 @@ class Workcell:
         kind, apparatus = self._setting.renderer, self.simulation.apparatus
         return open_renderer(kind, scene.model, *size, liquids, apparatus, shadows)
 
-    def expert(self, skills: Sequence[Skill] | None = None) -> Expert:
-        """Return an expert that plays skills, those of `steps` by default; `start` it."""
+    def expert(self, skills: Sequence[Skill] | None = None, pace: float = 1.0) -> Expert:
+        """Return an expert that plays skills, those of `steps` by default; `start` it.
+
+        Args:
+            skills: What it plays.
+            pace: How fast its hand moves, as a share of its usual speeds.
+        """
         if skills is None:
             skills = [skill for step in self.steps for skill in step.skills]
-        return Expert(skills, self.world, self.motion)
+        return Expert(skills, self.world, self.motion, pace)
 
     def begin(self, scenario: Scenario, rng: np.random.Generator, after: str | None = None) -> bool:
         """Begin an episode: things stand, vessels are full, the setup has been played.

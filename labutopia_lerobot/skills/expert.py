@@ -68,6 +68,13 @@ class Expert:
 
     Whatever plays a phase raises `PhaseError` if the phase asks for what no hand can do.
 
+    Args:
+        skills: What it does.
+        world: Where.
+        motion: What follows the hand's path with the arm.
+        pace: How fast the hand moves, as a share of the speeds of the phases, which then have as
+            much more time; a base drives as ever.
+
     Attributes:
         finished: Whether the last phase is done.
         unexpected: Control steps with a touch outside the phase's declared list, by the two names.
@@ -75,8 +82,11 @@ class Expert:
         failure: What went wrong ("pick/lower not done after 6 s"), or None.
     """
 
-    def __init__(self, skills: Sequence[Skill], world: World, motion: Motion) -> None:
+    def __init__(
+        self, skills: Sequence[Skill], world: World, motion: Motion, pace: float = 1.0
+    ) -> None:
         self._skills = skills
+        self._pace = pace
         self._world = world
         self._motion = motion
 
@@ -150,15 +160,15 @@ class Expert:
         """
         self._count_unexpected_touches()
         target = self._target()
-        elapsed = self._world.time - self._began
-        late = elapsed > self._phase.timeout_s
+        elapsed, allowed = self._world.time - self._began, self._phase.timeout_s / self._pace
+        late = elapsed > allowed
         given_up = late and self._phase.may_fail
         done = given_up or self._phase.done(self._world, target, elapsed)
         if self.failure is None and done:
             self.finished = not self._next_phase()
             target = self._target()
         elif self.failure is None and late:
-            self.failure = f"{self.label} not done after {self._phase.timeout_s:g} s"
+            self.failure = f"{self.label} not done after {allowed:g} s"
         self._ride()
         self._reference = self._towards(target)
         phase = self._phase
@@ -199,7 +209,8 @@ class Expert:
         """
         turn = Rotation.from_matrix(target.rotation_w @ self._reference.rotation_w.T).as_rotvec()
         way = np.concatenate([target.position_w - self._reference.position_w, turn])
-        duration = max(_shares(way, self._phase.speed, self._phase.turn_speed), 1e-9)
+        speed, turn_speed = self._pace * self._phase.speed, self._pace * self._phase.turn_speed
+        duration = max(_shares(way, speed, turn_speed), 1e-9)
         full = way / duration  # the velocity that is as fast as the phase allows
         growth = _STEP_S**2 / max(_shares(full, _ACCELERATION, _TURN_ACCELERATION), 1e-9)
         step = float(longest_step(np.array(duration), np.array(growth)))
