@@ -73,9 +73,9 @@ class LearnedPolicy:
                 pretrained_path=str(folder),
                 preprocessor_overrides=overrides,
             )
-        self._precision = (
-            torch.autocast(torch.device(config.device).type) if config.use_amp else nullcontext()
-        )
+        # On a GPU alone, as where LeRobot drives robots: a processor's bfloat16 is for training.
+        on_gpu = torch.device(config.device).type == "cuda"
+        self._precision = torch.autocast("cuda") if config.use_amp and on_gpu else nullcontext()
 
     def start(self, env: LabEnv, seed: int) -> None:
         """Forget the previous episode."""
@@ -89,7 +89,8 @@ class LearnedPolicy:
         batch = preprocess_observation(observation)
         batch["task"] = [self._instruction]
         with torch.inference_mode(), self._precision:
-            actions = self._postprocessor(self._policy.select_action(self._preprocessor(batch)))
+            chosen = self._policy.select_action(self._preprocessor(batch))
+            actions = self._postprocessor(chosen.float())  # half precision is 8 mrad of a joint
         action: Action = actions.to("cpu").numpy()[0]
         return action
 

@@ -1,6 +1,7 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from torch.nn import Module
 
@@ -9,6 +10,7 @@ from labutopia_lerobot.evaluation.checkpoint import CheckpointError, open_checkp
 from labutopia_lerobot.evaluation.find_checkpoint import find_checkpoint
 from labutopia_lerobot.evaluation.jobs import EvaluationJob
 from labutopia_lerobot.evaluation.learned_policy import LearnedPolicy, UnusableWeightsError
+from labutopia_lerobot.evaluation.policies import Action
 from labutopia_lerobot.evaluation.rollout import play
 from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.scenario import canonical_task
@@ -107,6 +109,25 @@ def test_a_step_does_not_walk_through_the_network_to_say_that_nobody_trains(
     policy.start(env, 0)
     assert (policy.act(observation) == action).all()
     assert not any(module.training for module in policy._policy.modules())
+
+
+def test_what_was_trained_in_half_precision_acts_in_full_on_a_processor(
+    save_checkpoint: Saver,
+) -> None:
+    env = LabEnv(SETTING)
+    observation, _ = env.reset(seed=0)
+    folder = save_checkpoint()
+
+    def act() -> Action:
+        policy = LearnedPolicy(folder, "cpu")
+        policy.start(env, 0)
+        return policy.act(observation)
+
+    full = act()
+    config = json.loads((folder / "config.json").read_text())
+    (folder / "config.json").write_text(json.dumps(config | {"use_amp": True}))
+    assert act().dtype == np.float32
+    assert (act() == full).all()
 
 
 def test_weights_of_another_size_are_refused(save_checkpoint: Saver) -> None:
