@@ -87,7 +87,7 @@ def content() -> str:
 def _with_pictures() -> str:
     kept = measured("small_pictures")
     tables = (replace(each, title=f"{each.title}, with pictures") for each in kept.tables())
-    state = f"{len(kept.results)} of {len(kept.evaluations)} evaluations are measured"
+    state = f"{len(kept.results)} of {len(kept.evaluations)} evaluations measured"
     return (
         "## With pictures\n\n"
         f"Two cameras at 96x96, from scratch (`experiment=small_pictures`): {state}.\n"
