@@ -9,6 +9,7 @@ from typing import Any
 
 from labutopia_lerobot.evaluation.compare import (
     NUMBERS,
+    Comparison,
     NoCommonEpisodesError,
     compare,
     compare_controlled,
@@ -204,9 +205,9 @@ class Measured:
             if (each.control, *_same(each)) == (other.label, *_same(other))
         }
         pairs = {
-            each: compare_controlled(self.results[each], self.results[usual])
+            each: comparison
             for each, usual in partners.items()
-            if each in self.results and usual in self.results
+            if (comparison := self._controlled(each, usual)) is not None
         }
         p_values = holm([comparison.p_value for comparison in pairs.values()])
         compared = {
@@ -226,6 +227,15 @@ class Measured:
         head = ("Changed", "Usual", "Task", "Condition", "changed", "usual", *NUMBERS)
         note = explanation(compared.values())
         return [Table("Controls", head, lines, note)] if lines else []
+
+    def _controlled(self, changed: EvaluationPart, usual: EvaluationPart) -> Comparison | None:
+        """Return what a change makes, or None if one is not measured or was another scene."""
+        if changed not in self.results or usual not in self.results:
+            return None
+        try:
+            return compare_controlled(self.results[changed], self.results[usual])
+        except NoCommonEpisodesError:
+            return None
 
     def _comparisons(self) -> list[Table]:
         """Every two learned policies on common seeds, but those that are among the controls."""

@@ -1,5 +1,6 @@
 """Results of an experiment: tables, curves, and what is not measured."""
 
+import shutil
 from dataclasses import replace
 
 from labutopia_lerobot.cli.experiment import parse
@@ -65,6 +66,9 @@ def test_what_differs_in_one_thing_is_compared_with_the_usual_seed_by_seed(tmp_p
     rows = written("level2/pour_liquid", "act", 0.9, n=40, obs="state")
     keep(usual.place, rows)
     assert _control(evaluations)[-3:] == ("not measured",) * 3
+    keep(coarse.place, [replace(row, particles=300, drawn={"color": "red"}) for row in rows])
+    assert _control(evaluations)[-3:] == ("not measured",) * 3  # these are other scenes
+    shutil.rmtree(coarse.place)
     keep(coarse.place, [replace(row, particles=300, success=False) for row in rows])
     *names, lost, won, difference, _, _ = _control(evaluations)
     assert names == ["coarse", "act", "level2/pour_liquid", "id"]
