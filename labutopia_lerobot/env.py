@@ -131,7 +131,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         super().reset(seed=seed)
         self.seed = int(self.np_random.integers(2**31)) if seed is None else seed
         self._playing = self._workcells.begin(self.seed, (options or {}).get("after"))
-        self._observed = observed_pieces(self.workcell.task)
+        self._observed = observed_pieces(self.workcell.task, self.setting.hidden)
         if self.setting.reward == DENSE:
             self._advance = advance(self.workcell.progress, self.workcell.world)
         return self._observe(), self._info()

@@ -5,7 +5,7 @@ from what is here, so that keys, shapes and order cannot diverge. Imports neithe
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,9 +20,12 @@ from labutopia_lerobot.setting import (
     DEPTH,
     DRIFT,
     FORCES,
+    LEVELS,
     READINGS,
     ROBOT_NAMES,
     SCAN,
+    SIZES,
+    SOLUTIONS,
     Setting,
     UnknownOptionError,
 )
@@ -141,7 +144,7 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
         _base_of(robot, "odometry=drift", "has none. Choose odometry=exact")
     features = {"agent_pos": _robot_state(robot)}
     if setting.obs == "state":
-        names = environment_state_names(load_task())
+        names = environment_state_names(load_task(), setting.hidden)
         features["environment_state"] = _numbers("observation.environment_state", names)
     if FORCES in setting.extras:
         pads = (LEFT_PAD, RIGHT_PAD)
@@ -231,28 +234,38 @@ class ObservedPiece:
         piece: The piece.
         joints: Names of its hinges and slides.
         shuffled: Names of its bodies whose places are shuffled.
-        vessels: What liquid stays in: itself, or what is mounted on it.
         sizes: Of what stands by itself and is grasped, as `SIZE_NAMES` has them [m]; else none.
+        levels: Vessels whose levels are observed: itself, or what is mounted on it.
+        solutions: Those of which it is observed what is dissolved in them.
     """
 
     piece: Thing
     joints: tuple[str, ...]
     shuffled: tuple[str, ...]
-    vessels: tuple[Fillable, ...]
     sizes: tuple[float, ...]
+    levels: tuple[Fillable, ...]
+    solutions: tuple[Fillable, ...]
 
 
-def observed_pieces(task: Task) -> tuple[ObservedPiece, ...]:
-    """Return the pieces that the privileged state of a task is about."""
+def observed_pieces(task: Task, hidden: Collection[str] = ()) -> tuple[ObservedPiece, ...]:
+    """Return the pieces that the privileged state of a task is about.
+
+    Args:
+        task: The task.
+        hidden: What of it is left out, of `setting.HIDEABLE`.
+    """
+    reacts = any(filling.reacts for filling in task.contents.values())
     return tuple(
         ObservedPiece(
             piece,
             piece.joints,
             region.shuffled,
-            tuple(thing for thing in with_mounted([piece]) if isinstance(thing, Fillable)),
-            _sizes(piece),
+            sizes=() if SIZES in hidden else _sizes(piece),
+            levels=vessels if task.contents and LEVELS not in hidden else (),
+            solutions=vessels if reacts and SOLUTIONS not in hidden else (),
         )
         for piece, region in task.start.items()
+        for vessels in [tuple(v for v in with_mounted([piece]) if isinstance(v, Fillable))]
     )
 
 
@@ -263,7 +276,7 @@ def _sizes(piece: Thing) -> tuple[float, ...]:
     return ()
 
 
-def environment_state_names(task: Task) -> tuple[str, ...]:
+def environment_state_names(task: Task, hidden: Collection[str] = ()) -> tuple[str, ...]:
     """Name the elements of `environment_state`.
 
     For each thing its position [m] in the robot's base frame and the first two axes of its frame
@@ -273,22 +286,21 @@ def environment_state_names(task: Task) -> tuple[str, ...]:
     sizes [m] of what stands by itself and is grasped: a task may draw it of many kinds.
     Where there is liquid: how deep it would be in each vessel [m], were that upright. Where
     something is dissolved: by how much the pH of each is below 7, and the sRGB of 1 cm of it.
+
+    Args:
+        task: The task.
+        hidden: What of it is left out, of `setting.HIDEABLE`.
     """
-    reacts = any(filling.reacts for filling in task.contents.values())
     return tuple(
         name
-        for one in observed_pieces(task)
+        for one in observed_pieces(task, hidden)
         for name in (
             *(f"{one.piece.name}.{part}" for part in _POSE_NAMES),
             *one.joints,
             *(f"{body}.{axis}" for body in one.shuffled for axis in "xyz"),
             *(f"{one.piece.name}.{size}" for size in SIZE_NAMES if one.sizes),
-            *([f"{vessel.name}.fill" for vessel in one.vessels] if task.contents else []),
-            *(
-                [f"{v.name}.{part}" for v in one.vessels for part in SOLUTION_NAMES]
-                if reacts
-                else []
-            ),
+            *(f"{vessel.name}.fill" for vessel in one.levels),
+            *(f"{vessel.name}.{part}" for vessel in one.solutions for part in SOLUTION_NAMES),
         )
     )
 
@@ -312,8 +324,8 @@ def environment_state(pieces: tuple[ObservedPiece, ...], world: World) -> NDArra
         numbers += one.sizes
         if world.liquid is not None:
             inside = world.liquid.inside
-            numbers += [vessel.profile.depth(inside[vessel.name]) for vessel in one.vessels]
-        for vessel in one.vessels:
+            numbers += [vessel.profile.depth(inside[vessel.name]) for vessel in one.levels]
+        for vessel in one.solutions:
             solution = world.solution(vessel)
             if solution is not None:
                 numbers += [7.0 - solution.ph if solution.volume else 0.0, *solution.colour]

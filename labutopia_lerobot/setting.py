@@ -55,6 +55,11 @@ EXTRAS = (DEPTH, SEGMENTATION, *NUMBERS)
 """What can be observed beside the usual: depth and segmentation of every camera, forces on
 pads, what displays read, what the laser scanner of a base sees."""
 
+SIZES, LEVELS, SOLUTIONS = "sizes", "levels", "solutions"
+HIDEABLE = (SIZES, LEVELS, SOLUTIONS)
+"""What the privileged state can be left without: sizes of things, levels of liquids, what is
+dissolved in them (`features.environment_state_names`)."""
+
 ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda", "fetch", "fetch_differential")
 """Every robot that can play: the keys of `robots.ROBOTS`."""
 
@@ -130,6 +135,11 @@ class SettingOptions:
         "`obs=pixels`, `forces` on the pads [N], `readings` of the displays, and `scan` of the "
         "laser scanner of a base [m].",
     )
+    hidden: tuple[str, ...] = option(
+        (),
+        "What the privileged state of `obs=state` is left without: a list of `sizes` of things, "
+        "`levels` of liquids, and `solutions`, what is dissolved in them.",
+    )
     width: int = option(IMAGE_SIZE, "Width of the pictures [pixels].")
     height: int = option(IMAGE_SIZE, "Height of the pictures [pixels].")
     split: str = option("id", "`train`, `id` (other seeds) or `ood` (values never trained on).")
@@ -196,7 +206,7 @@ class Setting(SettingOptions):
     task: str = field(metadata={_HELP: "Task id, such as `level1/pick`."})
 
     def __post_init__(self) -> None:
-        for name in ("cameras", "extras", "axes"):
+        for name in ("cameras", "extras", "hidden", "axes"):
             value = getattr(self, name)
             object.__setattr__(self, name, (value,) if isinstance(value, str) else tuple(value))
         object.__setattr__(self, "axes", canonical_axes(self.axes))
@@ -227,6 +237,12 @@ class Setting(SettingOptions):
                 f"extras={list(self.extras)} needs renderer=classic: {FILAMENT} draws colours only"
             )
         object.__setattr__(self, "extras", tuple(e for e in EXTRAS if e in self.extras))
+        require_choices("hidden", self.hidden, HIDEABLE)
+        if self.hidden and self.obs != "state":
+            raise UnknownOptionError(
+                f"hidden={list(self.hidden)} needs obs=state: pictures show no numbers to hide"
+            )
+        object.__setattr__(self, "hidden", tuple(h for h in HIDEABLE if h in self.hidden))
         require_between("particles", self.particles, 1, 100_000)
         require_between("width", self.width, 1, LARGEST_PICTURE[0])
         require_between("height", self.height, 1, LARGEST_PICTURE[1])

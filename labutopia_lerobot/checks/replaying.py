@@ -67,7 +67,7 @@ def _of_moved_things(env: LabEnv, states: FloatArray) -> list[int]:
     Without their sizes, and what is about their contents, which stay as they are where nothing is
     poured in. Before a robot that drives all moves: of that what it handles.
     """
-    names = environment_state_names(env.workcell.task)
+    names = environment_state_names(env.workcell.task, env.setting.hidden)
     moves = dict(zip(names, np.ptp(states, axis=0) > 1e-3, strict=True))
     task = env.workcell.task
     handled = {thing.name for step in task.steps for thing in step.touches}

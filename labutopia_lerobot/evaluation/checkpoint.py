@@ -125,7 +125,7 @@ def open_checkpoint(
         height, width = (IMAGE_SIZE, IMAGE_SIZE) if adapts else _picture_size(folder, pictures)
         observed = replace(setting, obs="pixels", cameras=cameras, width=width, height=height)
     else:
-        names = environment_state_names(canonical_task(setting))
+        names = environment_state_names(canonical_task(setting), setting.hidden)
         _require_size(folder, _PRIVILEGED, inputs.get(_PRIVILEGED), len(names))
         _require_names(folder, setting.task, names)
         observed = setting.without_pictures()
@@ -165,7 +165,8 @@ def _require_size(folder: Path, key: str, shape: tuple[int, ...] | None, size: i
         trained = "none" if shape is None else f"one of shape {shape}"
         raise CheckpointError(
             f"{folder} does not fit: `{key}` has {size} elements in this task, and it was trained "
-            f"with {trained}. Train it on a dataset that labutopia-record made of this task"
+            f"with {trained}. Train it on a dataset that labutopia-record made of this task, and "
+            "choose the hidden= of that dataset"
         )
 
 
@@ -177,8 +178,9 @@ def _require_names(folder: Path, task: str, names: tuple[str, ...]) -> None:
     there, here = next((a, b) for a, b in zip_longest(trained, names) if a != b)
     raise CheckpointError(
         f"{folder} does not fit {task}: it was trained on {root}, where `{_PRIVILEGED}` has "
-        f"{there!r} for what is {here!r} here. Train it on a dataset of this task; if another "
-        "dataset has come to lie there since, take `dataset` out of its train_config.json"
+        f"{there!r} for what is {here!r} here. Train it on a dataset of this task, with the same "
+        "hidden=; if another dataset has come to lie there since, take `dataset` out of its "
+        "train_config.json"
     )
 
 

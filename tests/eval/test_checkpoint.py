@@ -1,4 +1,5 @@
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -210,6 +211,15 @@ def test_elements_of_a_state_are_compared_by_name_while_the_dataset_is_there(
             open_checkpoint(folder, "act", SETTING)
         (root / "meta" / "info.json").unlink()
     assert open_checkpoint(folder, "act", SETTING).folder == folder
+
+
+def test_what_a_training_did_not_see_must_be_hidden_from_it_again(save_checkpoint: Saver) -> None:
+    blind = replace(SETTING, hidden=("sizes",))
+    names = environment_state_names(canonical_task(SETTING), blind.hidden)
+    folder = save_checkpoint(privileged=len(names))
+    with pytest.raises(CheckpointError, match="choose the hidden= of that dataset"):
+        open_checkpoint(folder, "act", SETTING)
+    assert open_checkpoint(folder, "act", blind).setting.hidden == ("sizes",)
 
 
 def test_a_dataset_is_no_checkpoint_and_nothing_is_trained_into_it(tmp_path: Path) -> None:

@@ -87,6 +87,17 @@ def test_pictures_need_cameras_and_forces_do_not():
     assert (blind.obs, blind.extras) == ("state", ("forces",))
 
 
+def test_only_the_privileged_state_can_be_left_without_something():
+    with pytest.raises(UnknownOptionError, match=r"hidden=\['levels'\] needs obs=state"):
+        Setting("level1/pour", hidden=("levels",))
+    with pytest.raises(UnknownOptionError, match="sizes, levels, solutions"):
+        Setting("level1/pour", obs="state", hidden=("poses",))
+    assert Setting("level1/pour", obs="state", hidden=("levels", "sizes")).hidden == (
+        "sizes",
+        "levels",
+    )
+
+
 def test_depth_is_the_distance_along_the_axis_to_the_bench(env):
     depth = env.workcell.pictures(["top_depth"])["top_depth"][..., 0]
     height = env.workcell.simulation.data.camera("top").xpos[2] - env.workcell.world.bench_height

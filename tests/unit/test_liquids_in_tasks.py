@@ -131,6 +131,18 @@ def test_the_privileged_state_says_how_full_vessels_are(env):
     assert target.profile.depth(0.0) == 0
 
 
+def test_levels_are_left_out_of_the_privileged_state_where_they_are_hidden(env):
+    options = {"obs": "state", "particles": env.setting.particles}
+    hidden = LabEnv(Setting("level1/pour", hidden=("levels",), **options))
+    shown, _ = env.reset(seed=2)
+    without, _ = hidden.reset(seed=2)
+    names = environment_state_names(env.workcell.task)
+    kept = [index for index, name in enumerate(names) if not name.endswith(".fill")]
+    assert 0 < len(kept) < len(names)
+    assert np.array_equal(without["environment_state"], shown["environment_state"][kept])
+    assert hidden.observation_space.contains(without)
+
+
 def test_without_liquid_nothing_is_reported_of_it():
     env = LabEnv(Setting("level1/pour", obs="state", liquid="off"))
     _, info = env.reset(seed=2)
