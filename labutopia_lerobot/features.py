@@ -14,6 +14,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind, picture_names
+from labutopia_lerobot.predicates.openables import Bar
 from labutopia_lerobot.robots import Robot, load_robot
 from labutopia_lerobot.robots.mobile_base import MobileBase
 from labutopia_lerobot.setting import (
@@ -233,7 +234,7 @@ class ObservedPiece:
     Attributes:
         piece: The piece.
         joints: Names of its hinges and slides.
-        shuffled: Names of its bodies whose places are shuffled.
+        parts: Names of the frames of its parts whose places are observed.
         sizes: Of what stands by itself and is grasped, as `SIZE_NAMES` has them [m]; else none.
         levels: Vessels whose levels are observed: itself, or what is mounted on it.
         solutions: Those of which it is observed what is dissolved in them.
@@ -241,7 +242,7 @@ class ObservedPiece:
 
     piece: Thing
     joints: tuple[str, ...]
-    shuffled: tuple[str, ...]
+    parts: tuple[str, ...]
     sizes: tuple[float, ...]
     levels: tuple[Fillable, ...]
     solutions: tuple[Fillable, ...]
@@ -255,11 +256,13 @@ def observed_pieces(task: Task, hidden: Collection[str] = ()) -> tuple[ObservedP
         hidden: What of it is left out, of `setting.HIDEABLE`.
     """
     reacts = any(filling.reacts for filling in task.contents.values())
+    taken = {thing.name: thing for step in task.steps for thing in step.touches}
+    handles = [name for name, thing in taken.items() if isinstance(thing, Bar)]
     return tuple(
         ObservedPiece(
             piece,
             piece.joints,
-            region.shuffled,
+            (*region.shuffled, *(bar for bar in handles if bar.startswith(f"{piece.name}_"))),
             sizes=() if SIZES in hidden else _sizes(piece),
             levels=vessels if task.contents and LEVELS not in hidden else (),
             solutions=vessels if reacts and SOLUTIONS not in hidden else (),
@@ -282,8 +285,9 @@ def environment_state_names(task: Task, hidden: Collection[str] = ()) -> tuple[s
     For each thing its position [m] in the robot's base frame and the first two axes of its frame
     there: the continuous representation of rotations (Zhou et al. 2019, "On the Continuity of
     Rotation Representations in Neural Networks"), since quaternions jump. Then the position of each
-    of its hinges [rad] and slides [m], the place [m] of each of its parts that is shuffled, and the
-    sizes [m] of what stands by itself and is grasped: a task may draw it of many kinds.
+    of its hinges [rad] and slides [m], the place [m] of each of its parts that is shuffled and of
+    each handle that a step takes, and the sizes [m] of what stands by itself and is grasped: a task
+    may draw it of many kinds.
     Where there is liquid: how deep it would be in each vessel [m], were that upright. Where
     something is dissolved: by how much the pH of each is below 7, and the sRGB of 1 cm of it.
 
@@ -297,7 +301,7 @@ def environment_state_names(task: Task, hidden: Collection[str] = ()) -> tuple[s
         for name in (
             *(f"{one.piece.name}.{part}" for part in _POSE_NAMES),
             *one.joints,
-            *(f"{body}.{axis}" for body in one.shuffled for axis in "xyz"),
+            *(f"{part}.{axis}" for part in one.parts for axis in "xyz"),
             *(f"{one.piece.name}.{size}" for size in SIZE_NAMES if one.sizes),
             *(f"{vessel.name}.fill" for vessel in one.levels),
             *(f"{vessel.name}.{part}" for vessel in one.solutions for part in SOLUTION_NAMES),
@@ -319,7 +323,7 @@ def environment_state(pieces: tuple[ObservedPiece, ...], world: World) -> NDArra
         for three in (pose_b.position_w, pose_b.x_axis, pose_b.y_axis):
             numbers += three.tolist()
         numbers += [world.joint(name) for name in one.joints]
-        for name in one.shuffled:
+        for name in one.parts:
             numbers += (to_base @ world.frame(name)).position_w.tolist()
         numbers += one.sizes
         if world.liquid is not None:

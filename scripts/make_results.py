@@ -1,8 +1,8 @@
 """`python scripts/make_results.py`: docs/results.md and the table of the README, from kept results.
 
-Results of `labutopia-experiment` are kept in `eval/learned/` by `scripts/learned_rows.py`. What is
-not there is "not measured" on the page. What one found out by looking at them is written in
-`eval/learned/findings.md`, and stands on the page before the tables.
+Results of `labutopia-experiment` are kept in `eval/experiments/` by `scripts/experiment_rows.py`.
+What is not there is "not measured" on the page. What one found out by looking at them is written in
+`eval/experiments/findings.md`, and stands on the page before the tables.
 """
 
 from dataclasses import replace
@@ -11,13 +11,15 @@ from pathlib import Path
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.experiment import parse
 from labutopia_lerobot.evaluation.condition import REFERENCES
-from labutopia_lerobot.evaluation.reporting.table import Rate, as_markdown
+from labutopia_lerobot.evaluation.reporting.table import Cell, Rate, Table, as_markdown
+from labutopia_lerobot.evaluation.uncertainty.intervals import wilson
 from labutopia_lerobot.experiments.measured import Measured, kept_results
 from labutopia_lerobot.experiments.planning import evaluations, parts_of
+from labutopia_lerobot.experiments.rates import UNKNOWN
 
 ROOT = Path(__file__).parents[1]
 PAGE, README = ROOT / "docs" / "results.md", ROOT / "README.md"
-KEPT = ROOT / "eval" / "learned"
+KEPT = ROOT / "eval" / "experiments"
 FINDINGS = KEPT / "findings.md"
 _SHOWN = "level1/"
 BEGIN, END = "<!-- results -->\n", "<!-- end of results -->"
@@ -27,7 +29,7 @@ _HEAD = """# Results
 [To the README](../README.md)
 
 Made by `scripts/make_results.py` from the experiments in
-[configs/experiment](../configs/experiment) and the results that are kept in `eval/learned/`.
+[configs/experiment](../configs/experiment) and the results that are kept in `eval/experiments/`.
 {state} The expert's rows are in the [table of tasks](tasks.md) and in [failures](failures.md);
 what a table's interval means is in [statistics](statistics.md).
 
@@ -36,6 +38,7 @@ labutopia-experiment experiment=results_cpu plan=true            # what would be
 make results-cpu                                                 # everything that needs no GPU
 labutopia-experiment experiment=results_cpu only=level1/pick     # one task of the tables
 labutopia-experiment experiment=controls                         # what one thing changes
+labutopia-experiment experiment=expert_elsewhere                 # every axis, another arm, rooms
 make results-gpu                                                 # the paper's settings, on one GPU
 labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU without a network
 ```
@@ -81,7 +84,8 @@ def content() -> str:
     state += "is measured." if len(kept.results) < 2 else "are measured."
     tables = [*kept.tables(), *measured("controls").controls()]
     shown = "\n".join(map(as_markdown, tables))
-    return f"{_HEAD.format(state=state)}{FINDINGS.read_text()}\n{shown}\n{_with_pictures()}"
+    parts = (FINDINGS.read_text(), shown, _with_pictures(), as_markdown(elsewhere()))
+    return _HEAD.format(state=state) + "\n".join(parts)
 
 
 def _with_pictures() -> str:
@@ -94,6 +98,33 @@ def _with_pictures() -> str:
         "The paper's settings (`make results-gpu`): not measured.\n\n"
         + "\n".join(map(as_markdown, tables))
     )
+
+
+def elsewhere() -> Table:
+    """Return the expert's successes where it is not usually measured, of all rooms together."""
+    kept = measured("expert_elsewhere", learned=False)
+    of: dict[str, dict[str, list[Rate]]] = {}
+    for each in kept.evaluations:
+        where = "furnished rooms" if "room" in dict(each.options) else each.label.replace("_", " ")
+        rate = kept.rate(each)
+        of.setdefault(each.task, {}).setdefault(where, []).extend(
+            [rate] if isinstance(rate, Rate) else []
+        )
+    places = list(dict.fromkeys(where for by_place in of.values() for where in by_place))
+    lines = [
+        (task, *(_together(by_place[where]) for where in places)) for task, by_place in of.items()
+    ]
+    note = (
+        "Successes of episodes, per cent, 95 % interval (Wilson): `experiment=expert_elsewhere`. "
+        "Every axis of the task varied; another arm; ten episodes in each of ten furnished rooms."
+    )
+    return Table("The expert elsewhere", ("Task", *places), tuple(lines), note)
+
+
+def _together(rates: list[Rate]) -> Cell:
+    """Return the successes of several evaluations, or that none is measured."""
+    count, n = sum(rate.count for rate in rates), sum(rate.n for rate in rates)
+    return Rate(count, n, wilson(count, n)) if n else UNKNOWN
 
 
 def readme() -> str:
@@ -119,11 +150,11 @@ def readme() -> str:
     return "\n".join([before + BEGIN.rstrip(), *lines, END + after])
 
 
-def measured(experiment: str) -> Measured:
-    """Return what is kept of an experiment, learned policies only."""
+def measured(experiment: str, *, learned: bool = True) -> Measured:
+    """Return what is kept of the learned policies of an experiment, or of the others."""
     chosen = parse([f"experiment={experiment}"])
-    learned = [e for e in evaluations(parts_of(chosen)) if e.policy not in REFERENCES]
-    return kept_results(KEPT, learned)
+    wanted = [e for e in evaluations(parts_of(chosen)) if learned != (e.policy in REFERENCES)]
+    return kept_results(KEPT, wanted)
 
 
 if __name__ == "__main__":

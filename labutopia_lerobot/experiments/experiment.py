@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, get_origin
 
 from omegaconf import OmegaConf
 from omegaconf.errors import OmegaConfBaseException
@@ -20,7 +20,7 @@ from labutopia_lerobot.experiments.study import (
     study_of,
 )
 from labutopia_lerobot.runtime.shipped import shipped
-from labutopia_lerobot.setting import option, require_choices
+from labutopia_lerobot.setting import option, options_of, require_choices
 
 STUDIES = "studies"
 """Key of a file's list of studies."""
@@ -200,8 +200,13 @@ def _read(file: Path) -> dict[str, Any]:
 def _merged[Options](kind: type[Options], file: Path | None, *layers: Mapping[str, Any]) -> Options:
     """Return options of several layers, of which the last wins."""
     _require_known(kind, file, layers)
+    lists = {each.name for each in options_of(kind) if get_origin(each.type) is tuple}
+    listed = (
+        {name: [v] if name in lists and isinstance(v, str) else v for name, v in layer.items()}
+        for layer in layers
+    )
     try:
-        merged = OmegaConf.merge(OmegaConf.structured(kind), *(dict(layer) for layer in layers))
+        merged = OmegaConf.merge(OmegaConf.structured(kind), *listed)
         made: Options = OmegaConf.to_object(merged)  # type: ignore[assignment]
     except OmegaConfBaseException as error:
         raise ExperimentOptionError(str(error).strip().splitlines()[0]) from None

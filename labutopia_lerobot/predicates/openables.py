@@ -1,7 +1,7 @@
 """Facts about doors and drawers, and about the hand that moves them."""
 
 import math
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
@@ -13,6 +13,7 @@ _AJAR = 0.3
 """Position at which a door or drawer counts as shut by 1/e [rad or m] (ours; `reward=dense`)."""
 
 
+@runtime_checkable
 class Bar(Thing, Protocol):
     """A straight handle; the frame of its name lies in its middle, z along it."""
 

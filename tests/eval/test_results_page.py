@@ -4,9 +4,10 @@ from pathlib import Path
 
 import pytest
 
-import learned_rows
+import experiment_rows
 import make_results
 from labutopia_lerobot.evaluation.load_results import load_results
+from labutopia_lerobot.evaluation.reporting.table import Rate
 
 from .written_rows import keep, written
 
@@ -24,11 +25,21 @@ def test_every_cell_of_the_page_is_a_rate_or_says_that_it_is_not_measured():
     assert all(cell in ("-", "not measured") or "/" in cell for cell in cells)
 
 
+def test_the_rooms_of_the_expert_are_counted_together():
+    table = make_results.elsewhere()
+    assert table.head == ("Task", "every axis", "iiwa", "furnished rooms")
+    rates = [Rate(count, 10, (0.0, 1.0)) for count in (10, 9, 10)]
+    together = make_results._together(rates)
+    assert isinstance(together, Rate)
+    assert (together.count, together.n) == (29, 30)
+    assert make_results._together([]) == "not measured"
+
+
 def test_results_are_kept_where_the_page_looks_for_them_and_name_no_place_on_this_machine(tmp_path):
     out, place = tmp_path / "out", Path("act/state-100/level1/pick/id")
     rows = written("level1/pick", "act", 0.5, n=20, obs="state")
     keep(out / "eval" / place, rows, weights=f"{out}/train/act")
-    (file,) = learned_rows.keep(out, tmp_path / "kept")
+    (file,) = experiment_rows.keep(out, tmp_path / "kept")
     assert file.parent == tmp_path / "kept" / place
     (kept,) = load_results(file)
     assert [row.success for row in kept.rows] == [row.success for row in rows]
@@ -36,5 +47,7 @@ def test_results_are_kept_where_the_page_looks_for_them_and_name_no_place_on_thi
 
 
 def test_an_experiment_without_results_is_refused(tmp_path):
-    with pytest.raises(learned_rows.NothingLearnedError, match="Make one: labutopia-experiment"):
-        learned_rows.keep(tmp_path, tmp_path / "kept")
+    with pytest.raises(
+        experiment_rows.NothingMeasuredError, match="Make one: labutopia-experiment"
+    ):
+        experiment_rows.keep(tmp_path, tmp_path / "kept")

@@ -92,6 +92,13 @@ def test_the_command_line_wins_over_a_study_and_a_study_over_its_file(tmp_path):
     assert {study.episodes for study in parse([f"experiment={file}", "episodes=3"]).studies} == {3}
 
 
+def test_a_list_of_one_is_written_in_a_file_as_on_the_command_line(tmp_path):
+    file = tmp_path / "mine.yaml"
+    file.write_text("{policy: expert, task: level1/pick, studies: [{axes: all}, {axes: light}]}")
+    experiment = parse([f"experiment={file}"])
+    assert [study.shifts[0].axes for study in experiment.studies] == [("all",), ("light",)]
+
+
 def test_one_line_of_a_table_can_be_repeated_alone(tmp_path):
     file = tmp_path / "mine.yaml"
     file.write_text(TWO_STUDIES)

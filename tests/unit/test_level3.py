@@ -197,6 +197,22 @@ def test_the_state_says_how_large_the_vessel_is_that_was_drawn():
     assert len(heights) == 3  # of three flasks
 
 
+def test_the_state_says_where_the_handle_of_the_oven_is_that_was_drawn():
+    env, places = begun("level3/open_door"), {}
+    for seed in range(8):
+        observation, info = env.reset(seed=seed)
+        names = environment_state_names(env.workcell.task)
+        at = [names.index(f"oven_handle.{axis}") for axis in "xyz"]
+        world = env.workcell.world
+        handle_b = world.robot_base.inverse() @ world.frame("oven_handle")
+        assert observation["environment_state"][at] == pytest.approx(handle_b.position_w, abs=1e-6)
+        (oven,) = env.workcell.task.start
+        frame_o = world.pose(oven).inverse() @ world.frame("oven_handle")
+        places[info["drawn"]["object"]] = frame_o.position_w
+    drying, vacuum = (places[kind] for kind in ("drying oven", "vacuum oven"))
+    assert np.linalg.norm(drying - vacuum) > 0.02  # what the oven's pose does not tell
+
+
 def test_starts_are_no_narrower_than_level_1_s():
     twins = {"pick": "level1/pick", "pick_sizes": "level1/pick", "pour_sizes": "level1/pour"}
     twins |= {name: f"level2/{name}" for name in ("heat_beaker", "pour_liquid", "transport_beaker")}

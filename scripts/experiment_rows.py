@@ -1,13 +1,13 @@
-"""`python scripts/learned_rows.py OUT`: keep an experiment's results in `eval/learned`.
+"""`python scripts/experiment_rows.py OUT`: keep an experiment's results in `eval/experiments`.
 
 After a measuring run, such as
 
     labutopia-experiment experiment=results_cpu only=level1/pick out=OUT
-    python scripts/learned_rows.py OUT
+    python scripts/experiment_rows.py OUT
     python scripts/make_results.py
 
-Every finished evaluation below `OUT/eval` is kept at the same place below `eval/learned`: where its
-rows come from, and the rows, one per line and without `facts` and `history`, which are most of
+Every finished evaluation below `OUT/eval` is kept at the same place below `eval/experiments`: where
+its rows come from, and the rows, one per line and without `facts` and `history`, which are most of
 their length. Paths are written as if OUT were the default.
 """
 
@@ -20,12 +20,12 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.result_folder import RESULT
 from labutopia_lerobot.foreign_files import read_json_object
 
-KEPT = Path(__file__).parents[1] / "eval" / "learned"
+KEPT = Path(__file__).parents[1] / "eval" / "experiments"
 _DEFAULT = "outputs/experiments/results_cpu"
 """Where the experiment is made if OUT is not said."""
 
 
-class NothingLearnedError(UserError):
+class NothingMeasuredError(UserError):
     """A folder that holds no finished evaluation; the message says what to run."""
 
 
@@ -39,12 +39,12 @@ def keep(experiment: Path, folder: Path) -> list[Path]:
     """Write the rows of an experiment's finished evaluations, and return the files.
 
     Raises:
-        NothingLearnedError: If it has none.
+        NothingMeasuredError: If it has none.
     """
     evaluations = experiment / "eval"
     results = sorted(evaluations.rglob(RESULT))
     if not results:
-        raise NothingLearnedError(
+        raise NothingMeasuredError(
             f"{evaluations} holds no {RESULT}. Make one: labutopia-experiment "
             f"experiment=results_cpu out={experiment}"
         )
@@ -52,7 +52,7 @@ def keep(experiment: Path, folder: Path) -> list[Path]:
 
 
 def _keep(result: Path, experiment: Path, file: Path) -> Path:
-    content = read_json_object(result, NothingLearnedError)
+    content = read_json_object(result, NothingMeasuredError)
     origin = json.dumps(content["provenance"])
     for place in (experiment.resolve(), experiment):
         origin = origin.replace(str(place), _DEFAULT)
