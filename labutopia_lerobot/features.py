@@ -145,7 +145,13 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
         _base_of(robot, "odometry=drift", "has none. Choose odometry=exact")
     features = {"agent_pos": _robot_state(robot)}
     if setting.obs == "state":
-        names = environment_state_names(load_task(), setting.hidden)
+        task = load_task()
+        names = environment_state_names(task, setting.hidden)
+        for what in setting.hidden:
+            if environment_state_names(task, [what]) == environment_state_names(task):
+                raise UnknownOptionError(
+                    f"hidden=[{what}]: the state of {setting.task} has none. Leave it out"
+                )
         features["environment_state"] = _numbers("observation.environment_state", names)
     if FORCES in setting.extras:
         pads = (LEFT_PAD, RIGHT_PAD)

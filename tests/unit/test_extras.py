@@ -96,6 +96,10 @@ def test_only_the_privileged_state_can_be_left_without_something():
         "sizes",
         "levels",
     )
+    with pytest.raises(
+        UnknownOptionError, match=r"hidden=\[levels\]: the state of level1/pick has"
+    ):
+        LabEnv(Setting("level1/pick", obs="state", hidden=("levels",)))
 
 
 def test_depth_is_the_distance_along_the_axis_to_the_bench(env):
