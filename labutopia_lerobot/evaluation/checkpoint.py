@@ -21,6 +21,7 @@ from labutopia_lerobot.evaluation.checkpoint_security import (
     require_safe_model,
 )
 from labutopia_lerobot.evaluation.find_checkpoint import (
+    WEIGHTS,
     adapted,
     checkpoint_files,
     find_checkpoint,
@@ -97,11 +98,13 @@ def open_checkpoint(
         CheckpointError: If there is none, or it cannot play the task.
     """
     folder = find_checkpoint(str(path), policy, setting.task, obs, setting.step, one_of_several)
-    checkpoint_files(folder)
+    files = [folder / name for name in checkpoint_files(folder)]
     require_safe_checkpoint(folder)
     base = adapted(folder)
     if base is not None:
         require_safe_model(base)
+        files.append(base / WEIGHTS)
+    _require_whole(file for file in files if file.suffix == ".safetensors")
     config = read_json_object(folder / CONFIG, CheckpointError)
     kind = _type(folder, config, policy)
     renamed = dict(rename) if rename else _trained_rename(folder)
@@ -131,6 +134,18 @@ def open_checkpoint(
         observed = setting.without_pictures()
     chosen = tuple(sorted(rename.items())) if rename else None
     return Checkpoint(folder, base, kind, device, chosen, observed)
+
+
+def _require_whole(files: Iterable[Path]) -> None:
+    """Make sure that weights have the length that they should have, before anything is begun."""
+    for file in files:
+        try:
+            with safe_open(file, framework="numpy"):
+                pass
+        except (OSError, SafetensorError) as error:
+            raise CheckpointError(
+                f"{file} is damaged or cut short ({error}). Copy or download it again"
+            ) from None
 
 
 def _type(folder: Path, config: dict[str, Any], policy: str | None) -> str:

@@ -1,4 +1,5 @@
 import json
+import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -211,6 +212,16 @@ def test_elements_of_a_state_are_compared_by_name_while_the_dataset_is_there(
             open_checkpoint(folder, "act", SETTING)
         (root / "meta" / "info.json").unlink()
     assert open_checkpoint(folder, "act", SETTING).folder == folder
+
+
+@pytest.mark.parametrize("kept", [0, 1000])
+def test_weights_that_are_cut_short_are_refused_before_anything_is_loaded(
+    save_checkpoint: Saver, kept: int
+) -> None:
+    folder = save_checkpoint()
+    os.truncate(folder / "model.safetensors", kept)
+    with pytest.raises(CheckpointError, match="is damaged or cut short"):
+        open_checkpoint(folder, "act", SETTING)
 
 
 def test_what_a_training_did_not_see_must_be_hidden_from_it_again(save_checkpoint: Saver) -> None:
