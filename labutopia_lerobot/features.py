@@ -21,6 +21,7 @@ from labutopia_lerobot.setting import (
     DEPTH,
     DRIFT,
     FORCES,
+    HANDLES,
     LEVELS,
     READINGS,
     ROBOT_NAMES,
@@ -263,12 +264,13 @@ def observed_pieces(task: Task, hidden: Collection[str] = ()) -> tuple[ObservedP
     """
     reacts = any(filling.reacts for filling in task.contents.values())
     taken = {thing.name: thing for step in task.steps for thing in step.touches}
-    handles = [name for name, thing in taken.items() if isinstance(thing, Bar)]
+    bars = [name for name, thing in taken.items() if isinstance(thing, Bar)]
+    handles = [] if HANDLES in hidden else bars
     return tuple(
         ObservedPiece(
             piece,
             piece.joints,
-            (*region.shuffled, *(bar for bar in handles if bar.startswith(f"{piece.name}_"))),
+            (*region.shuffled, *(name for name in handles if name.startswith(f"{piece.name}_"))),
             sizes=() if SIZES in hidden else _sizes(piece),
             levels=vessels if task.contents and LEVELS not in hidden else (),
             solutions=vessels if reacts and SOLUTIONS not in hidden else (),

@@ -55,10 +55,10 @@ EXTRAS = (DEPTH, SEGMENTATION, *NUMBERS)
 """What can be observed beside the usual: depth and segmentation of every camera, forces on
 pads, what displays read, what the laser scanner of a base sees."""
 
-SIZES, LEVELS, SOLUTIONS = "sizes", "levels", "solutions"
-HIDEABLE = (SIZES, LEVELS, SOLUTIONS)
-"""What the privileged state can be left without: sizes of things, levels of liquids, what is
-dissolved in them (`features.environment_state_names`)."""
+HANDLES, SIZES, LEVELS, SOLUTIONS = "handles", "sizes", "levels", "solutions"
+HIDEABLE = (HANDLES, SIZES, LEVELS, SOLUTIONS)
+"""What the privileged state can be left without: places of handles, sizes of things, levels of
+liquids, what is dissolved in them (`features.environment_state_names`)."""
 
 ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda", "fetch", "fetch_differential")
 """Every robot that can play: the keys of `robots.ROBOTS`."""
@@ -137,8 +137,8 @@ class SettingOptions:
     )
     hidden: tuple[str, ...] = option(
         (),
-        "What the privileged state of `obs=state` is left without: a list of `sizes` of things, "
-        "`levels` of liquids, and `solutions`, what is dissolved in them.",
+        "What the privileged state of `obs=state` is left without: a list of places of `handles`, "
+        "`sizes` of things, `levels` of liquids, and `solutions`, what is dissolved in them.",
     )
     width: int = option(IMAGE_SIZE, "Width of the pictures [pixels].")
     height: int = option(IMAGE_SIZE, "Height of the pictures [pixels].")

@@ -211,6 +211,8 @@ def test_the_state_says_where_the_handle_of_the_oven_is_that_was_drawn():
         places[info["drawn"]["object"]] = frame_o.position_w
     drying, vacuum = (places[kind] for kind in ("drying oven", "vacuum oven"))
     assert np.linalg.norm(drying - vacuum) > 0.02  # what the oven's pose does not tell
+    hidden = environment_state_names(env.workcell.task, ["handles"])
+    assert [name for name in names if name not in hidden] == [names[index] for index in at]
 
 
 def test_starts_are_no_narrower_than_level_1_s():
