@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
+import tiny_act
 from killing import killed_at_any_moment
 from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
 from labutopia_lerobot.evaluation.jobs import make_jobs
@@ -216,8 +217,7 @@ def test_weights_that_training_overwrote_do_not_go_on(
     began = origin(options, make_jobs(options))
     with claim(tmp_path / "out", began):
         pass
-    with (folder / "model.safetensors").open("ab") as weights:
-        weights.write(b" ")
+    tiny_act.change(folder)
     refused = pytest.raises(OccupiedFolderError, match=r"sha256\.model\.safetensors")
     with refused, claim(tmp_path / "out", origin(options, make_jobs(options))):
         pass

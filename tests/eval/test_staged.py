@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+import tiny_act
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint_security import CheckpointError
 from labutopia_lerobot.evaluation.config import (
@@ -207,8 +208,7 @@ def test_a_policy_per_step_is_found_below_its_task_and_traced_to_its_weights(
     ]
     with claim(tmp_path / "out", began):
         pass
-    with (folder / DRAWER / "close" / "model.safetensors").open("ab") as weights:
-        weights.write(b" ")
+    tiny_act.change(folder / DRAWER / "close")
     other = origin(options, make_jobs(options))
     refused = pytest.raises(OccupiedFolderError, match=r"operate_drawer/close\.sha256\.model")
     with refused, claim(tmp_path / "out", other):
