@@ -243,7 +243,7 @@ class ObservedPiece:
         joints: Names of its hinges and slides.
         parts: Names of the frames of its parts whose places are observed.
         sizes: Of what stands by itself and is grasped, as `SIZE_NAMES` has them [m]; else none.
-        levels: Vessels whose levels are observed: itself, or what is mounted on it.
+        levels: Vessels whose levels are observed: itself, or what is mounted on it; else none.
         solutions: Those of which it is observed what is dissolved in them.
     """
 
@@ -272,12 +272,16 @@ def observed_pieces(task: Task, hidden: Collection[str] = ()) -> tuple[ObservedP
             piece.joints,
             (*region.shuffled, *(name for name in handles if name.startswith(f"{piece.name}_"))),
             sizes=() if SIZES in hidden else _sizes(piece),
-            levels=vessels if task.contents and LEVELS not in hidden else (),
-            solutions=vessels if reacts and SOLUTIONS not in hidden else (),
+            levels=_vessels(piece) if task.contents and LEVELS not in hidden else (),
+            solutions=_vessels(piece) if reacts and SOLUTIONS not in hidden else (),
         )
         for piece, region in task.start.items()
-        for vessels in [tuple(v for v in with_mounted([piece]) if isinstance(v, Fillable))]
     )
+
+
+def _vessels(piece: Thing) -> tuple[Fillable, ...]:
+    """Return what liquid stays in: the piece itself, or what is mounted on it."""
+    return tuple(thing for thing in with_mounted([piece]) if isinstance(thing, Fillable))
 
 
 def _sizes(piece: Thing) -> tuple[float, ...]:

@@ -215,6 +215,15 @@ def test_the_state_says_where_the_handle_of_the_oven_is_that_was_drawn():
     assert [name for name in names if name not in hidden] == [names[index] for index in at]
 
 
+def test_a_step_alone_has_the_state_of_its_task_whether_it_takes_the_handle_or_not():
+    whole = canonical_task(Setting("level4/drying_beakers"))
+    names = environment_state_names(whole)
+    assert "oven_handle.x" in names
+    for step in whole.steps:
+        alone = canonical_task(Setting("level4/drying_beakers", step=step.name))
+        assert environment_state_names(alone) == names
+
+
 def test_starts_are_no_narrower_than_level_1_s():
     twins = {"pick": "level1/pick", "pick_sizes": "level1/pick", "pour_sizes": "level1/pour"}
     twins |= {name: f"level2/{name}" for name in ("heat_beaker", "pour_liquid", "transport_beaker")}
