@@ -62,7 +62,7 @@ labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU wit
 - `kit=KIT` records and verifies, and fills a folder for a machine that has a GPU, Python with
   torch, and no network: recordings, recipes, commands, packages. `bash KIT/train.sh 600 4` there
   trains four at once for ten minutes, and goes on when it is called again. `KIT/train`, copied back
-  below `out`, is what the experiment then evaluates.
+  below `out`, is what the experiment then evaluates, with `device=cpu` where there is no GPU.
 - `out/report.html` has tables, curves, causes and films; `out/logs/` what every program said.
 - State policies are given the poses of all things and see no pictures: their numbers are not
   comparable with the paper's.
@@ -89,14 +89,15 @@ def content() -> str:
 
 
 def _with_pictures() -> str:
-    kept = measured("small_pictures")
+    kept = measured("small_pictures", "paper_short")
     tables = (replace(each, title=f"{each.title}, with pictures") for each in kept.tables())
     state = f"{len(kept.results)} of {len(kept.evaluations)} evaluations measured"
     return (
         "## With pictures\n\n"
-        f"Two cameras at 96x96, from scratch (`experiment=small_pictures`): {state}.\n"
-        "The paper's settings (`make results-gpu`): not measured.\n\n"
-        + "\n".join(map(as_markdown, tables))
+        f"Two cameras, from scratch: {state}. `act_small` at 96x96 without a GPU "
+        "(`experiment=small_pictures`),\n`act_short`, the paper's ACT at 256x256 "
+        "with a few of its steps (`experiment=paper_short`). The paper's settings in full\n"
+        "(`make results-gpu`): not measured.\n\n" + "\n".join(map(as_markdown, tables))
     )
 
 
@@ -150,11 +151,11 @@ def readme() -> str:
     return "\n".join([before + BEGIN.rstrip(), *lines, END + after])
 
 
-def measured(experiment: str, *, learned: bool = True) -> Measured:
-    """Return what is kept of the learned policies of an experiment, or of the others."""
-    chosen = parse([f"experiment={experiment}"])
-    wanted = [e for e in evaluations(parts_of(chosen)) if learned != (e.policy in REFERENCES)]
-    return kept_results(KEPT, wanted)
+def measured(*experiments: str, learned: bool = True) -> Measured:
+    """Return what is kept of the learned policies of experiments, or of the others."""
+    chosen = (parse([f"experiment={each}"]) for each in experiments)
+    wanted = (each for of_one in chosen for each in evaluations(parts_of(of_one)))
+    return kept_results(KEPT, [e for e in wanted if learned != (e.policy in REFERENCES)])
 
 
 if __name__ == "__main__":

@@ -101,8 +101,9 @@ def _training(
         out, task, step or own, count, study.obs, tuple(chosen.items()), experiment.workers
     )
     label = study.label_of(policy)
-    device = None if experiment.kit else experiment.device  # a kit's is that of the other machine
-    return TrainingPart(out, recording, policy, label, study.budget, study.evaluate_at, device)
+    return TrainingPart(
+        out, recording, policy, label, study.budget, study.evaluate_at, experiment.device
+    )
 
 
 def _evaluation(

@@ -1,4 +1,4 @@
-"""What must hold before anything is done: inputs that stand, room on the disk, memory."""
+"""What must hold before anything is done: inputs that stand, a GPU, room on the disk, memory."""
 
 import shutil
 from collections.abc import Sequence
@@ -23,6 +23,10 @@ _SHOWN = 6
 
 class OutdatedPartsError(UserError):
     """Parts that other inputs made; the message says which inputs, and the ways out."""
+
+
+class NoGpuError(UserError):
+    """Parts that need a GPU on a machine without; the message says what can be done here."""
 
 
 class NoMemoryError(UserError):
@@ -76,6 +80,25 @@ def require_not_outdated(parts: Sequence[ExperimentPart], records: PartRecords) 
             f"{len(found)} parts were made from other inputs, as by another build or recipe:\n"
             f"{listed}\nChoose another out=, go back to those inputs, or delete these parts and "
             "make them anew with again=true"
+        )
+
+
+def require_gpu(parts: Sequence[ExperimentPart]) -> None:
+    """Make sure that there is a GPU, if parts are to run on one.
+
+    Raises:
+        NoGpuError: If there is none that torch can use.
+    """
+    needing = [part.name for part in parts if part.gpus]
+    if not needing:
+        return
+    import torch  # here: it takes seconds
+
+    if not torch.cuda.is_available():
+        raise NoGpuError(
+            f"device=cuda: {len(needing)} parts need a GPU, such as '{needing[0]}', and torch can "
+            "use none here. Take device=cpu, which also evaluates what was trained elsewhere, or "
+            "train elsewhere with kit=KIT"
         )
 
 

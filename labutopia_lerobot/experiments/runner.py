@@ -24,6 +24,7 @@ from labutopia_lerobot.experiments.planning import check, parts_of
 from labutopia_lerobot.experiments.rates import Cost, Rates, cost_of, price_list
 from labutopia_lerobot.experiments.requirements import (
     outdated,
+    require_gpu,
     require_not_outdated,
     require_room,
     stands,
@@ -71,6 +72,8 @@ def run_experiment(
         if experiment.kit:
             parts = list(dict.fromkeys(need for part in elsewhere for need in part.needs))
         pending = [part for part in parts if not stands(part, records)]
+        if experiment.launcher == "local":  # Ray's machines may have one
+            require_gpu(pending)
         small = warm_up(pending, _rates(experiment.out), experiment.out)
         if experiment.warm_up and small:
             console.print(f"Measuring rates in small, {len(small)} parts", markup=False)

@@ -3,7 +3,7 @@
     labutopia-experiment experiment=results_gpu kit=KIT     # records and verifies here, fills KIT
     bash KIT/train.sh 600                                   # there, again and again; KIT may move
     cp -r KIT/train outputs/experiments/results_gpu/        # and back
-    labutopia-experiment experiment=results_gpu             # evaluates and goes on
+    labutopia-experiment experiment=results_gpu device=cpu  # evaluates, here without a GPU
 
 The kit holds the recordings, the recipes, the commands, and the packages of this environment as
 wheels; Python and torch are those of the other machine. `train.sh SECONDS AT_ONCE` trains so many

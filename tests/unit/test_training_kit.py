@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import torch
 from rich.console import Console
 
 from labutopia_lerobot.cli.experiment import parse
@@ -16,7 +17,7 @@ from labutopia_lerobot.experiments.part_record import PartRecords
 from labutopia_lerobot.experiments.parts.experiment_part import log_of
 from labutopia_lerobot.experiments.parts.training_part import TrainingPart
 from labutopia_lerobot.experiments.planning import parts_of
-from labutopia_lerobot.experiments.requirements import outdated, stands
+from labutopia_lerobot.experiments.requirements import NoGpuError, outdated, stands
 from labutopia_lerobot.experiments.runner import run_experiment
 from labutopia_lerobot.experiments.training_kit import TrainingKitError, packages_needed
 
@@ -47,12 +48,17 @@ def test_what_a_kit_has_trained_elsewhere_is_taken_for_what_was_begun_here(
     monkeypatch.setattr(runner, "fetch_wheels", lambda folder: None)  # needs the network
     out, kit, moved = tmp_path / "out", tmp_path / "kit", tmp_path / "elsewhere" / "kit"
     console = Console(quiet=True)
-    assert run_experiment(experiment(out, f"kit={kit}"), console, lambda parts: None) == {}
-    (training,) = (p for p in parts_of(experiment(out)) if isinstance(p, TrainingPart))
+    for_a_gpu = experiment(out, "device=cuda", f"kit={kit}")
+    assert run_experiment(for_a_gpu, console, lambda parts: None) == {}
+    here = parts_of(experiment(out, "device=cpu"))
+    (training,) = (part for part in here if isinstance(part, TrainingPart))
     assert not training.finished()
 
     shutil.move(kit, moved)
-    assert str(tmp_path) not in (moved / "kit.json").read_text()
+    said = (moved / "kit.json").read_text()
+    assert str(tmp_path) not in said
+    assert "--policy.device=cuda" in said
+    (moved / "kit.json").write_text(said.replace("cuda", "cpu"))  # there may be no GPU here
     stopped = trained(moved, "0")
     assert stopped.returncode == 1
     assert "not begun" in stopped.stdout
@@ -98,8 +104,11 @@ def test_a_kit_has_every_package_that_ours_needs_but_torch() -> None:
     assert not {"torch", "torchvision", "triton"} & named
 
 
-def test_a_kit_of_trainings_for_a_gpu_is_filled_without_one(tmp_path) -> None:
-    parts = parts_of(experiment(tmp_path, "device=cuda", f"kit={tmp_path / 'kit'}"))
-    (training,) = (part for part in parts if isinstance(part, TrainingPart))
-    training.check()
-    assert not any("device" in word for word in training._further())
+def test_trainings_on_a_gpu_are_refused_without_one_before_anything_is_recorded(
+    tmp_path, monkeypatch
+) -> None:
+    monkeypatch.setattr(torch.cuda, "is_available", lambda: False)
+    out = tmp_path / "out"
+    with pytest.raises(NoGpuError, match=r"2 parts need a GPU.*kit=KIT"):
+        run_experiment(experiment(out, "device=cuda"), Console(quiet=True), lambda parts: None)
+    assert not (out / "datasets").exists()

@@ -88,7 +88,7 @@ class EvaluationPart:
 
     @property
     def gpus(self) -> int:
-        return int((self.device or "").startswith("cuda"))
+        return int(bool(self.trainings) and (self.device or "").startswith("cuda"))
 
     @property
     def needs(self) -> tuple[ExperimentPart, ...]:

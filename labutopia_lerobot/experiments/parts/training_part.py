@@ -126,11 +126,11 @@ class TrainingPart:
         return None
 
     def check(self) -> None:
-        """Check that there is a recipe, that it has enough demonstrations, and the device.
+        """Check that there is a recipe, and that it has enough demonstrations.
 
         Raises:
             RecipeError: If there is no recipe for what is observed.
-            ExperimentOptionError: If numbers do not fit the recipe, or there is no such device.
+            ExperimentOptionError: If numbers do not fit the recipe.
         """
         split = self._recipe.get("dataset", {}).get("eval_split", 0.0)
         count = self.recording.demonstrations
@@ -145,16 +145,17 @@ class TrainingPart:
                 f"evaluate_at={beyond[0]} comes after the training of {self.label}, which has "
                 f"{self.steps} steps"
             )
-        if (self.device or "").startswith("cuda"):
-            _require_cuda(self.device)
 
     def inputs(self) -> dict[str, Any]:
-        """Return the content of the dataset, the recipe, what is asked beside it, the versions."""
+        """Return the content of the dataset, the recipe, what is asked beside it, the versions.
+
+        The device is none of them: a kit's trainings come back from a GPU to a machine without.
+        """
         versions = provenance.versions()
         return {
             "dataset": self.recording.digest(),
             "recipe": provenance.sha256(self.recipe),
-            "budget": [self.steps, self.budget.batch_size, *self._further()],
+            "budget": [self.steps, self.budget.batch_size, *self._said()],
             "versions": {name: versions.get(name) for name in _LEARNING},
             "network": self._own_network(),
         }
@@ -174,7 +175,8 @@ class TrainingPart:
 
     def first_words(self) -> list[str]:
         """Return what is said to `lerobot-train` to begin."""
-        return [*self._made()[1:], *self._further()]
+        device = [] if self.device is None else [f"--policy.device={self.device}"]
+        return [*self._made()[1:], *device, *self._said()]
 
     def progress(self) -> float:
         """Return what LeRobot's progress bar shows."""
@@ -231,20 +233,8 @@ class TrainingPart:
             self.policy, self.recording.place, budget.epochs, budget.batch_size, self.place
         )
 
-    def _further(self) -> list[str]:
-        """Return what is said to `lerobot-train` beside what `labutopia-recipe` prints."""
-        kept = math.gcd(*self.evaluate_at)
-        words = {
-            "steps": self.budget.steps,
-            "save_freq": kept or None,
-            "policy.device": self.device,
-        }
+    def _said(self) -> list[str]:
+        """Return what the study says beside what `labutopia-recipe` prints."""
+        words = {"steps": self.budget.steps, "save_freq": math.gcd(*self.evaluate_at) or None}
         said = [f"--{name}={value}" for name, value in words.items() if value is not None]
         return [*said, *self.budget.arguments]
-
-
-def _require_cuda(device: str | None) -> None:
-    import torch  # here: it takes seconds
-
-    if not torch.cuda.is_available():
-        raise ExperimentOptionError(f"device={device}: this machine has no GPU that torch can use")
