@@ -13,7 +13,7 @@ from labutopia_lerobot.skills.close import Close
 from labutopia_lerobot.skills.handle import Operable, move_by_handle
 from labutopia_lerobot.skills.open import Open
 from labutopia_lerobot.skills.skill import Phase, Skill, arrived, waited
-from labutopia_lerobot.world import Pose
+from labutopia_lerobot.world import CONTROL_HZ, Pose
 
 OPENING = ("level1/open_door", "level1/open_drawer")
 CLOSING = ("level1/close_door", "level1/close_drawer")
@@ -164,6 +164,34 @@ def test_what_goes_on_opening_after_the_grip_is_lost_has_not_been_pulled_open(en
     assert info["outcome"] in ("running", "collided")
     assert np.isfinite(info["substeps"]["gripped"])
     assert not np.isfinite(info["substeps"]["opened"])
+
+
+def test_a_grip_that_jolts_a_drawer_by_six_millimetres_is_a_grip(envs):
+    env = envs("level1/open_drawer")
+    pressed = play(env)["substeps"]["gripped"]
+    jolts = {pressed - 1.5 / CONTROL_HZ: 0.004, pressed - 0.5 / CONTROL_HZ: 0.003}
+
+    def jolt(expert, action):
+        for time in [time for time in jolts if time < env.workcell.world.time]:
+            env.workcell.simulation.data.joint(part_of(env).joint).qpos += jolts.pop(time)
+
+    info = play(env, spoil=jolt)
+    assert not jolts
+    assert info["substeps"]["gripped"] > pressed
+    assert info["outcome"] == "success"
+
+
+@pytest.mark.parametrize(("task", "by"), [(OPENING[0], math.radians(5)), (OPENING[1], 0.03)])
+def test_what_was_open_before_the_grip_has_not_been_pulled_open(envs, task, by):
+    env = envs(task)
+
+    def opened_otherwise(expert, action):
+        if env.workcell.world.time < 0.5:
+            env.workcell.simulation.data.joint(part_of(env).joint).qpos = by
+
+    info = play(env, spoil=opened_otherwise)
+    assert env.workcell.world.joint(part_of(env).joint) > by
+    assert info["outcome"] == "running"
 
 
 @pytest.mark.parametrize(("task", "half"), [(OPENING[0], math.radians(25)), (OPENING[1], 0.07)])

@@ -14,7 +14,7 @@ from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions, failures
 
 OPEN_TO = 0.13  # original: handle moved by more than 0.13 m
-BEGUN = 0.005  # ours: further than a grip jolts a drawer
+BEGUN = 0.01  # ours: further than a grip jolts a drawer; those of learned policies by 6.6 mm
 HASTY = 0.30  # ours: half a second or more [m/s]
 YAW = math.radians(10)  # ours: as far as the handle stays within easy reach
 
