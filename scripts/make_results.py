@@ -94,7 +94,7 @@ def _with_pictures() -> str:
     state = f"{len(kept.results)} of {len(kept.evaluations)} evaluations measured"
     return (
         "## With pictures\n\n"
-        f"Two cameras, from scratch: {state}. `act_small` at 96x96 without a GPU "
+        f"Two cameras, from scratch: {state}. `act_small` at 96x96, which needs no GPU "
         "(`experiment=small_pictures`),\n`act_short`, the paper's ACT at 256x256 "
         "with a few of its steps (`experiment=paper_short`). The paper's settings in full\n"
         "(`make results-gpu`): not measured.\n\n" + "\n".join(map(as_markdown, tables))
