@@ -5,6 +5,7 @@ tools, is reported and is no fault.
 """
 
 import argparse
+import os
 import sys
 from pathlib import Path
 
@@ -33,6 +34,13 @@ def main() -> None:
         help="how many frames of each episode to draw again and compare, or 'all' "
         f"(default: {PICTURES})",
     )
+    parser.add_argument(
+        "--workers",
+        type=_workers,
+        default=len(os.sched_getaffinity(0)),
+        metavar="N",
+        help="processes that play episodes again (default: one per processor)",
+    )
     add_room_file(parser)
     parser.add_argument(
         "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
@@ -40,7 +48,9 @@ def main() -> None:
     arguments = parser.parse_args()
     root: Path = arguments.dataset
     with doing(Console(stderr=True), f"Verifying {root}"):
-        verdict = verify(root, arguments.pictures, arguments.tasks_dir)
+        verdict = verify(
+            root, arguments.pictures, arguments.tasks_dir, arguments.workers, arguments.room
+        )
     console = Console(highlight=False, soft_wrap=True)
     for text in verdict.faults:
         console.print(f"Fault: {text}", markup=False)
@@ -63,6 +73,13 @@ def _pictures(text: str) -> int:
     number = ALL if text == "all" else int(text)
     if number < ALL or (number == ALL and text != "all"):
         raise argparse.ArgumentTypeError(f"{text} is no number of frames: 0 or more, or 'all'")
+    return number
+
+
+def _workers(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text} is no number of processes: 1 or more")
     return number
 
 

@@ -25,6 +25,7 @@ from labutopia_lerobot.datasets.verification.structure import (
 )
 from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.features import ACTION
+from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.task import SUCCESS
 
 PICTURES = 4
@@ -50,14 +51,27 @@ class Verdict:
     unchecked: list[str]
 
 
-def verify(root: Path, pictures: int = PICTURES, tasks_dir: str | None = None) -> Verdict:
+def verify(
+    root: Path,
+    pictures: int = PICTURES,
+    tasks_dir: str | None = None,
+    workers: int = 1,
+    room: str | None = None,
+) -> Verdict:
     """Check everything about a dataset that can be checked.
 
     Args:
         root: Its folder.
         pictures: How many frames of each episode to draw again, `environment.ALL` for every frame.
         tasks_dir: A further folder of tasks, which the user trusts: its files run.
+        workers: Processes that play episodes again.
+        room: The file of the room that it was recorded in, if that is of somebody's own.
+
+    Raises:
+        UserError: If that file cannot be read or is no room to work in.
     """
+    if room is not None:
+        load_room(room)
     return _verdict(
         root,
         tasks_dir,
@@ -65,8 +79,9 @@ def verify(root: Path, pictures: int = PICTURES, tasks_dir: str | None = None) -
             *_CHEAP,
             _whatever_comes(check_statistics),
             check_features,
-            lambda subject: check_replay(subject, pictures),
+            lambda subject: check_replay(subject, pictures, workers),
         ],
+        room,
     )
 
 
@@ -86,10 +101,12 @@ def require_intact(root: Path) -> None:
         raise DamagedDatasetError(f"{root} is damaged:\n" + "\n".join(f"  {p}" for p in problems))
 
 
-def _verdict(root: Path, tasks_dir: str | None, checks: list[Check]) -> Verdict:
+def _verdict(
+    root: Path, tasks_dir: str | None, checks: list[Check], room: str | None = None
+) -> Verdict:
     findings: list[Finding] = []
     try:
-        subject = VerifiedDataset.of(root, tasks_dir)
+        subject = VerifiedDataset.of(root, tasks_dir, room)
         for check in checks:
             findings += check(subject)
     except DamagedDatasetError as error:

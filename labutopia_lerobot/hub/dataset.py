@@ -1,5 +1,6 @@
 """A dataset as a repository of the Hub: verified, with its card, found by LeRobot's tag."""
 
+import os
 from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
@@ -38,7 +39,7 @@ def dataset_repository(
         UnfinishedResultError: If a result is not finished.
     """
     summaries = list(chain(*finished_summaries(results)))
-    faults = verify(root, tasks_dir=tasks_dir).faults
+    faults = verify(root, tasks_dir=tasks_dir, workers=len(os.sched_getaffinity(0))).faults
     if faults:
         listed = "\n".join(f"  {fault}" for fault in faults)
         raise DamagedDatasetError(f"{root} has faults and is not published:\n{listed}")

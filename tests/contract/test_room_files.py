@@ -11,9 +11,12 @@ from labutopia_lerobot.cli import publish, replay, verify
 from labutopia_lerobot.cli.evaluate import parse as evaluated
 from labutopia_lerobot.datasets.description import read_recording
 from labutopia_lerobot.datasets.tables import read_episodes, setting_column
+from labutopia_lerobot.datasets.verification.environment import _replay
+from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.jobs import make_jobs
 from labutopia_lerobot.evaluation.origin import origin
+from labutopia_lerobot.runtime.workers import in_processes
 from labutopia_lerobot.scenes import NoWorkPlaceError, UnknownRoomError, load_room, room_files
 from labutopia_lerobot.scenes.plans import PlanError, text_of
 from labutopia_lerobot.setting import Setting
@@ -97,6 +100,8 @@ def test_a_dataset_holds_no_path_and_is_replayed_with_the_file(
     assert "1 of 1 succeeded again" in capsys.readouterr().out
     monkeypatch.setattr("sys.argv", ["labutopia-verify", str(dataset), "--room", str(file)])
     verify.main()
+    subject = VerifiedDataset.of(dataset, room=str(file))
+    assert list(in_processes(_replay, [(subject, 0)], 1)) == [[(0, [])]]
 
 
 def test_a_dataset_in_a_room_of_ones_own_is_not_published(

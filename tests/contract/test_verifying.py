@@ -25,6 +25,7 @@ from labutopia_lerobot.datasets.description import (
 )
 from labutopia_lerobot.datasets.replay import ForeignDatasetError, replay
 from labutopia_lerobot.datasets.tables import DRAWN
+from labutopia_lerobot.datasets.verification import environment
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import Verdict, find_problems, require_intact, verify
 from labutopia_lerobot.runtime.video import VideoWriter, read_frames, video_size_and_frames
@@ -198,6 +199,22 @@ def test_an_edited_draw_is_found(copied: Path) -> None:
 
     edit_table(copied, "meta/episodes", DRAWN, change)
     (fault,) = verify(copied, 0).faults
+    assert "episode 1: labutopia/drawn is {'light': 1.1}" in fault
+
+
+def test_several_processes_come_to_the_same_verdict(
+    copied: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(environment, "_SHARE", 1)
+    assert verify(copied, workers=2) == Verdict([], [])
+
+    def change(drawn: list[str]) -> None:
+        drawn[1] = json.dumps({"light": 1.1})
+
+    edit_table(copied, "meta/episodes", DRAWN, change)
+    verdict = verify(copied, workers=2)
+    assert verdict == verify(copied)
+    (fault,) = verdict.faults
     assert "episode 1: labutopia/drawn is {'light': 1.1}" in fault
 
 

@@ -7,6 +7,8 @@ unless some episode is the same there too, only the amount is reported.
 
 import json
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import batched, chain
 from typing import Any
 
 import numpy as np
@@ -33,7 +35,9 @@ from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDat
 from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences
+from labutopia_lerobot.runtime.workers import in_processes
 from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import SEGMENTATION, Setting
 from labutopia_lerobot.sim.segments import segment_names
 from labutopia_lerobot.task import RUNNING
@@ -43,6 +47,9 @@ _LEARNING = ("lerobot", "torch", "torchvision", "diffusers", "transformers", "sa
 
 ALL = -1
 """Number of frames that stands for every frame of an episode."""
+
+_SHARE = 10
+"""Episodes that a process plays at a time: it builds their environment once."""
 
 
 def check_features(subject: VerifiedDataset) -> Iterator[Finding]:
@@ -87,47 +94,76 @@ def _check_segments(subject: VerifiedDataset, settings: Iterable[Setting]) -> It
             )
 
 
-def check_replay(subject: VerifiedDataset, pictures: int) -> Iterator[Finding]:
+def check_replay(subject: VerifiedDataset, pictures: int, workers: int = 1) -> Iterator[Finding]:
     """Yield where an episode, played again from its seed and commands, is another one.
 
     Args:
         subject: The dataset.
         pictures: How many frames of each episode to draw again; `ALL` for every frame.
+        workers: Processes that play.
     """
-    player, wrong = Player(subject.tasks_dir), dict[int, list[str]]()
+    wrong: dict[int, list[str]] = {}
     played = unknown = 0
-    rng = np.random.default_rng(0)
     try:
-        for row, frames in frames_of_episodes(subject.root, subject.episodes):
-            every = np.arange(row["length"])
-            wanted = every if pictures == ALL else rng.permutation(every)[:pictures]
-            check = PictureCheck(subject, row, wanted.tolist())
-            playback = player.play(row, frames, check.look)
-            if playback is None:
+        for episode, texts in _replayed(subject, pictures, workers):
+            if texts is None:
                 unknown += 1
                 continue
             played += 1
-            texts = [*_compare(row, playback), *_compare_pictures(check)]
             if texts:
-                wrong[row["episode_index"]] = texts
+                wrong[episode] = texts
     except UnknownTaskError as error:
         yield Unchecked(f"replay: {error}")
         return
-    finally:
-        player.close()
     if unknown:
         yield Unchecked(f"replay, draws and pictures of {unknown} episodes: {subject.edited}")
     other = _other_build(subject)
     if wrong and len(wrong) == played and other:
-        episode, texts = next(iter(wrong.items()))
+        episode, texts = min(wrong.items())
         yield Unchecked(
             f"bit-identical replay: this is another build than the one that recorded ({other}). "
             f"Here {len(wrong)} of {played} episodes differ; episode {episode}: {'; '.join(texts)}"
         )
         return
-    for episode, texts in wrong.items():
+    for episode, texts in sorted(wrong.items()):
         for text in texts:
             yield Fault(f"episode {episode}: {text}")
+
+
+_Replayed = list[tuple[int, list[str] | None]]
+"""Episodes, each with what differs in it; None where its seed or setting is not known."""
+
+
+def _replayed(
+    subject: VerifiedDataset, pictures: int, workers: int
+) -> Iterable[tuple[int, list[str] | None]]:
+    """Play all episodes again, share by share."""
+    if workers == 1 or len(subject.episodes) <= _SHARE:
+        return _replay(subject, pictures)
+    shares = (replace(subject, episodes=list(rows)) for rows in batched(subject.episodes, _SHARE))
+    return chain.from_iterable(
+        in_processes(_replay, ((share, pictures) for share in shares), workers)
+    )
+
+
+def _replay(subject: VerifiedDataset, pictures: int) -> _Replayed:
+    if subject.room is not None:
+        load_room(subject.room)  # its name is known in a process that has read the file
+    player, replayed = Player(subject.tasks_dir), _Replayed()
+    try:
+        for row, frames in frames_of_episodes(subject.root, subject.episodes):
+            every = np.arange(row["length"])
+            rng = np.random.default_rng(0)  # whatever process plays it, the same frames
+            wanted = every if pictures == ALL else rng.permutation(every)[:pictures]
+            check = PictureCheck(subject, row, wanted.tolist())
+            playback = player.play(row, frames, check.look)
+            texts = None
+            if playback is not None:
+                texts = [*_compare(row, playback), *_compare_pictures(check)]
+            replayed.append((row["episode_index"], texts))
+    finally:
+        player.close()
+    return replayed
 
 
 def _compare(row: Row, playback: Playback) -> Iterator[str]:

@@ -36,21 +36,25 @@ class VerifiedDataset:
         info: `meta/info.json`.
         episodes: The rows of its episode table, without the statistics.
         tasks_dir: A further folder of tasks, which the user trusts.
+        room: The file of the room that it was recorded in, if that is of somebody's own.
     """
 
     root: Path
     info: dict[str, Any]
     episodes: list[Row]
     tasks_dir: str | None = None
+    room: str | None = None
 
     @classmethod
-    def of(cls, root: Path, tasks_dir: str | None = None) -> "VerifiedDataset":
+    def of(
+        cls, root: Path, tasks_dir: str | None = None, room: str | None = None
+    ) -> "VerifiedDataset":
         """Read a dataset.
 
         Raises:
             DamagedDatasetError: If a file is missing or cannot be read.
         """
-        return cls(root, read_info(root), read_episodes(root), tasks_dir)
+        return cls(root, read_info(root), read_episodes(root), tasks_dir, room)
 
     @property
     def features(self) -> dict[str, dict[str, Any]]:

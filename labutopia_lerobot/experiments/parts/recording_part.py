@@ -217,7 +217,7 @@ class VerificationPart:
 
     @property
     def cores(self) -> int:
-        return 1
+        return self.recording.workers
 
     @property
     def gpus(self) -> int:
@@ -246,6 +246,7 @@ class VerificationPart:
     def command(self) -> list[str]:
         """Return the command of the verifier."""
         command = [sys.executable, "-m", "labutopia_lerobot.cli.verify", str(self.recording.place)]
+        command.append(f"--workers={self.recording.workers}")
         tasks_dir = self.recording.config.tasks_dir
         return command if tasks_dir is None else [*command, f"--tasks-dir={tasks_dir}"]
 
