@@ -33,7 +33,15 @@ from labutopia_lerobot.setting import (
 )
 from labutopia_lerobot.substances.filling import Fillable, with_mounted
 from labutopia_lerobot.task import Task
-from labutopia_lerobot.world import LEFT_PAD, RIGHT_PAD, Graspable, Standing, Thing, World
+from labutopia_lerobot.world import (
+    LEFT_PAD,
+    RIGHT_PAD,
+    SOLUTION_NAMES,
+    Graspable,
+    Standing,
+    Thing,
+    World,
+)
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
@@ -47,8 +55,6 @@ _DEPTH_PATH = "images."
 _POSE_NAMES = ("x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz")
 
 SIZE_NAMES = ("height", "footprint_radius", "grip_height", "grip_width")
-
-SOLUTION_NAMES = ("acidity", "red", "green", "blue")
 
 
 @dataclass(frozen=True)
@@ -301,7 +307,7 @@ def environment_state_names(task: Task, hidden: Collection[str] = ()) -> tuple[s
     each handle that a step takes, and the sizes [m] of what stands by itself and is grasped: a task
     may draw it of many kinds.
     Where there is liquid: how deep it would be in each vessel [m], were that upright. Where
-    something is dissolved: by how much the pH of each is below 7, and the sRGB of 1 cm of it.
+    something is dissolved: what `Solution.observed` has of each.
 
     Args:
         task: The task.
@@ -344,7 +350,7 @@ def environment_state(pieces: tuple[ObservedPiece, ...], world: World) -> NDArra
         for vessel in one.solutions:
             solution = world.solution(vessel)
             if solution is not None:
-                numbers += [7.0 - solution.ph if solution.volume else 0.0, *solution.colour]
+                numbers += solution.observed
     return np.array(numbers, np.float32)
 
 

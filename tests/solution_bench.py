@@ -73,7 +73,7 @@ def swirl(simulation: Simulation) -> None:
     """Let what the vessels hold mix as if they were swirled, until no layers are left."""
     handling = simulation.apparatus.liquid
     assert handling is not None
-    liquid_of(simulation).speeds[:] = 0.03  # too slow to stir up what has settled
+    liquid_of(simulation).stirring[:] = 0.03  # too slow to stir up what has settled
     for _ in range(120):
         handling.react(5.0)
 

@@ -7,8 +7,8 @@ import numpy as np
 from labutopia_lerobot.checks.playing import expert, play, random_walk, still
 from labutopia_lerobot.checks.require import require
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import SIZE_NAMES, SOLUTION_NAMES, environment_state_names
-from labutopia_lerobot.world import FloatArray
+from labutopia_lerobot.features import SIZE_NAMES, environment_state_names
+from labutopia_lerobot.world import SOLUTION_NAMES, FloatArray
 
 
 def same_seed_gives_the_same_trajectory_bit_for_bit(env: LabEnv) -> None:

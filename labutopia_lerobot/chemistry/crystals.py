@@ -89,10 +89,10 @@ class Crystals:
         Raises:
             NoCrystalsError: If not; the message says what is missing.
         """
-        if not (self.grams > 0.0 and 0.01 <= self.grain_mm <= 5.0):
+        if not (0.0 < self.grams < math.inf and 0.01 <= self.grain_mm <= 5.0):
             raise NoCrystalsError(
                 f"{self.grams:g} g of {self.of} in grains of {self.grain_mm:g} mm cannot be: "
-                "choose more than 0 g, and grains of 0.01 to 5 mm"
+                "choose some number of grams above 0, and grains of 0.01 to 5 mm"
             )
         one, known = self.compound, network().species
         if self.species not in known or not all(
@@ -102,28 +102,28 @@ class Crystals:
                 f"the table does not say what crystals of {self.of} become in water. Choose a salt "
                 "of which it has the ions, such as sodium chloride"
             )
-        if one.density is None or not isinstance(one.solubility, int | float):
+        if one.density is None:
             raise NoCrystalsError(
                 f"nothing says how fast crystals of {self.of} dissolve: the table has no density "
-                "or no solubility of it. Choose another salt"
+                "of it. Choose another salt"
             )
 
-    def rate(self, left: float, speed: float) -> float:
-        """Return which part of them dissolves in a second, in pure water [1/s].
+    def rate(self, left: float, speed: float, room: float) -> float:
+        """Return which part of what is left dissolves in a second [1/s].
 
-        Diffusion through the film around a sphere (Noyes and Whitney; Sherwood number by Froessling
-        and Ranz and Marshall: Bird, Stewart and Lightfoot, Transport Phenomena, section 22.3). All
-        grains shrink alike.
+        Diffusion through the film around a sphere, driven by how far the solution is from
+        saturation (Noyes and Whitney; Sherwood number by Froessling and Ranz and Marshall: Bird,
+        Stewart and Lightfoot, Transport Phenomena, section 22.3). All grains shrink alike.
 
         Args:
             left: Part of them that is left.
             speed: Of the water past them [m/s].
+            room: How much the solution still takes [mol/m^3].
         """
-        assert isinstance(self.compound.solubility, int | float)
         assert self.compound.density is not None
         diameter = 1e-3 * self.grain_mm * min(left, 1.0) ** (1 / 3)
         sherwood = 2.0 + 0.6 * math.sqrt(speed * diameter / _VISCOSITY) * (
             _VISCOSITY / _DIFFUSION
         ) ** (1 / 3)
-        solubility = self.compound.solubility / self.compound.density
-        return float(6.0 * sherwood * _DIFFUSION * solubility / diameter**2)
+        lacking = room * self.compound.molar_mass / self.compound.density
+        return float(6.0 * sherwood * _DIFFUSION * lacking / diameter**2)

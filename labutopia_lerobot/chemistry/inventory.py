@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.chemistry.compound import Compound
 from labutopia_lerobot.chemistry.course import ReactionVessel, proceed
+from labutopia_lerobot.chemistry.equilibrium import NoEquilibriumError
 from labutopia_lerobot.chemistry.names import resolve
 from labutopia_lerobot.chemistry.network import PROTON, WATER, network
 from labutopia_lerobot.chemistry.portions import WATER_PER_VOLUME, poured
@@ -162,10 +163,10 @@ class Inventory:
         vessel = ReactionVessel(volume, temperature, slow=False)
         try:
             after = self.row(proceed(self.amounts(row), vessel, described=False)[0])
+        except NoEquilibriumError:  # its message has numbers: each particle would have its own
+            return content, "no equilibrium was found of what has been mixed"
         except ChemistryError as error:
             return content, str(error)
-        except KeyError as error:
-            return content, f"{error.args[0]} was not expected in this scene"
         trace = _TRACE * row[self.dissolved].sum()
         still = (np.abs(after - row) <= _AT_REST * row + trace).all()
         return (content if still else after.tobytes()), ""

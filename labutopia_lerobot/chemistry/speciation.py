@@ -36,6 +36,10 @@ _TRACE = 1e-25
 """Amount below which a species is left out of the answer [mol]."""
 
 
+_LEAST = 1e-15
+"""Part of the largest total at which a component is what rounding has left: it stays as it is."""
+
+
 @dataclass(frozen=True)
 class _Selection:
     components: tuple[str, ...]
@@ -70,14 +74,14 @@ def settle(
     """
     made = network().species
     litres = volume * 1000.0
-    totals: dict[str, float] = {}
-    kept: dict[str, float] = {}
-    for key, amount in amounts.items():
-        if takes_part(key):
-            for component, number in made[key].components.items():
-                totals[component] = totals.get(component, 0.0) + number * amount
-        elif amount:
-            kept[key] = amount
+    takes = {key: amount for key, amount in amounts.items() if takes_part(key)}
+    totals = _totals(takes)
+    least = _LEAST * max((n for name, n in totals.items() if name != WATER), default=0.0)
+    gone = {name for name, n in totals.items() if n <= least} - {PROTON, WATER}
+    stays = {key for key in takes if not gone.isdisjoint(made[key].components)}
+    kept = {key: n for key, n in amounts.items() if n and (key in stays or key not in takes)}
+    if stays:
+        totals = _totals({key: amount for key, amount in takes.items() if key not in stays})
     water = totals.pop(WATER, 0.0)
     totals.setdefault(PROTON, 0.0)
     present = frozenset(name for name, n in totals.items() if n > 0.0 or name == PROTON)
@@ -103,6 +107,15 @@ def settle(
             water -= one.components.get(WATER, 0.0) * amount * litres
     kept[WATER] = water
     return {key: amount for key, amount in kept.items() if abs(amount) > _TRACE}
+
+
+def _totals(amounts: Mapping[str, float]) -> dict[str, float]:
+    """Return how much of each component some species consist of [mol]."""
+    totals: dict[str, float] = {}
+    for key, amount in amounts.items():
+        for component, number in network().species[key].components.items():
+            totals[component] = totals.get(component, 0.0) + number * amount
+    return totals
 
 
 def _balanced(

@@ -95,3 +95,23 @@ def mean_speeds(
     total = np.bincount(inside[held], speeds, minlength=vessels)
     mean: NDArray[np.float64] = total / np.maximum(np.bincount(inside[held], minlength=vessels), 1)
     return mean
+
+
+def stirring(
+    vessels: int, velocities: NDArray[np.float64], inside: NDArray[np.int64]
+) -> NDArray[np.float64]:
+    """Return how fast what is in each vessel moves within it [m/s], shape (vessels,).
+
+    The mean speed, less the way that all of it goes together: being carried stirs nothing.
+
+    Args:
+        vessels: Number of vessels and bottles.
+        velocities: Shape (n, 3), m/s.
+        inside: Which vessel each particle is in, shape (n,); -1 none.
+    """
+    held = inside >= 0
+    places, count = inside[held], np.maximum(np.bincount(inside[held], minlength=vessels), 1)
+    sums = [np.bincount(places, along, minlength=vessels) for along in velocities[held].T]
+    own = np.zeros_like(velocities)
+    own[held] = velocities[held] - (np.array(sums) / count).T[places]
+    return mean_speeds(vessels, own, inside)

@@ -41,9 +41,9 @@ class Beginning:
         """No particles."""
         return self.fresh([])
 
-    def warm(self, origin: int, celsius: float) -> None:
-        """Let what comes from somewhere begin at a temperature [degrees C]."""
-        self._own[origin] = celsius + ZERO_C
+    def warm(self, origin: int, celsius: float | None) -> None:
+        """Let what comes from somewhere begin at a temperature [degrees C]; None: as the room."""
+        self._own[origin] = np.nan if celsius is None else celsius + ZERO_C
 
     def fresh(self, held: Sequence[tuple[int, Filling]]) -> Portion:
         """Return what particles are that come from where they are, as they begin.

@@ -13,6 +13,9 @@ from labutopia_lerobot.world import FloatArray
 _TREMBLE = 0.006
 """Mean speed up to which a vessel is at rest [m/s]; ours: its particles have 0.005 then."""
 
+_PLENTY = 2e4
+"""More of a solid than dissolves [mol/m^3]; ours: `chemistry.inventory` has as much at most."""
+
 
 class Dissolving:
     """The crystals of a scene.
@@ -82,7 +85,8 @@ class Dissolving:
     ) -> float:
         """Let crystals of a vessel go into solution where they are, in place; return the heat [J].
 
-        As fast as `Crystals.rate` has it, less as the solution comes near to saturation.
+        As fast as `Crystals.rate` has it, and no more than the solution takes. How much that is
+        shows in an equilibrium with more of the solid than can dissolve.
 
         Args:
             own: Amounts that its particles hold, shape (m, species) [mol].
@@ -97,11 +101,14 @@ class Dissolving:
         for column, one in self._crystals.items():
             if not mean[column]:
                 continue
-            goal, _ = self._inventory.settled(mean, volume, temperature)
-            soluble = max(0.0, 1.0 - float(goal[column] / mean[column]))
+            with_more = mean.copy()
+            with_more[column] += _PLENTY * volume
+            goal, _ = self._inventory.settled(with_more, volume, temperature)
+            taken = max(0.0, float(with_more[column] - goal[column]))
             left = float(everything[column]) / self._filled[column]
-            rate = one.rate(left, max(0.0, speed - _TREMBLE))
-            going = -soluble * math.expm1(-rate * period) * own[:, column]
+            rate = one.rate(left, max(0.0, speed - _TREMBLE), taken / volume)
+            part = min(-math.expm1(-rate * period), taken / float(mean[column]))
+            going = part * own[:, column]
             own += np.outer(going, self._made[column])
             own[:, column] -= going
             enthalpies = self._inventory.enthalpies

@@ -167,7 +167,7 @@ class Handling(LiquidHandling):
     @override
     def mix(self, period: float) -> None:
         liquid = self._liquid
-        mix(liquid.temperatures, self._capacities(), liquid.accounted, liquid.speeds, period)
+        mix(liquid.temperatures, self._capacities(), liquid.accounted, liquid.stirring, period)
 
     @override
     def react(self, period: float) -> None:
@@ -181,7 +181,7 @@ class Handling(LiquidHandling):
                 beds,
                 self._capacities(),
                 liquid.accounted,
-                liquid.speeds,
+                liquid.stirring,
                 period,
             )
             liquid.weigh()

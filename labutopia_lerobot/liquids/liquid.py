@@ -7,7 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import announce_compiling
-from labutopia_lerobot.liquids.account import mean_speeds, tally, transfers, whereabouts
+from labutopia_lerobot.liquids.account import (
+    mean_speeds,
+    stirring,
+    tally,
+    transfers,
+    whereabouts,
+)
 from labutopia_lerobot.liquids.beginning import Beginning
 from labutopia_lerobot.liquids.bottled import Bottles, abreast
 from labutopia_lerobot.liquids.kept import Kept, is_column
@@ -25,8 +31,6 @@ _SETTLE_STEPS = 120
 """Steps in which a new filling comes to rest, the vessels standing still."""
 
 _SETTLE_DAMPING = 0.9
-_LEANS = 0.996
-"""Cosine of the tilt from which on a vessel leans: 5 degrees; ours."""
 _FASTEST = 50.0
 """Speed [m/s] that no liquid on a bench has: beyond it the solver has diverged."""
 
@@ -54,7 +58,7 @@ class Liquid:
         solutions: All that is dissolved; None where nothing is.
         kept: What stands in narrow tubes; `positions` and all other arrays are without it.
         accounted: Which of `names` each particle was in at the last account, shape (n,); -1 none.
-        speeds: Mean speed in each of `names` at the last account [m/s].
+        stirring: How fast what is in each of `names` moved within it at the last account [m/s].
         diverged: Whether the solver has failed; the particles then stay where they are.
     """
 
@@ -150,7 +154,7 @@ class Liquid:
         self.diverged = False
         self._be(what)
         self.accounted: NDArray[np.int64] = np.full(len(positions), -1)
-        self.speeds: FloatArray = np.zeros(len(self.names))
+        self.stirring: FloatArray = np.zeros(len(self.names))
         self._pressure: FloatArray = np.zeros(len(positions))
         self._touching: NDArray[np.int64] = np.full(len(positions), NOTHING)
         self._impulse[:] = 0.0
@@ -173,8 +177,7 @@ class Liquid:
         heaps, held, last = [np.empty((0, 3))], list[tuple[int, Filling]](), 0.0
         for vessel, filling in contents.items():
             first, last = last, last + filling.volume
-            if filling.celsius is not None:
-                self._beginning.warm(self.names.index(vessel.name), filling.celsius)
+            self._beginning.warm(self.names.index(vessel.name), filling.celsius)
             counts = [round(volume / total * self._particles) for volume in (first, last)]
             share = counts[1] - counts[0]
             if isinstance(vessel, Dispenser):
@@ -262,17 +265,8 @@ class Liquid:
         return taken
 
     def over_bottoms(self) -> FloatArray:
-        """Return how high particles are for crystals, which stay on a bottom, shape (n,) [m].
-
-        In a vessel that stands, their height; in one that leans, how far they are from its base:
-        wet grains hold together (Hornbaker and others, Nature 387, 1997) and do not slide down.
-        """
-        heights, now = self.positions[:, 2].copy(), self._around.glass.now
-        for vessel in np.flatnonzero(now.rotation[: len(self.vessels), 2, 2] < _LEANS):
-            held = self.accounted == vessel
-            along = self.positions[held] - now.origin[vessel]
-            heights[held] = along @ now.rotation[vessel][:, 2]
-        return heights
+        """Return how high particles are for crystals, as `Surroundings.over_bottoms` has it."""
+        return self._around.over_bottoms(self.positions, self.accounted)
 
     def inside(self) -> NDArray[np.int64]:
         """Return which of `names` each particle is in, shape (n,); -1 none."""
@@ -284,7 +278,7 @@ class Liquid:
         return whereabouts(points_w, around.glass, around.inner, around.smallest_first)
 
     def solution(self, vessel: int) -> Solution | None:
-        """Return what is in a vessel or a pipette; None where nothing is dissolved anywhere.
+        """Return what is in a vessel, bottle or pipette; None where nothing is dissolved anywhere.
 
         Args:
             vessel: Which of `names`.
@@ -293,6 +287,9 @@ class Liquid:
             return None
         kept = self.kept.portion.part(np.flatnonzero(self.kept.holders == vessel))
         what = self._what.part(np.flatnonzero(self.accounted == vessel)).with_more(kept)
+        if waiting := self.bottles.waiting.get(self.names[vessel], 0):
+            held = vessel, self.bottles.held[self.names[vessel]]
+            what = what.with_more(self._beginning.fresh([held] * waiting))
         weights = capacities(what.amounts, self.substances, self.volume)
         return self.solutions.solution(vessel, what, weights)
 
@@ -350,9 +347,10 @@ class Liquid:
         moves = transfers(count, held, places)
         last = np.where(inside >= 0, inside, self._what.last_held)
         self._what = self._what._replace(last_held=last)
-        self.accounted, self.speeds = inside, mean_speeds(count, self.velocities, inside)
+        self.accounted, self.stirring = inside, stirring(count, self.velocities, inside)
         kept.remember(kept.holders)
-        return LiquidAccount(self.names, counts, moves, self.speeds, self.volume)
+        speeds = mean_speeds(count, self.velocities, inside)
+        return LiquidAccount(self.names, counts, moves, speeds, self.volume)
 
     def warm_to(self, temperature: float) -> None:
         """Bring all liquid, and what comes later, to where it begins in a room so warm [K]."""

@@ -95,6 +95,7 @@ class Solutions:
 
     def restore(self, state: FloatArray) -> FloatArray:
         """Go back to what had left as gas, as `Liquid.state` begins; return what follows it."""
+        self.empty()
         gas, rest = np.split(state, [self.given_off.size])
         self.given_off = gas.reshape(self._shape).copy()
         return rest

@@ -24,6 +24,8 @@ _KINDS = {
 
 _FALLS = 0.05
 """Speed from which on a thing does not stand [m/s]; ours: a free fall of 0.1 mm."""
+_LEANS = 0.996
+"""Cosine of the tilt from which on a vessel leans: 5 degrees; ours."""
 
 
 class Surroundings:
@@ -96,6 +98,23 @@ class Surroundings:
         stands: NDArray[np.bool_] = np.isin(self._roots, [self._robot, *carried], invert=True)
         stands |= ~self._moves
         return stands
+
+    def over_bottoms(self, positions: FloatArray, inside: NDArray[np.int64]) -> FloatArray:
+        """Return how high points are for crystals, which stay on a bottom, shape (n,) [m].
+
+        In a vessel that stands, their height; in one that leans, how far they are from its base:
+        wet grains hold together (Hornbaker and others, Nature 387, 1997) and do not slide down.
+
+        Args:
+            positions: Shape (n, 3), metres, world frame.
+            inside: Which vessel each is in, shape (n,); -1 none.
+        """
+        heights, now = positions[:, 2].copy(), self.glass.now
+        for vessel in np.flatnonzero(now.rotation[:, 2, 2] < _LEANS):
+            held = inside == vessel
+            along = positions[held] - now.origin[vessel]
+            heights[held] = along @ now.rotation[vessel][:, 2]
+        return heights
 
     def push(self, wrench: FloatArray) -> None:
         """Apply forces until the next call, through MuJoCo's `xfrc_applied`.

@@ -132,7 +132,9 @@ class Bubbles(Process):
 
 def bubbles_in(pieces: Iterable[Piece], contents: Mapping[Piece, Filling]) -> tuple[Bubbles, ...]:
     """Return the bubbles in every vessel of a scene, where gas may leave what is filled in."""
-    dissolved = [filling.dissolved for filling in contents.values() if filling.reacts]
-    if not dissolved or not Inventory.of(dissolved).gaseous.any():
+    reacting = [filling for filling in contents.values() if filling.reacts]
+    solids = [one.species for filling in reacting for one in filling.crystals]
+    dissolved = [filling.dissolved for filling in reacting]
+    if not reacting or not Inventory.of(dissolved, solids).gaseous.any():
         return ()
     return tuple(Bubbles(piece) for piece in pieces if isinstance(piece, Vessel))

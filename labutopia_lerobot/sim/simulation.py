@@ -126,12 +126,19 @@ class Simulation:
         self.rest = data.xpos.copy(), data.xmat.copy()
         self.start_clock()
 
-    def fill(self, rng: np.random.Generator) -> None:
-        """Fill the vessels where they are, and hold still until all has come to rest."""
+    def fill(
+        self, rng: np.random.Generator, contents: Mapping[Piece, Filling] | None = None
+    ) -> None:
+        """Fill the vessels where they are, and hold still until all has come to rest.
+
+        Args:
+            rng: Where the liquid's disorder comes from.
+            contents: What they hold; of what is said of the scene's only how warm it is may differ.
+        """
         if self.liquid is not None:
-            contents = self.scene.contents.items()
+            held = self.scene.contents if contents is None else contents
             vessels: dict[Fillable | Dispenser, Filling] = {
-                piece: held for piece, held in contents if isinstance(piece, Fillable | Dispenser)
+                piece: one for piece, one in held.items() if isinstance(piece, Fillable | Dispenser)
             }
             self.liquid.fill(vessels, rng)
             for _ in range(_SETTLE_STEPS):

@@ -182,7 +182,7 @@ class Workcell:
             self._brought_to(task) if variation.distractors else (),
         )
         self.simulation.reset(layout, variation.robot_start, rng, base_pose)
-        self.simulation.fill(rng)
+        self.simulation.fill(rng, task.contents)
         self.filter.start(self.simulation.command)
         if not self._play(task.setup) or not self._play_steps(before):
             return False

@@ -1,6 +1,7 @@
 """The compiled laboratories of a setting: which one an episode is played in."""
 
 from collections import OrderedDict
+from dataclasses import replace
 
 import numpy as np
 
@@ -91,12 +92,12 @@ class Workcells:
             scenario.variation.in_the_way,
             scenario.variation.room,
             task.view,
-            tuple(task.contents.items()),
+            tuple((one, replace(held, celsius=None)) for one, held in task.contents.items()),
         )
+        require_possible_solutions(self._setting.task, task.contents)
         if variant not in self._kept:
             if len(self._kept) == _KEPT:
                 self._kept.popitem(last=False)[1].close()
-            require_possible_solutions(self._setting.task, task.contents)
             self._kept[variant] = Workcell(scenario, self._setting)
         self._kept.move_to_end(variant)
         return self._kept[variant]

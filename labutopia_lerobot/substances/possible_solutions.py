@@ -3,6 +3,8 @@
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import combinations
 
+import numpy as np
+
 from labutopia_lerobot.chemistry.course import ReactionVessel, charge_of
 from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.hazards import refuse
@@ -15,6 +17,10 @@ from labutopia_lerobot.world import Thing
 _ROOM = 293.15
 """As warm as solutions are when they meet, if they are no warmer [K]."""
 
+_CLOUDED = 0.01
+"""Part of what is dissolved that may fall out of a solution by itself; ours: some copper sulfate
+becomes hydroxide."""
+
 
 def require_possible_solutions[Present: Thing](
     task: str, contents: Mapping[Present, Filling]
@@ -26,8 +32,9 @@ def require_possible_solutions[Present: Thing](
         contents: What each vessel holds.
 
     Raises:
-        ImpossibleFillingError: Something does not dissolve, or not as much of it; another solvent
-            than water is in the scene; solutions of two vessels are dangerous together or boil.
+        ImpossibleFillingError: Something does not dissolve, or not as much of it, or falls out as
+            cold as it is; another solvent than water is in the scene; solutions of two vessels are
+            dangerous together or boil.
     """
     if not any(filling.reacts for filling in contents.values()):
         return
@@ -87,6 +94,15 @@ def _faults(volumes: Mapping[Filling, float]) -> Iterator[str]:
     after, why = inventory.settled(before, total, _ROOM)
     if why:
         yield f"cannot be worked out: {why}"
+    if len(volumes) == 1:
+        (filling,) = volumes
+        own = _ROOM if filling.celsius is None else filling.celsius + ZERO_C
+        lying, _ = inventory.settled(before, total, own)
+        more = inventory.amounts(np.maximum(lying - before, 0.0))
+        solid = {key: mol for key, mol in more.items() if key.endswith("(s)")}
+        if sum(solid.values()) > _CLOUDED * float(before[inventory.dissolved].sum()):
+            most = max(solid, key=lambda key: solid[key])
+            yield f"does not stay dissolved at {own - ZERO_C:g} degrees C: {most} falls out"
     warmest = max([_ROOM, *(f.celsius + ZERO_C for f in volumes if f.celsius is not None)])
     heat = float((before - after) @ inventory.enthalpies)
     capacity = total * WATER.density * WATER.specific_heat

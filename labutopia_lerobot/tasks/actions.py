@@ -130,6 +130,7 @@ def pour_by_reading(
     *,
     mass: float,
     within: float,
+    aim: float | None = None,
     coarse: float = 0.1,
 ) -> Step:
     """Pour until the balance below the other vessel reads a mass, and right the vessel.
@@ -140,12 +141,14 @@ def pour_by_reading(
         balance: What the balance reads.
         mass: Reading to reach [g].
         within: How near [g].
+        aim: How near the expert tries to come [g]; as near as it must if not said.
         coarse: Share of it that the balance shows when the expert eases back.
     """
     there = (reads(balance, low=mass - within, high=mass + within), settled(balance))
+    near = 0.8 * (within if aim is None else aim)
     return Step(
         "pour",
-        (PourMeasured(vessel, into, Weighed(balance), mass, 0.8 * within, coarse=coarse),),
+        (PourMeasured(vessel, into, Weighed(balance), mass, near, coarse=coarse),),
         (
             Substep("poured", there, (tilted(vessel, beyond_deg=30),)),
             Substep("righted", (*there, gripped(vessel), upright(vessel, within_deg=10))),

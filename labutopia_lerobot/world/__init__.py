@@ -5,7 +5,7 @@ from labutopia_lerobot.world.liquid_account import LiquidAccount
 from labutopia_lerobot.world.manipulator import Approach, Manipulator, Wheels
 from labutopia_lerobot.world.pose import FloatArray, Pose
 from labutopia_lerobot.world.reading import ON, PRESSED, Reading
-from labutopia_lerobot.world.solution import Solution
+from labutopia_lerobot.world.solution import SOLUTION_NAMES, Solution
 from labutopia_lerobot.world.things import (
     Button,
     Doorway,
@@ -39,6 +39,7 @@ __all__ = [
     "PRESSED",
     "RIGHT_PAD",
     "ROOM",
+    "SOLUTION_NAMES",
     "Approach",
     "Button",
     "Dock",

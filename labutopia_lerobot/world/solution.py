@@ -4,6 +4,22 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+SOLUTION_NAMES = (
+    "acidity",
+    "red",
+    "green",
+    "blue",
+    "warmth",
+    "dissolved",
+    "solid",
+    "gas",
+    "mixed",
+)
+"""What `Solution.observed` is called."""
+
+_ROOM = 293.15
+"""Temperature that `warmth` counts from [K]: that of a room."""
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -42,6 +58,25 @@ class Solution:
             "mol_gas": sum(self.gas.values()),
             "mixed": self.mixed,
         }
+
+    @property
+    def observed(self) -> tuple[float, ...]:
+        """What a policy on privileged states sees of it, as `SOLUTION_NAMES` has it.
+
+        By how much its pH is below 7; the colour; by how many tens of degrees it is warmer than a
+        room; all that is in solution [mol/l]; solids and gas [mol]; how mixed it is. An empty
+        vessel is as water.
+        """
+        there = self.volume > 0.0
+        return (
+            7.0 - self.ph if there else 0.0,
+            *self.colour,
+            (self.temperature - _ROOM) / 10.0 if there else 0.0,
+            1e-3 * sum(self.concentrations.values()),
+            sum(self.solids.values()),
+            sum(self.gas.values()),
+            self.mixed,
+        )
 
     @classmethod
     def nothing(cls, gas: Mapping[str, float]) -> "Solution":

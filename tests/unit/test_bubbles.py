@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.inventory import Solute
 from labutopia_lerobot.sim.bubbles import Bubbles
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
@@ -69,6 +70,11 @@ def test_what_bubbles_is_the_gas_that_leaves():
 @pytest.mark.parametrize(("giver", "taker"), [(ACID, BASE), (COPPER, BARIUM)])
 def test_where_no_gas_can_form_there_is_nothing_to_see(giver, taker):
     assert not any("bubbles" in name for name in bench(giver, taker).apparatus.processes)
+
+
+def test_soda_that_lies_in_an_acid_as_crystals_bubbles_too():
+    chalk = Filling(50.0, crystals=(Crystals("calcium carbonate", 0.5),))
+    assert any("bubbles" in name for name in bench(STRONG, chalk).apparatus.processes)
 
 
 def test_they_are_within_the_glass_and_only_foam_lies_on_the_liquid():

@@ -83,6 +83,20 @@ def test_liquids_and_glass_begin_as_warm_as_was_drawn_and_the_room_does_not() ->
     assert env.workcell.simulation.apparatus.ambient == 293.15
 
 
+def test_episodes_that_begin_otherwise_warm_share_what_is_compiled() -> None:
+    env = begun("level3/identify_unknown", axes=("start_temperature",))
+    compiled, celsius = set(), set()
+    for seed in (1, 3):  # both draw the same contents at the same places
+        _, info = env.reset(seed=seed)
+        compiled.add(env.workcell)
+        warm = info["drawn"]["start_temperature"]
+        for held in info["solutions"].values():
+            assert held["celsius"] == pytest.approx(warm, abs=0.1)
+        celsius.add(warm)
+    assert len(compiled) == 1
+    assert len(celsius) == 2
+
+
 def test_the_end_point_of_a_titration_is_that_of_its_temperature() -> None:
     """Water of 40 degrees C has a pKw of 13.53, of 20 one of 14.17 (CRC Handbook)."""
     parts = ((Solute("hydrochloric acid", 0.1),), 10.0), ((Solute("sodium hydroxide", 0.1),), 10.0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.chemistry.crystals import Crystals
-from labutopia_lerobot.chemistry.inventory import Inventory
+from labutopia_lerobot.chemistry.inventory import Inventory, Solute
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.liquids.dissolving import Dissolving
 from labutopia_lerobot.liquids.settling import let_sink, sinking_speeds
@@ -43,6 +43,22 @@ def test_stirred_it_is_gone_several_times_sooner() -> None:
     assert gone_after(0.0) / gone_after(0.026) == pytest.approx(7.6, rel=0.15)
 
 
+def test_near_saturation_they_dissolve_as_much_slower_as_the_solution_takes_less() -> None:
+    """Noyes and Whitney: the rate goes with what is lacking to saturation."""
+    inventory = Inventory.of([(Solute("sodium chloride", 1.0),)], [SALT.species])
+    dissolving = Dissolving([Crystals("sodium chloride", 1e-4)], inventory)
+
+    def gone(molar: float) -> float:
+        own = inventory.filled((Solute("sodium chloride", molar),), 1e-4)[None].copy()
+        dissolving.strew(own, np.zeros(1), 1.0, [Crystals("sodium chloride", 1e-4)])
+        before = own[0, dissolving.columns].sum()
+        dissolving.dissolve(own, own.sum(axis=0), 1e-4, 293.15, 0.0, 0.1)
+        return float(before - own[0, dissolving.columns].sum())
+
+    saturated = 6.1  # mol/l, 357 g/l (CRC Handbook)
+    assert gone(5.0) / gone(0.1) == pytest.approx((saturated - 5.0) / (saturated - 0.1), rel=0.1)
+
+
 def test_crystals_lie_on_the_bottom_and_are_neither_clear_nor_dissolved() -> None:
     simulation = bench(WATER, Filling(60.0, crystals=(SALT,)))
     liquid, view = liquid_of(simulation), world(simulation)
@@ -62,7 +78,7 @@ def test_what_dissolves_keeps_amounts_and_energy_and_cools_the_water() -> None:
     simulation = bench(WATER, Filling(60.0, crystals=(SALT,)))
     liquid, view = liquid_of(simulation), world(simulation)
     warm = energy(simulation)
-    liquid.speeds[:] = 0.05
+    liquid.stirring[:] = 0.05
     mix(simulation, 120.0)
     assert energy(simulation) == pytest.approx(warm, abs=1e-9 * abs(warm))
     solution = view.solution(TAKER)
@@ -80,7 +96,7 @@ def test_more_than_dissolves_stays_on_the_bottom() -> None:
     much = Crystals("sodium chloride", 30.0)
     simulation = bench(WATER, Filling(60.0, crystals=(much,)))
     liquid, view = liquid_of(simulation), world(simulation)
-    liquid.speeds[:] = 0.2
+    liquid.stirring[:] = 0.2
     mix(simulation, 900.0)
     solution = view.solution(TAKER)
     assert solution is not None
@@ -104,9 +120,9 @@ def test_stirring_carries_a_precipitate_but_no_crystals() -> None:
 @pytest.mark.parametrize(
     ("crystals", "reason"),
     [
-        (Crystals("cobalt(II) chloride hexahydrate", 1.0), "no density or no solubility"),
         (Crystals("sodium carbonate", 1.0), "what crystals of sodium carbonate become in water"),
-        (Crystals("sodium chloride", 0.0), "more than 0 g"),
+        (Crystals("sodium chloride", 0.0), "grams above 0"),
+        (Crystals("sodium chloride", math.inf), "grams above 0"),
         (Crystals("sodium chloride", 1.0, grain_mm=50.0), "0.01 to 5 mm"),
     ],
 )

@@ -56,7 +56,7 @@ def test_water_above_a_heap_is_clear_and_there_is_none_where_all_has_dissolved()
     liquid, tints = liquid_of(simulation), np.ones((1, 4))
     assert looks(liquid, tints, heaped=True)[:, 3].max() < 0.5
     assert looks(liquid, tints)[:, 3].max() > 0.6
-    liquid.speeds[:] = 0.05
+    liquid.stirring[:] = 0.05
     mix(simulation, 120.0)
     assert drawn(simulation) == []
 
@@ -66,7 +66,7 @@ def test_fine_grains_that_are_stirred_up_cloud_the_water_and_leave_the_heap() ->
     simulation = with_crystals("silver chloride", 1.0, grain_mm=0.02)
     liquid = liquid_of(simulation)
     (before,) = drawn(simulation)
-    liquid.speeds[:] = 0.15
+    liquid.stirring[:] = 0.15
     mix(simulation, 5.0)
     (after,) = drawn(simulation)
     assert after.volume < 0.5 * before.volume

@@ -47,6 +47,15 @@ def test_the_error_names_task_vessel_and_cure(giver: Filling, taker: Filling, sa
     assert any(cure in message for cure in ("Dissolve less", "Take one of them", "Fill it with"))
 
 
+def test_a_solution_that_falls_out_as_cold_as_it_is_is_refused() -> None:
+    """Of potassium nitrate 2.2 mol/l dissolve at 10 degrees C, 3.1 at 20 (CRC Handbook)."""
+    nitre = (Solute("potassium nitrate", 3.0),)
+    require_possible_solutions("level2/mine", {GIVER: Filling(50.0, dissolved=nitre)})
+    cold = {GIVER: Filling(50.0, celsius=8.0, dissolved=nitre)}
+    with pytest.raises(ImpossibleFillingError, match=r"giver does not stay dissolved at 8 degrees"):
+        require_possible_solutions("level2/mine", cold)
+
+
 def test_what_can_be_is_let_through() -> None:
     require_possible_solutions("level2/mine", {GIVER: ACID, TAKER: BASE})
     require_possible_solutions("level2/mine", {GIVER: ACID, TAKER: SODA})

@@ -85,7 +85,7 @@ def test_a_beaker_that_has_been_emptied_has_not_turned(env: LabEnv) -> None:
     assert info["solutions"]["yellow_beaker"]["ml"] < 1.0
 
 
-def test_the_privileged_state_has_acidity_and_colour_of_every_vessel(env: LabEnv) -> None:
+def test_the_privileged_state_has_the_solution_of_every_vessel(env: LabEnv) -> None:
     env.reset(seed=0)
     names = environment_state_names(env.workcell.task)
     state = dict(zip(names, env.environment_state().tolist(), strict=True))
@@ -96,3 +96,7 @@ def test_the_privileged_state_has_acidity_and_colour_of_every_vessel(env: LabEnv
         assert state[f"{vessel.name}.acidity"] == pytest.approx(7.0 - solution.ph, abs=1e-5)
         seen = [state[f"{vessel.name}.{colour}"] for colour in ("red", "green", "blue")]
         assert seen == pytest.approx(solution.colour, abs=1e-5)
+        assert state[f"{vessel.name}.warmth"] == pytest.approx(0.0, abs=0.01)
+        molar = 1e-3 * sum(solution.concentrations.values())
+        assert state[f"{vessel.name}.dissolved"] == pytest.approx(molar, rel=1e-5)
+        assert state[f"{vessel.name}.mixed"] == pytest.approx(solution.mixed, abs=1e-5)

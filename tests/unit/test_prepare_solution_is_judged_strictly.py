@@ -1,5 +1,6 @@
 """Adversarial cases of `level4/prepare_solution`: the concentration counts, and how much of it."""
 
+import re
 from typing import Any
 
 import pytest
@@ -74,6 +75,15 @@ def test_who_has_weighed_too_much_fills_up_further(env: LabEnv) -> None:
     share = molar(env) / 0.5
     info = after(env, 1.02 * share * TOTAL_ML, (1.02 - 1.02 * share) * TOTAL_ML)
     assert made(info)
+
+
+def test_the_weighing_itself_lets_through_what_can_still_be_made_up(env: LabEnv) -> None:
+    """2 g too much of the stock, with as much more water, is within every threshold at the end."""
+    env.reset(seed=0)
+    weigh = next(step for step in env.workcell.task.steps if step.name == "weigh")
+    (mass,) = (fact.name for fact in weigh.substeps[0].when if " reads " in fact.name)
+    low, high = re.findall(r"\d+\.?\d*", mass)
+    assert float(high) - float(low) == pytest.approx(8.0, abs=0.1)
 
 
 def test_a_little_of_the_right_concentration_is_too_little(env: LabEnv) -> None:

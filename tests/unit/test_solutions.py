@@ -7,11 +7,17 @@ from hypothesis import strategies as st
 
 from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute
+from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
+from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.liquids.looks import looks
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.settling import let_sink, sinking_speeds
 from labutopia_lerobot.liquids.solutions import Solutions
 from labutopia_lerobot.predicates import colour_turned, concentration, dissolved, ph_between
+from labutopia_lerobot.robots import PANDA
+from labutopia_lerobot.scenes import LABORATORY
+from labutopia_lerobot.scenes.views import WIDE_VESSEL_VIEW
+from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.substances.filling import Filling
 from solution_bench import (
@@ -195,7 +201,7 @@ def test_what_has_settled_leaves_a_clear_blue_solution_above() -> None:
     handling, liquid = simulation.apparatus.liquid, liquid_of(simulation)
     assert handling is not None
     assert liquid.solutions is not None
-    liquid.speeds[:] = 0.0
+    liquid.stirring[:] = 0.0
     for _ in range(300):
         handling.react(1.0)
     grains = liquid.what.contents[:, liquid.solutions.inventory.species.index("BaSO4(s)")]
@@ -240,6 +246,50 @@ def test_another_simulation_goes_on_from_the_state_with_the_gas_that_has_left() 
     other.restore(first.state())
     here, there = world(first).solution(TAKER), world(other).solution(TAKER)
     assert here == there
+
+
+def test_being_carried_stirs_nothing() -> None:
+    simulation = bench(ACID, BASE)
+    liquid = liquid_of(simulation)
+    liquid.velocities[:] += (0.3, -0.2, 0.1)
+    account = liquid.take_account()
+    assert account.speeds.min() > 0.3
+    assert liquid.stirring.max() < 0.01
+    liquid.velocities[::2] -= (0.6, -0.4, 0.2)
+    liquid.take_account()
+    assert liquid.stirring.min() > 0.3
+
+
+def test_what_a_state_goes_back_to_has_not_been_left_unreacted() -> None:
+    solutions = liquid_of(bench(ACID, BASE)).solutions
+    assert solutions is not None
+    solutions.unreacted = ("of another episode",)
+    solutions.restore(np.zeros(solutions.given_off.size))
+    assert solutions.unreacted == ()
+
+
+def test_what_waits_in_a_wash_bottle_is_a_solution_too() -> None:
+    bottle = WashBottle("bottle")
+    held = {bottle: COPPER, TAKER: BARIUM}
+    scene = compile_scene([bottle, TAKER], PANDA, LABORATORY, WIDE_VESSEL_VIEW, held, 200)
+    simulation = Simulation(scene)
+    simulation.reset({bottle: Placement(0.3, 0.12, 0.0), TAKER: Placement(0.3, -0.1, 0.0)})
+    simulation.fill(np.random.default_rng(0))
+    solution = world(simulation).solution(bottle)
+    assert solution is not None
+    assert solution.volume == pytest.approx(COPPER.volume, rel=0.01)
+    assert solution.concentrations["Cu^2+(aq)"] == pytest.approx(100.0, rel=0.01)
+
+
+@pytest.mark.parametrize("share", [0.5, 0.3, 0.7, 1 / 3, 0.9])
+def test_copper_and_iodide_come_to_an_end_whatever_their_ratio(share: float) -> None:
+    """2 Cu^2+ + 4 I^- -> 2 CuI + I2: at some ratio one of them is gone but for rounding."""
+    parts = (Solute("copper(II) sulfate", 0.1),), (Solute("potassium iodide", 0.1),)
+    inventory = Inventory.of(parts)
+    copper, iodide = (inventory.filled(one, 1e-6) for one in parts)
+    after, why = inventory.settled(share * copper + (1.0 - share) * iodide, 1e-6, 293.15)
+    assert why == ""
+    assert inventory.amounts(after)["I2(aq)"] > 0.0
 
 
 def test_what_is_in_no_vessel_keeps_what_it_holds() -> None:

@@ -66,8 +66,9 @@ def prepare_solution(draw: Draw) -> Task:
     made = concentration(target, species=_SALTS[salt], low=low, high=high)
     full = reads(weighing, low=total - _WITHIN_G, high=total + _WITHIN_G)
     there = (made, full, settled(weighing))
-    near = _WITHIN_G / 4
-    weigh = actions.pour_by_reading(stock, target, weighing, mass=share, within=near, coarse=0.3)
+    weigh = actions.pour_by_reading(
+        stock, target, weighing, mass=share, within=_WITHIN_G, aim=_WITHIN_G / 4, coarse=0.3
+    )
     fill_up = actions.dilute(water, target, weighing, times=total / share, there=there)
     homes = {vessel: WhereItStood(vessel) for vessel in (stock, water)}
     return Task(
