@@ -83,6 +83,14 @@ class Handling(LiquidHandling):
         return liquid.solutions.solution(vessel, liquid.what.part(near), weights)
 
     @override
+    def temperature_at(self, point_w: FloatArray) -> float | None:
+        if not len(self._within_reach(point_w)):
+            return None
+        near = self._within_reach(point_w, _AROUND)
+        weights = self._capacities()[near]
+        return float(weights @ self._liquid.temperatures[near] / weights.sum())
+
+    @override
     def gas_from(self, vessel: str) -> float:
         liquid = self._liquid
         if liquid.solutions is None:

@@ -1,6 +1,6 @@
 """Processes: things that pieces do by themselves, and the readings that they give."""
 
-from labutopia_lerobot.processes.electrode import ConductivityCell, PhElectrode
+from labutopia_lerobot.processes.electrode import ConductivityCell, PhElectrode, TemperatureSensor
 from labutopia_lerobot.processes.energy_regulator import EnergyRegulator
 from labutopia_lerobot.processes.heat import DoorGap, HeatZone, ThermalMass
 from labutopia_lerobot.processes.heat_exchange import HeatExchange
@@ -36,6 +36,7 @@ __all__ = [
     "ProcessError",
     "Reactions",
     "Stock",
+    "TemperatureSensor",
     "ThermalMass",
     "Thermostat",
     "UnknownReadingError",

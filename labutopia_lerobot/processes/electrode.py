@@ -1,12 +1,14 @@
-"""Electrodes: what a sensor whose tip lies in a solution reads there."""
+"""Electrodes and other sensors: what one whose tip lies in a liquid reads there."""
 
 import math
 from dataclasses import dataclass
 from typing import ClassVar, override
 
 from labutopia_lerobot.chemistry.conductivity import conductivity
+from labutopia_lerobot.processes.heat import CELSIUS
 from labutopia_lerobot.processes.process import Apparatus
 from labutopia_lerobot.processes.solution_sensor import SolutionSensor
+from labutopia_lerobot.substances.substance import ZERO_C
 
 
 @dataclass(frozen=True)
@@ -66,3 +68,31 @@ class ConductivityCell(SolutionSensor):
         if solution is None:
             return math.nan
         return 10.0 * conductivity(solution.concentrations)
+
+
+@dataclass(frozen=True)
+class TemperatureSensor(SolutionSensor):
+    """The temperature around the tip of a sensor: of the liquid there, or else of the room.
+
+    It measures what is there, mixed or not.
+
+    Attributes:
+        name: What its reading is called.
+        tip: Name of the frame at its end.
+        lag: Its time constant [s]; ours: a Pt1000 in a thin sheath takes seconds in water.
+        resolution: Step of the last digit [K].
+    """
+
+    name: str
+    tip: str
+    lag: float = 2.0
+    resolution: float = 0.1
+    unit: ClassVar[str] = CELSIUS
+
+    @override
+    def sensed(self, apparatus: Apparatus) -> float:
+        liquid, kelvin = apparatus.liquid, apparatus.ambient
+        if liquid is not None:
+            around = liquid.temperature_at(apparatus.site(self.tip).position_w)
+            kelvin = kelvin if around is None else around
+        return kelvin - ZERO_C

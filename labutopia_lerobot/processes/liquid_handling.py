@@ -80,6 +80,10 @@ class LiquidHandling(Protocol):
         """
         ...
 
+    def temperature_at(self, point_w: FloatArray) -> float | None:
+        """Return how warm the liquid around a point is [K]; None where it lies in none."""
+        ...
+
     def gas_from(self, vessel: str) -> float:
         """Return how much gas has left what a vessel holds, since the start [mol]."""
         ...

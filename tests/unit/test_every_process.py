@@ -55,6 +55,8 @@ CHECKED_BY = {
     "Supply": "test_water_of_taps::"
     "test_a_tap_lets_through_what_its_opening_and_the_rest_of_its_line_do",
     "Switch": "test_push_buttons::test_every_click_toggles_the_switch_and_its_lamp",
+    "TemperatureSensor": "test_meters_in_solutions::"
+    "test_the_thermometer_reads_the_layer_that_its_tip_is_in_and_in_air_the_room",
     "ThermalMass": "test_heat_of_instruments::"
     "test_a_muffle_furnace_heats_as_4500_watts_and_its_insulation_have_it",
     "Thermostat": "test_heat_of_instruments::"

@@ -1,4 +1,4 @@
-"""Conductivity meter, spectrophotometer and refractometer against numbers of handbooks."""
+"""Conductivity meter, thermometer, spectrophotometer and refractometer against numbers of handbooks."""
 
 import math
 
@@ -10,6 +10,7 @@ from labutopia_lerobot.chemistry.inventory import Inventory, Solute
 from labutopia_lerobot.chemistry.refraction import refractive_index
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.measuring.conductivity_meter import ConductivityMeter
+from labutopia_lerobot.labware.instruments.measuring.digital_thermometer import DigitalThermometer
 from labutopia_lerobot.labware.instruments.measuring.refractometer import Refractometer
 from labutopia_lerobot.labware.instruments.measuring.spectrophotometer import Spectrophotometer
 from labutopia_lerobot.labware.piece import Piece
@@ -86,6 +87,26 @@ def test_the_conductivity_meter_reads_a_standard_and_dashes_in_air() -> None:
     assert reading.text == f"{reading.shown:.3f} mS/cm"
     turn(simulation, "meter_electrode_slide", 0.0)
     assert read(simulation, "meter_conductivity").text == "--.--- mS/cm"
+
+
+def test_the_thermometer_reads_the_layer_that_its_tip_is_in_and_in_air_the_room() -> None:
+    """95 % of a change are there after three time constants of 2 s."""
+    beaker = glassware("beaker", "150 ml", "beaker")
+    meter, below = DigitalThermometer("meter", lowered=0.110), (0.060, -0.287, 0.0)
+    simulation = bench(meter, beaker, Inside(meter, below), 60.0)
+    assert read(simulation, "meter_temperature", 4.0).shown == pytest.approx(20.0, abs=0.2)
+    liquid, tip = simulation.liquid, simulation.data.site("meter_tip").xpos
+    assert liquid is not None
+    liquid.temperatures[:] = 333.15
+    rising = read(simulation, "meter_temperature", 6.0)
+    assert rising.shown == pytest.approx(60.0 - 0.05 * 40.0, abs=1.0)
+    far = np.linalg.norm(liquid.positions - tip, axis=1) > 0.025
+    liquid.temperatures[far] = 363.15
+    handling = simulation.apparatus.liquid
+    assert handling is not None
+    assert handling.temperature_at(tip) == pytest.approx(333.0, abs=2.0)
+    turn(simulation, "meter_electrode_slide", 0.0)
+    assert read(simulation, "meter_temperature", 12.0).shown == pytest.approx(20.0, abs=0.5)
 
 
 def in_beam(of: str, molar: float, nanometres: float) -> Simulation:
