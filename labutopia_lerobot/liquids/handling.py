@@ -165,6 +165,24 @@ class Handling(LiquidHandling):
         self._liquid.temperatures[held] += heat / self._capacities()[held].sum()
 
     @override
+    def evaporate(self, vessel: str, count: int) -> float:
+        liquid = self._liquid
+        held = np.flatnonzero(self._held(vessel))
+        upwards = held[np.argsort(liquid.positions[held, 2], kind="stable")]
+        staying, leaving = np.split(upwards, [max(len(held) - count, min(len(held), 1))])
+        if liquid.solutions is not None:
+            for one in leaving:
+                away = np.linalg.norm(liquid.positions[staying] - liquid.positions[one], axis=1)
+                heir = staying[away.argmin()]
+                liquid.what.contents[heir] += liquid.solutions.left_behind(
+                    liquid.what.contents[one]
+                )
+        heat = float(self._capacities()[leaving] @ liquid.temperatures[leaving])
+        liquid.take(leaving)
+        liquid.evaporated += len(leaving)
+        return heat
+
+    @override
     def warm_to(self, temperature: float) -> None:
         self._liquid.warm_to(temperature)
 

@@ -59,6 +59,7 @@ class Liquid:
         kept: What stands in narrow tubes; `positions` and all other arrays are without it.
         accounted: Which of `names` each particle was in at the last account, shape (n,); -1 none.
         stirring: How fast what is in each of `names` moved within it at the last account [m/s].
+        evaporated: How many particles have left as vapour since the fill.
         diverged: Whether the solver has failed; the particles then stay where they are.
     """
 
@@ -151,7 +152,7 @@ class Liquid:
     def _start(self, positions: FloatArray, what: Portion) -> None:
         self.positions = positions
         self.velocities = np.zeros_like(positions)
-        self.diverged = False
+        self.diverged, self.evaporated = False, 0
         self._be(what)
         self.accounted: NDArray[np.int64] = np.full(len(positions), -1)
         self.stirring: FloatArray = np.zeros(len(self.names))
@@ -350,7 +351,7 @@ class Liquid:
         self.accounted, self.stirring = inside, stirring(count, self.velocities, inside)
         kept.remember(kept.holders)
         speeds = mean_speeds(count, self.velocities, inside)
-        return LiquidAccount(self.names, counts, moves, speeds, self.volume)
+        return LiquidAccount(self.names, counts, moves, speeds, self.volume, self.evaporated)
 
     def warm_to(self, temperature: float) -> None:
         """Bring all liquid, and what comes later, to where it begins in a room so warm [K]."""
@@ -362,7 +363,7 @@ class Liquid:
     def state(self) -> FloatArray:
         """Return all that the next step depends on beside MuJoCo's state.
 
-        Shape (2 + bottles + (11 + substances + species) n,), after what is kept where anything can
+        Shape (3 + bottles + (11 + substances + species) n,), after what is kept where anything can
         be, and what gas has left where anything is dissolved.
         """
         kept = [self.kept.state()] if self._keeps else []
@@ -371,7 +372,8 @@ class Liquid:
             [
                 *kept,
                 *gas,
-                [len(self.positions), self.diverged, *self.bottles.waiting.values()],
+                [len(self.positions), self.diverged, self.evaporated],
+                list(self.bottles.waiting.values()),
                 self.positions.ravel(),
                 self.velocities.ravel(),
                 self._pressure,
@@ -387,7 +389,7 @@ class Liquid:
         if self.solutions is not None:
             state = self.solutions.restore(state)
         count, bottles = int(state[0]), len(self.bottles.waiting)
-        waiting, rest = np.split(state[2:], [bottles])
+        waiting, rest = np.split(state[3:], [bottles])
         self.bottles.restore(waiting)
         positions, velocities, rest = np.split(rest, [3 * count, 6 * count])
         pressure, touching, rest = np.split(rest, [count, 2 * count])
@@ -395,4 +397,4 @@ class Liquid:
         self._start(positions.reshape(-1, 3).copy(), what)
         self.velocities[:] = velocities.reshape(-1, 3)
         self._pressure[:], self._touching[:] = pressure, touching
-        self.diverged = bool(state[1])
+        self.diverged, self.evaporated = bool(state[1]), int(state[2])

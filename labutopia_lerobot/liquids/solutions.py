@@ -83,6 +83,17 @@ class Solutions:
         masses: FloatArray = (contents - self._water) @ self.inventory.molar_masses
         return masses
 
+    def left_behind(self, content: FloatArray) -> FloatArray:
+        """Return what stays of a particle whose water evaporates, shape (species,) [mol].
+
+        As much water leaves as it was made up with; what reactions have made of it, or bound, is
+        made up for by what it stays with.
+
+        Args:
+            content: Amounts of each species that it holds, shape (species,) [mol].
+        """
+        return content - self._water
+
     def strew(self, contents: FloatArray, heights: FloatArray, filling: Filling) -> None:
         """Put the crystals of a filling on the bottom of its vessel, in place.
 

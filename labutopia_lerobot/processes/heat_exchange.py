@@ -11,7 +11,7 @@ import numpy as np
 
 from labutopia_lerobot.processes.heat import CELSIUS, HeatZone, ThermalMass
 from labutopia_lerobot.processes.process import Apparatus, Process
-from labutopia_lerobot.substances.substance import ZERO_C
+from labutopia_lerobot.substances.substance import WATER, ZERO_C
 from labutopia_lerobot.world import FloatArray, Reading
 
 if TYPE_CHECKING:
@@ -25,12 +25,16 @@ _VAPOUR = 5.0 / (1.19 * 1007.0) / 0.85 ** (2 / 3)
 analogy of heat and mass transfer, Lewis number 0.85 (Incropera, section 6.7)."""
 _EVAPORATION = 2.43e6
 """Latent heat of water at 30 C [J/kg] (Incropera, table A.6)."""
+_COLDER = 2.36e3
+"""Less of it for every kelvin more [J/kg K]: 2.50e6 at 0 C, 2.26e6 at 100 C (ibid.)."""
 _WATER_VAPOUR = 461.5
 """Gas constant of water vapour [J/kg K]."""
 _HUMIDITY = 0.5
 """Of the room's air, relative; ours."""
 _BOILS = 0.05
 """How far below its boiling point a liquid counts as boiling [K]; ours: a step's rounding."""
+_BEFORE_VAPOUR = 4
+"""Slots before those of the heat that vapour has taken from each vessel."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +58,8 @@ class HeatExchange(Process):
     @property
     @override
     def slots(self) -> tuple[str, ...]:
-        return ("supplied", "lost", "touched")
+        vapour = (f"vapour of {mass.name}" for mass in self.masses)
+        return ("supplied", "lost", "touched", "evaporated", *vapour)
 
     @override
     def start(self, apparatus: Apparatus, rng: np.random.Generator) -> None:
@@ -73,10 +78,14 @@ class HeatExchange(Process):
         for mass in self.masses:
             for name, conductance in mass.links:
                 self._exchange(apparatus, mass, self._by_name[name], conductance)
-        for mass in self.masses:
+        for number, mass in enumerate(self.masses, _BEFORE_VAPOUR):
             around = self._meet(apparatus, mass) if mass.wall is not None else False
             if mass.wall is not None:
-                memory[1] += self._into_liquid(apparatus, mass, around)
+                latent = self._into_liquid(apparatus, mass, around)
+                memory[1] += latent
+                if latent:
+                    memory[number] += latent
+                    memory[3] += self._shrink(apparatus, mass, memory[number:])
             if not around:
                 memory[1] += self._lose(apparatus, mass)
         if apparatus.liquid is not None:
@@ -166,6 +175,30 @@ class HeatExchange(Process):
         liquid.warm(vessel.body, heat - lost)
         return lost
 
+    def _shrink(self, apparatus: Apparatus, vessel: ThermalMass, latent: FloatArray) -> float:
+        """Let as much water leave a vessel as has evaporated, as whole particles.
+
+        Nothing leaves mixtures: which of them does is not known.
+
+        Args:
+            apparatus: What it is in.
+            vessel: The vessel.
+            latent: First, the heat that vapour has taken which has not left yet [J]; in place.
+
+        Returns:
+            The heat that it had above 0 K, beside that of evaporation [J].
+        """
+        liquid = apparatus.liquid
+        held = None if liquid is None else liquid.warmth(vessel.body)
+        if liquid is None or held is None or held.water < 1.0:
+            return 0.0
+        each = WATER.density * liquid.particle * _latent(held.temperature)
+        count = int(latent[0] / each)
+        if not count:
+            return 0.0
+        latent[0] -= count * each
+        return liquid.evaporate(vessel.body, count)
+
     def vapour(self, apparatus: Apparatus, vessel: ThermalMass) -> float:
         """Return the heat that leaves a vessel with vapour now [W]; none inside a chamber or bath.
 
@@ -218,6 +251,11 @@ def _fingers(model: mujoco.MjModel, hand: str) -> FloatArray:
     for body in range(root + 1, model.nbody):  # parents come before their children
         line[body] = line[model.body_parentid[body]]
     return line
+
+
+def _latent(temperature: float) -> float:
+    """Return the latent heat of water [J/kg] at a temperature [K]."""
+    return _EVAPORATION - _COLDER * (temperature - ZERO_C - 30.0)
 
 
 def _surfaces(wall: "Profile", volume: float) -> tuple[float, float]:

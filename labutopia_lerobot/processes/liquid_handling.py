@@ -154,6 +154,20 @@ class LiquidHandling(Protocol):
         """Give what a vessel holds some heat [J]."""
         ...
 
+    def evaporate(self, vessel: str, count: int) -> float:
+        """Take particles of water off the surface of what a vessel holds, all but one at most.
+
+        What was dissolved in them stays with what is next to them.
+
+        Args:
+            vessel: Name of the vessel.
+            count: How many.
+
+        Returns:
+            The heat that they had above 0 K [J].
+        """
+        ...
+
     def warm_to(self, temperature: float) -> None:
         """Bring all liquid to where it begins in a room of a temperature [K]."""
         ...

@@ -29,6 +29,7 @@ class LiquidAccount:
             after another one had been the last to hold them (row), shape (vessels, vessels).
         speeds: Mean speed of the particles inside each vessel [m/s], shape (vessels,); 0 for none.
         particle_volume: Of each [m^3].
+        vapour: Particles that have left as vapour since the fill; they are in none of `counts`.
     """
 
     vessels: tuple[str, ...]
@@ -36,10 +37,16 @@ class LiquidAccount:
     moves: NDArray[np.int64]
     speeds: NDArray[np.float64]
     particle_volume: float
+    vapour: int = 0
+
+    @property
+    def evaporated(self) -> float:
+        """Volume that has left as vapour since the fill [m^3]."""
+        return self.vapour * self.particle_volume
 
     @property
     def total(self) -> float:
-        """All of it [m^3]."""
+        """All of it that is still there [m^3]."""
         return self._volume(self.counts)
 
     @property

@@ -61,8 +61,8 @@ def energy(simulation: Simulation) -> tuple[float, float, float]:
     assert held is not None
     total = held.capacity * held.temperature
     total += sum(m.capacity * m.temperature(apparatus) for m in exchange.masses)
-    supplied, lost, _ = apparatus.memory(exchange)
-    return total, supplied, lost
+    supplied, lost, _, evaporated, *_ = apparatus.memory(exchange)
+    return total, supplied, lost + evaporated
 
 
 def independent(seconds: np.ndarray) -> np.ndarray:
@@ -142,6 +142,38 @@ def test_what_is_supplied_is_in_the_things_or_was_lost():
     assert after - before == pytest.approx(supplied - lost, rel=1e-9)
 
 
+def test_boiling_water_gets_less_by_its_latent_heat_and_no_heat_is_lost_on_the_way():
+    """2.26 MJ/kg (Incropera, table A.6): what the plate gives beyond what warms glass and room."""
+    simulation = on_the_plate(60.0, 200, 98.0)
+    liquid = simulation.liquid
+    assert liquid is not None
+    simulation.apparatus.memory(HEATER.hot)[0] = 573.15
+    switch_on(simulation)
+    warm_up(simulation, 30.0)
+    before, supplied, lost = energy(simulation)
+    filled, took = liquid.take_account().evaporated, 120.0
+    warm_up(simulation, took)
+    after, *given = energy(simulation)
+    account = liquid.take_account()
+    gone = account.evaporated - filled
+    assert celsius(simulation, f"{BEAKER.name}_temperature") > 99.0
+    assert after - before == pytest.approx(given[0] - supplied - given[1] + lost, rel=1e-9)
+    assert 1e-6 < gone < 30e-6
+    assert account.total + account.evaporated == pytest.approx(60e-6)
+    steam = simulation.apparatus.processes["surface_at_hand"]
+    assert isinstance(steam, HeatExchange)
+    mass = next(one for one in steam.masses if one.name == f"{BEAKER.name}_temperature")
+    watts = steam.vapour(simulation.apparatus, mass)
+    assert gone == pytest.approx(watts * took / 2.26e6 / 998.0, rel=0.15)
+
+
+def test_water_in_a_cold_room_loses_next_to_nothing():
+    simulation = on_the_plate(60.0, 1000, 40.0)
+    warm_up(simulation, 60.0)
+    assert simulation.liquid is not None
+    assert simulation.liquid.take_account().evaporated < 0.1e-6
+
+
 def test_nothing_changes_while_nothing_heats():
     simulation = on_the_plate()
     warm_up(simulation, 5.0)
@@ -161,9 +193,12 @@ def test_the_thermostat_holds_the_plate_at_its_set_point():
 
 
 def test_saved_and_restored_it_goes_on_bit_for_bit():
-    simulation = on_the_plate(20.0, 60)
+    simulation = on_the_plate(20.0, 60, 95.0)
+    simulation.apparatus.memory(HEATER.hot)[0] = 573.15
     switch_on(simulation)
-    warm_up(simulation, 20.0)
+    warm_up(simulation, 60.0)
+    assert simulation.liquid is not None
+    assert simulation.liquid.take_account().evaporated > 0.0
     kept = simulation.state()
     ends = []
     for _ in range(2):

@@ -1,4 +1,4 @@
-"""Conductivity meter, thermometer, spectrophotometer and refractometer against numbers of handbooks."""
+"""Meters of conductivity, temperature, absorbance and refraction against numbers of handbooks."""
 
 import math
 

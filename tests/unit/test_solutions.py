@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute
+from labutopia_lerobot.chemistry.portions import WATER_PER_VOLUME
 from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.liquids.looks import looks
@@ -246,6 +247,28 @@ def test_another_simulation_goes_on_from_the_state_with_the_gas_that_has_left() 
     other.restore(first.state())
     here, there = world(first).solution(TAKER), world(other).solution(TAKER)
     assert here == there
+
+
+def test_water_evaporates_and_what_was_dissolved_in_it_stays() -> None:
+    simulation = bench(COPPER, BARIUM)
+    liquid, handling = liquid_of(simulation), simulation.apparatus.liquid
+    assert handling is not None
+    before, weight = everything(simulation), liquid.solute_masses(liquid.what)
+    heat = handling.evaporate(GIVER.name, 20)
+    assert heat == pytest.approx(20 * liquid.volume * 998.0 * 4182.0 * 293.15, rel=0.01)
+    after, water = everything(simulation), 20 * liquid.volume * WATER_PER_VOLUME
+    assert {name: before[name] - after[name] for name in ("Cu", "S", "Cl", "charge")} == (
+        pytest.approx(dict.fromkeys(("Cu", "S", "Cl", "charge"), 0.0), abs=1e-15)
+    )
+    assert before["O"] - after["O"] == pytest.approx(water, rel=1e-9)
+    assert np.sum(liquid.solute_masses(liquid.what)) == pytest.approx(np.sum(weight), rel=1e-9)
+    simulation.account = liquid.take_account()
+    solution = world(simulation).solution(GIVER)
+    assert solution is not None
+    left = solution.volume / COPPER.volume
+    assert solution.concentrations["SO4^2-(aq)"] == pytest.approx(100.0 / left, rel=0.02)
+    handling.evaporate(GIVER.name, 10_000)
+    assert liquid.take_account().inside[GIVER.name] == pytest.approx(liquid.volume)
 
 
 def test_being_carried_stirs_nothing() -> None:
