@@ -77,7 +77,7 @@ class Row:
         after: Step behind which the episode began, or None for the start of the task.
         readings: What displays showed at the end, by name; None for dashes and errors.
         solutions: Contents of vessels at the end, by vessel, as `Solution.numbers` has it; None for
-            no number. Empty without chemistry.
+            no number. Empty without liquid, and in rows of earlier versions without chemistry.
         unreacted: Why mixtures were left as they were, in words.
         driving: Of a robot that drives: way driven and shortest way [m], least distances of its
             middle and of its footprint from things [m], SPL, and how far it was at the end from

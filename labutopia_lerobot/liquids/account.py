@@ -97,6 +97,7 @@ def mean_speeds(
     return mean
 
 
+@kernel
 def stirring(
     vessels: int, velocities: NDArray[np.float64], inside: NDArray[np.int64]
 ) -> NDArray[np.float64]:
@@ -109,9 +110,19 @@ def stirring(
         velocities: Shape (n, 3), m/s.
         inside: Which vessel each particle is in, shape (n,); -1 none.
     """
-    held = inside >= 0
-    places, count = inside[held], np.maximum(np.bincount(inside[held], minlength=vessels), 1)
-    sums = [np.bincount(places, along, minlength=vessels) for along in velocities[held].T]
-    own = np.zeros_like(velocities)
-    own[held] = velocities[held] - (np.array(sums) / count).T[places]
-    return mean_speeds(vessels, own, inside)
+    counts, common = np.zeros(vessels), np.zeros((vessels, 3))
+    for a in range(len(inside)):
+        if inside[a] >= 0:
+            counts[inside[a]] += 1.0
+            for k in range(3):
+                common[inside[a], k] += velocities[a, k]
+    speeds = np.zeros(vessels)
+    for a in range(len(inside)):
+        v = inside[a]
+        if v >= 0:
+            x = velocities[a, 0] - common[v, 0] / counts[v]
+            y = velocities[a, 1] - common[v, 1] / counts[v]
+            z = velocities[a, 2] - common[v, 2] / counts[v]
+            speeds[v] += np.sqrt(x * x + y * y + z * z)
+    mean: NDArray[np.float64] = speeds / np.maximum(counts, 1.0)
+    return mean

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.liquids.plain_liquids import PlainLiquids
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.solutions import Solutions
 from labutopia_lerobot.processes import AMBIENT
@@ -25,6 +26,7 @@ class Beginning:
         fillings: All of them.
         substances: All that there are, each once.
         solutions: All that is dissolved in them, or will be; None where nothing is.
+        plain: Their state where nothing is.
         room: How warm the room is [K].
     """
 
@@ -33,6 +35,7 @@ class Beginning:
         self.substances = tuple(dict.fromkeys(filling.substance for filling in fillings))
         chemical = any(filling.reacts for filling in fillings)
         self.solutions = Solutions(fillings, names, particle) if chemical else None
+        self.plain = PlainLiquids(self.substances, particle)
         self.room = AMBIENT
         self._own = np.full(len(names), np.nan)
 

@@ -278,20 +278,18 @@ class Liquid:
         around = self._around
         return whereabouts(points_w, around.glass, around.inner, around.smallest_first)
 
-    def solution(self, vessel: int) -> Solution | None:
-        """Return what is in a vessel, bottle or pipette; None where nothing is dissolved anywhere.
-
-        Args:
-            vessel: Which of `names`.
-        """
-        if self.solutions is None:
-            return None
-        kept = self.kept.portion.part(np.flatnonzero(self.kept.holders == vessel))
-        what = self._what.part(np.flatnonzero(self.accounted == vessel)).with_more(kept)
+    def solution(self, vessel: int) -> Solution:
+        """Return what is in a vessel, bottle or pipette, by its index in `names`."""
+        what = self._what.part(np.flatnonzero(self.accounted == vessel))
+        if self._keeps:
+            kept = np.flatnonzero(self.kept.holders == vessel)
+            what = what.with_more(self.kept.portion.part(kept))
         if waiting := self.bottles.waiting.get(self.names[vessel], 0):
             held = vessel, self.bottles.held[self.names[vessel]]
             what = what.with_more(self._beginning.fresh([held] * waiting))
         weights = capacities(what.amounts, self.substances, self.volume)
+        if self.solutions is None:
+            return self._beginning.plain.solution(what, weights)
         return self.solutions.solution(vessel, what, weights)
 
     def step(self) -> None:

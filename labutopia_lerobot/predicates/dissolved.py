@@ -1,6 +1,6 @@
 """Facts about what is dissolved in a vessel: its pH, its concentrations, its colour.
 
-Where nothing is dissolved in the scene's liquids, and of an empty vessel, none of them holds.
+Without liquid, and of an empty vessel, none of them holds.
 """
 
 import math

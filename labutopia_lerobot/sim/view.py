@@ -49,7 +49,7 @@ class SimulatedWorld:
         self._site_xpos = self._data.site_xpos
         self._site_xmat = self._data.site_xmat.reshape(-1, 3, 3)
         self._touched = simulation.contacts.touched
-        self._solutions: dict[str, Solution | None] = {}
+        self._solutions: dict[str, Solution] = {}
         self._solutions_at = simulation.account
         self._opening = scene.robot.roles.gripper
         self._gripper = scene.model.site(scene.robot.gripper.site).id
@@ -217,13 +217,13 @@ class SimulatedWorld:
         return self._simulation.account
 
     def solution(self, vessel: Thing) -> Solution | None:
-        """Return what a vessel holds; None where nothing is dissolved in the scene's liquids."""
+        """Return what a vessel holds; None where no liquid is simulated."""
         return self.solution_in(vessel.name)
 
     def solution_in(self, name: str) -> Solution | None:
         """Return what the vessel of a name holds, worked out once after each control step."""
         liquid, account = self._simulation.liquid, self._simulation.account
-        if liquid is None or liquid.solutions is None:
+        if liquid is None:
             return None
         if account is not self._solutions_at:
             self._solutions, self._solutions_at = {}, account

@@ -280,14 +280,17 @@ class Workcell:
         }
 
     def _chemistry(self) -> dict[str, Any]:
-        """Return what vessels hold, and what was left unreacted; nothing without solutions."""
+        """Return what vessels hold, and what was left unreacted; nothing without liquid.
+
+        Where nothing is dissolved, at the end of an episode only: little of it changes.
+        """
         liquid = self.simulation.liquid
-        if liquid is None or liquid.solutions is None:
+        if liquid is None or (liquid.solutions is None and not self.progress.over):
             return {}
         held = {name: self.world.solution_in(name) for name in liquid.names}
         return {
             "solutions": {name: one.numbers for name, one in held.items() if one is not None},
-            "unreacted": liquid.solutions.unreacted,
+            "unreacted": () if liquid.solutions is None else liquid.solutions.unreacted,
         }
 
     def close(self) -> None:

@@ -30,8 +30,10 @@ class Solution:
     Attributes:
         volume: m^3.
         temperature: Mean, by heat [K]; not a number where there is nothing.
-        ph: What a pH meter reads in it, stirred; not a number where there is nothing.
-        concentrations: Of every dissolved species [mol/m^3].
+        ph: What a pH meter reads in it, stirred; not a number where there is nothing, and of other
+            liquids than water.
+        concentrations: Of every dissolved species; where nothing is dissolved in the scene, of the
+            liquids that it is mixed of [mol/m^3].
         solids: Amounts of what has precipitated [mol].
         gas: Amounts of what has left it as gas since the start [mol].
         mixed: Part of what is not water that is where, and as, it is in the end.

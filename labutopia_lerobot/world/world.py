@@ -160,7 +160,7 @@ class World(Protocol):
         ...
 
     def solution(self, vessel: Thing) -> Solution | None:
-        """Return what a vessel holds; None where nothing is dissolved in the scene's liquids."""
+        """Return what a vessel holds; None where no liquid is simulated."""
         ...
 
     def touching(self, first: str, second: str) -> bool:

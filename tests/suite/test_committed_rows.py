@@ -17,7 +17,7 @@ from labutopia_lerobot.setting import Setting
 QUICK = ("level1/pick", "level2/pour_liquid", "level3/pick_sizes")
 """Tasks of `make test`: one of each level below the longest, one of them with liquid."""
 
-NEWER = {"readings", "unwanted_contacts"}
+NEWER = {"readings", "solutions", "unwanted_contacts"}
 """Columns that rows of earlier versions lack."""
 
 
