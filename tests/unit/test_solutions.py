@@ -30,6 +30,7 @@ from solution_bench import (
     SODA,
     TAKER,
     bench,
+    bring,
     energy,
     liquid_of,
     mix,
@@ -346,3 +347,14 @@ def test_an_inventory_has_every_species_that_mixtures_of_its_solutions_become() 
         after, why = inventory.settled(np.asarray(row), 1e-4, 293.15)
         assert not why
         assert inventory.amounts(after)["Fe^3+(aq)"] > 0.0
+
+
+def test_a_green_salt_makes_an_acid_look_neutral_and_no_meter_is_deceived() -> None:
+    """Attack on `level2/neutralise`: another dye instead of the base."""
+    yellow = Solute("bromothymol blue", 1.2e-4)
+    acid = Filling(50.0, dissolved=(Solute("hydrochloric acid", 0.1), yellow))
+    simulation = bench(Filling(50.0, dissolved=(Solute("nickel(II) chloride", 1.0),)), acid)
+    assert not colour_turned(TAKER, to="green").holds(world(simulation))
+    bring(simulation, GIVER.name, TAKER.name, 45.0)
+    assert colour_turned(TAKER, to="green").holds(world(simulation))
+    assert not ph_between(TAKER, low=5.8, high=7.0).holds(world(simulation))
