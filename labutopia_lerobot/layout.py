@@ -19,6 +19,7 @@ from labutopia_lerobot.scenes.rooms_to_drive_in import (
 )
 from labutopia_lerobot.scenes.starts_in_rooms import (
     APART,
+    AWAY,
     OfTheRoom,
     OnDeepBench,
     OnSomeBench,
@@ -50,9 +51,6 @@ CLEARANCE = 0.01
 """Least gap between two things at the start [m]."""
 
 _TRIES = 1000
-_AWAY = 2.0
-"""Least distance from things at which a robot that drives starts [m]; ours: from nearer it does not
-have to drive."""
 
 
 class ImpossibleStartError(UserError, ValueError):
@@ -312,10 +310,10 @@ def sample_base(
     """
     things = np.array([(placement.x, placement.y) for placement in layout.values()])
     away = np.hypot(*(ground.starts[:, None] - things).transpose(2, 0, 1)).min(axis=1)
-    far = ground.starts[away > _AWAY]
+    far = ground.starts[away > AWAY]
     if not len(far):
         raise NowhereToDriveError(
-            f"Nowhere in the room the robot is {_AWAY:g} m away from all things. Choose another"
+            f"Nowhere in the room the robot is {AWAY:g} m away from all things. Choose another"
         )
     return np.append(far[int(rng.integers(len(far)))], rng.uniform(-math.pi, math.pi))
 

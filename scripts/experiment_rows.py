@@ -11,8 +11,9 @@ its rows come from, and the rows, one per line and without `facts` and `history`
 their length. Paths are written as if OUT were the default.
 """
 
-import json
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import expert_rows
 from labutopia_lerobot.cli.clear_errors import clear_errors
@@ -53,11 +54,21 @@ def keep(experiment: Path, folder: Path) -> list[Path]:
 
 def _keep(result: Path, experiment: Path, file: Path) -> Path:
     content = read_json_object(result, NothingMeasuredError)
-    origin = json.dumps(content["provenance"])
-    for place in (experiment.resolve(), experiment):
-        origin = origin.replace(str(place), _DEFAULT)
+    origin = _moved(content["provenance"], [str(experiment.resolve()), str(experiment)])
     file.parent.mkdir(parents=True, exist_ok=True)
-    return expert_rows.write(file, content["rows"], json.loads(origin))
+    return expert_rows.write(file, content["rows"], origin)
+
+
+def _moved(said: Any, places: Sequence[str]) -> Any:
+    """Return what a file says, paths below the experiment as if that were at the default place."""
+    if isinstance(said, dict):
+        return {key: _moved(value, places) for key, value in said.items()}
+    if isinstance(said, list):
+        return [_moved(value, places) for value in said]
+    for place in places:
+        if isinstance(said, str) and said.startswith(f"{place}/"):
+            return _DEFAULT + said.removeprefix(place)
+    return said
 
 
 if __name__ == "__main__":

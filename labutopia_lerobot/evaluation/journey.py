@@ -1,6 +1,7 @@
 """What a robot has driven in an episode, beside its success; it is measured and decides nothing."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, Unreach
 from labutopia_lerobot.skills.drive_to import DriveTo
 from labutopia_lerobot.skills.skill import PhaseError
 from labutopia_lerobot.skills.way import Way, base_at, dock_for
-from labutopia_lerobot.task import Task
+from labutopia_lerobot.task import Step
 from labutopia_lerobot.world import Dock, FloatArray, World
 
 
@@ -17,21 +18,21 @@ class Journey:
     """Measures the driving of one episode; `note` it after every step.
 
     The shortest way is the planner's for the paper's disc, from where the robot starts to the
-    places that the task drives to, in its order, the last bit straight in and back out.
+    places that the steps drive to, in their order, the last bit straight in and back out.
 
     Args:
-        task: The played task; in it one drives.
+        steps: The played steps of a task in which one drives.
         world: Where.
     """
 
-    def __init__(self, task: Task, world: World) -> None:
+    def __init__(self, steps: Sequence[Step], world: World) -> None:
         self._world = world
         self._way = Way.of(world)
         self._places = [base_at(world)[0]]
         self._near = FootprintClearance.of(self._way.occupancy, self._way.footprint)
         self._clearance = self._gap = math.inf
         self._dock: Dock | None = None
-        self._shortest = self._shortest_way(task)
+        self._shortest = self._shortest_way(steps)
 
     def note(self) -> None:
         """Look at the world after a control step."""
@@ -54,7 +55,9 @@ class Journey:
             success: Whether the episode was one.
         """
         driven = float(np.hypot(*np.diff(self._places, axis=0).T).sum())
-        shares = {"spl": self._shortest / max(driven, self._shortest) if success else 0.0}
+        known = math.isfinite(self._shortest)
+        share = self._shortest / max(driven, self._shortest, 1e-9) if known else math.nan
+        shares = {"spl": share if success or not known else 0.0}
         lengths = {"m_driven": driven, "m_shortest": self._shortest}
         distances = {"m_clear": self._clearance, "m_gap": self._gap}
         numbers = lengths | distances | shares | self._errors()
@@ -68,14 +71,18 @@ class Journey:
         off = math.degrees(abs(math.remainder(yaw - self._dock.yaw, 2.0 * math.pi)))
         return {"m_off_dock": math.dist(place, self._dock.position), "deg_off_dock": off}
 
-    def _shortest_way(self, task: Task) -> float:
+    def _shortest_way(self, steps: Sequence[Step]) -> float:
+        """Return its length [m]; infinite where there is none, or nothing is driven to."""
         here: FloatArray = self._places[0]
         length = straight = 0.0
-        driven_to = (skill.thing for skill in task.skills if isinstance(skill, DriveTo))
+        skills = [skill for step in steps for skill in step.skills]
+        driven_to = [skill.thing for skill in skills if isinstance(skill, DriveTo)]
+        if not driven_to:
+            return math.inf
         for thing in driven_to:
             try:
                 self._dock = dock = dock_for(self._world, thing)
-                length += straight + self._way.path(here, dock.before).length
+                length += straight + self._way.shortest(here, dock.before).length
             except (BlockedPlaceError, UnreachableGoalError, PhaseError):
                 return math.inf
             here, straight = dock.before, math.dist(dock.before, dock.position)

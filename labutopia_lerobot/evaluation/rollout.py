@@ -111,7 +111,7 @@ def _play(job: EvaluationJob, seed: int) -> Episode:
     actions: list[NDArray[np.float32]] = []
     precision = Precision(env.workcell.task, env.workcell.world)
     task, world = env.workcell.task, env.workcell.world
-    journey = Journey(task, world) if task.drives else None
+    journey = Journey(env.workcell.steps, world) if task.drives else None
     over = False
     while not over:
         try:

@@ -1,6 +1,7 @@
 """An experiment: studies that share a folder, parsed and checked once."""
 
 import os
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -132,6 +133,10 @@ def make_experiment(chosen: Mapping[str, Any]) -> Experiment:
                 f"only={task} is no task of {name}. Tasks: {', '.join(sorted(tasks))}"
             )
     require_choices("launcher", [config.launcher], LAUNCHERS)
+    if config.device is not None and not _DEVICE.fullmatch(config.device):
+        raise ExperimentOptionError(
+            f"device={config.device} is none of torch: choose cpu, cuda, cuda:1, mps or xpu"
+        )
     for option_name, least in {"workers": 1, "videos": 0}.items():
         if getattr(config, option_name) < least:
             raise ExperimentOptionError(
@@ -155,6 +160,9 @@ def make_experiment(chosen: Mapping[str, Any]) -> Experiment:
         warm_up=config.warm_up,
         again=config.again,
     )
+
+
+_DEVICE = re.compile(r"cpu|mps|(cuda|xpu)(:\d+)?")
 
 
 def _require_controls(studies: Sequence[Study]) -> None:

@@ -26,6 +26,8 @@ from labutopia_lerobot.evaluation.uncertainty.paired import holm
 from labutopia_lerobot.experiments.parts.evaluation_part import EvaluationPart
 from labutopia_lerobot.experiments.rates import UNKNOWN
 
+_OTHER_EPISODES = "other episodes"
+"""What stands where two results are not of the same episodes."""
 _RATES = "Successes of episodes, per cent, 95 % interval (Wilson)."
 
 
@@ -214,19 +216,23 @@ class Measured:
             each: replace(comparison, p_value_holm=p)
             for (each, comparison), p in zip(pairs.items(), p_values, strict=True)
         }
-        missing = [UNKNOWN] * len(NUMBERS)
         lines = tuple(
             (each.label, each.control, each.task, _played(each))
             + (
                 compared[each].cells
                 if each in compared
-                else (self.rate(each), self.rate(usual), *missing)
+                else (self.rate(each), self.rate(usual), *self._why_not(each, usual))
             )
             for each, usual in partners.items()
         )
         head = ("Changed", "Usual", "Task", "Condition", "changed", "usual", *NUMBERS)
         note = explanation(compared.values())
         return [Table("Controls", head, lines, note)] if lines else []
+
+    def _why_not(self, changed: EvaluationPart, usual: EvaluationPart) -> list[str]:
+        """Return what stands where two are not compared."""
+        measured = changed in self.results and usual in self.results
+        return [_OTHER_EPISODES if measured else UNKNOWN] * len(NUMBERS)
 
     def _controlled(self, changed: EvaluationPart, usual: EvaluationPart) -> Comparison | None:
         """Return what a change makes, or None if one is not measured or was another scene."""
@@ -250,7 +256,8 @@ class Measured:
                 continue
             try:
                 compared = compare(of[first], of[second])
-            except NoCommonEpisodesError:
+            except NoCommonEpisodesError as error:
+                tables.append(Table(f"{first} and {second}", ("Not compared",), ((str(error),),)))
                 continue
             tables.append(comparison_table(compared, (first, second)))
         return tables

@@ -40,6 +40,10 @@ class OccupiedExperimentError(UserError):
     """The folder of an experiment that another process uses."""
 
 
+class FailedWarmUpError(UserError):
+    """What does not even work in small; the message names a part, its reason stands above it."""
+
+
 def run_experiment(
     experiment: Experiment, console: Console, report: Callable[[Sequence[ExperimentPart]], None]
 ) -> dict[str, str]:
@@ -77,7 +81,13 @@ def run_experiment(
         small = warm_up(pending, _rates(experiment.out), experiment.out)
         if experiment.warm_up and small:
             console.print(f"Measuring rates in small, {len(small)} parts", markup=False)
-            do_parts(small, PartRecords(experiment.out / FOLDER), True, console, lambda: None)
+            tried = PartRecords(experiment.out / FOLDER)
+            failed = do_parts(small, tried, True, console, lambda: None)
+            if failed:
+                raise FailedWarmUpError(
+                    f"{len(failed)} of {len(small)} parts fail in small already, such as '"
+                    f"{next(iter(failed))}'. Mend the experiment, or leave this out: warm_up=false"
+                )
         cost = _announce(parts, records, console)
         require_room(experiment.out, cost)
         try:

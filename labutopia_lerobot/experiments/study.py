@@ -156,6 +156,10 @@ def study_of(config: StudyConfig) -> Study:
         raise ExperimentOptionError("steps= and epochs= say the same twice: leave one out")
     splits = tuple(map(str, _several(config.split)))
     require_choices("split", splits, SPLITS)
+    if not splits and not _several(config.shifts):
+        raise ExperimentOptionError("Nothing is evaluated: name a split, such as split=id")
+    if not _several(config.demonstrations):
+        raise ExperimentOptionError("Nothing is learned from: say demonstrations=100")
     require_choices("play", [config.play], (SINGLE, STAGED, BOTH))
     for name in ("steps", "epochs", "batch_size", "episodes"):
         _require_numbers(name, [getattr(config, name)])
@@ -208,7 +212,27 @@ def _said(training: Any) -> tuple[str, ...]:
         raise ExperimentOptionError(
             f"training={training} is no map of options, such as {{policy.chunk_size: 20}}"
         )
+    for name in training or {}:
+        if name in _HAVE_OPTIONS:
+            raise ExperimentOptionError(
+                f"training={{{name}}}: an experiment decides that itself. Say {_HAVE_OPTIONS[name]}"
+            )
     return tuple(f"--{name}={json.dumps(value)}" for name, value in (training or {}).items())
+
+
+_HAVE_OPTIONS = {
+    "steps": "steps=",
+    "batch_size": "batch_size=",
+    "save_freq": "evaluate_at=",
+    "output_dir": "out=",
+    "dataset.repo_id": "task=",
+    "dataset.root": "out=",
+    "policy.device": "device=",
+    "policy.type": "policy=",
+    "config_path": "policy=",
+    "resume": "nothing: what is there is gone on with",
+}
+"""Options of `lerobot-train` that experiments have their own for, or none."""
 
 
 def words_of(options: Mapping[str, Any]) -> list[str]:

@@ -90,8 +90,9 @@ class Occupancy:
         """
         rows, columns = self.cells.shape
         tall = (high[:, 2] > LOWEST) & (low[:, 2] < HIGHEST)
-        first = np.floor(np.round(low[tall, :2] / self.resolution, 3)).astype(int)
-        end = np.ceil(np.round(high[tall, :2] / self.resolution, 3)).astype(int)
+        low, high = ((c[tall, :2] - self.origin) / self.resolution for c in (low, high))
+        first = np.floor(np.round(low, 3)).astype(int)
+        end = np.ceil(np.round(high, 3)).astype(int)
         first, end = np.clip(first, 0, (columns, rows)), np.clip(end, 0, (columns, rows))
         for (left, bottom), (right, top) in zip(first, end, strict=True):
             block = self.cells[bottom:top, left:right]

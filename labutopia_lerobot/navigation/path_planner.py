@@ -67,6 +67,15 @@ class PathPlanner:
         short, careful = (self._plan(start, goal, care) for care in (0.0, _CARE))
         return careful if careful.length <= _DETOUR * short.length else short
 
+    def shortest(self, start: FloatArray, goal: FloatArray) -> Path:
+        """Return the shortest path, however near it comes to things; else as `plan`.
+
+        Raises:
+            BlockedPlaceError: As `plan`.
+            UnreachableGoalError: As `plan`.
+        """
+        return self._plan(start, goal, 0.0)
+
     def _plan(self, start: FloatArray, goal: FloatArray, care: float) -> Path:
         clearance = replace(self.clearance, care=care)
         prices = clearance.prices()

@@ -54,6 +54,8 @@ class PathTracker:
             fastest: Greatest speed along the path [m/s], where something is in the way.
         """
         path, limits = self._path, self._limits
+        if not path.length:
+            return self._velocity_b.copy()
         self.travelled = self._nearest(position)
         ahead = path.direction(min(self.travelled + _AHEAD, path.length))
         back, speed = path.at(self.travelled) - position, min(self._speed(), fastest)

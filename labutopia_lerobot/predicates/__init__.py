@@ -1,6 +1,13 @@
 """Named facts about the world: memoryless, relative to the scene, never changing anything."""
 
-from labutopia_lerobot.predicates.arrival import beside, carried_into, facing, halted, raised
+from labutopia_lerobot.predicates.arrival import (
+    at_hand,
+    beside,
+    carried_into,
+    facing,
+    halted,
+    raised,
+)
 from labutopia_lerobot.predicates.buttons import (
     aligned,
     fingered,
@@ -78,6 +85,7 @@ __all__ = [
     "Transfer",
     "above",
     "aligned",
+    "at_hand",
     "beside",
     "broken",
     "carried_into",

@@ -30,6 +30,22 @@ def _nearness(world: World, thing: Thing, *, within: float) -> float:
     return math.exp(-max(0.0, _way(world, thing)[0] - within) / REACH)
 
 
+@predicate("{thing} within {share:g} of the arm's reach")
+def at_hand(world: World, thing: Thing, *, share: float) -> bool:
+    """Base is so near to the thing that, faced, it is within a share of the reach of its arm."""
+    return _way(world, thing)[0] < _reached(world, share)
+
+
+@at_hand.measure
+def _too_far(world: World, thing: Thing, *, share: float) -> Mapping[str, float]:
+    return {"mm": 1e3 * _way(world, thing)[0]}
+
+
+@at_hand.approach
+def _nearness_to_hand(world: World, thing: Thing, *, share: float) -> float:
+    return math.exp(-max(0.0, _way(world, thing)[0] - _reached(world, share)) / REACH)
+
+
 @predicate("base facing {thing} within {within_deg:g} deg")
 def facing(world: World, thing: Thing, *, within_deg: float) -> bool:
     """Heading of the base is within an angle of the direction from its middle to the thing."""
@@ -74,6 +90,14 @@ def carried_into(world: World, thing: Thing, *others: Thing) -> bool:
     own = {LEFT_PAD, RIGHT_PAD, HAND, *(dock.bench for dock in world.floor.docks)}
     met = world.touched_by(thing.name) - own - {other.name for other in others}
     return bool(met) and gripped(thing).holds(world)
+
+
+def _reached(world: World, share: float) -> float:
+    """Return how far before the middle of the base a share of the arm's reach ends [m]."""
+    base = world.mobile_base
+    if base is None:
+        return share * world.robot.reach
+    return float((base.inverse() @ world.robot_base).position_w[0]) + share * world.robot.reach
 
 
 def _way(world: World, thing: Thing) -> tuple[float, float]:

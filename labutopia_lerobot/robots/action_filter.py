@@ -37,6 +37,7 @@ class ActionFilter:
         self._names = robot.names
         self._limits = CommandLimits(robot)
         self._hand, self._joints, self._base = hand, robot.roles.joints, robot.roles.base
+        self._fastest = None if robot.base is None else robot.base.limits.speed
         self._of_the_arm = np.ones(len(robot.elements), dtype=np.float32)
         self._of_the_arm[self._base] = 0.0
         self._hand_step = _HAND_SHARE * robot.hand_speed / CONTROL_HZ
@@ -66,12 +67,21 @@ class ActionFilter:
             )
         finite = np.isfinite(action)
         asked = np.where(finite, action, self._target * self._of_the_arm)  # a base stops
-        wanted = self._limits.within(asked).astype(np.float32)
+        wanted = self._limits.within(self._driven(asked)).astype(np.float32)
         self.applied = applied = self._reachable(wanted, *commands[-2:])
         self._target = wanted
         self.nonfinite += int(not finite.all())
         self.clipped += int((np.abs(applied - asked) > _NEGLIGIBLE).any())
         return applied.astype(np.float64)
+
+    def _driven(self, asked: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Return a command whose base is no faster than it can be, whichever way it goes."""
+        if self._fastest is None:
+            return asked
+        driven = asked.copy()
+        along = driven[self._base][:2]  # a view
+        along *= min(1.0, self._fastest / max(float(np.hypot(*along)), self._fastest))
+        return driven
 
     def _reachable(
         self, wanted: NDArray[np.float32], before: FloatArray, last: FloatArray

@@ -57,7 +57,7 @@ class Odometry(Process):
         middle = last[2] + 0.5 * turned
         ahead = math.cos(middle) * x + math.sin(middle) * y
         left = math.cos(middle) * y - math.sin(middle) * x
-        turned = (1.0 + turn) * turned + bend * math.hypot(x, y)
+        turned = (1.0 + turn) * turned + bend * ahead
         middle = believed[2] + 0.5 * turned
         c, s = (1.0 + length) * math.cos(middle), (1.0 + length) * math.sin(middle)
         believed += (c * ahead - s * left, s * ahead + c * left, turned)

@@ -8,12 +8,17 @@ from typing import ClassVar
 import numpy as np
 
 from labutopia_lerobot.labware.piece import Piece
-from labutopia_lerobot.scenes.ground import Ground
+from labutopia_lerobot.scenes.ground import Ground, Spot
 from labutopia_lerobot.scenes.placement import Placement
 from labutopia_lerobot.scenes.room import NowhereToDriveError
 
 APART = 0.25
 """Least distance of things on the same bench [m]; ours: an open hand is 0.2 m wide."""
+AWAY = 2.0
+"""Least distance of a robot that drives from where it is to go [m]; ours: from nearer it does not
+have to drive."""
+_TRIES = 100
+"""Places that are drawn until one is far enough; in small rooms the farthest of them is taken."""
 
 # Of each start: `shuffled`, no bodies of it change places; `described`, how it is turned, in words.
 
@@ -22,7 +27,8 @@ APART = 0.25
 class OnSomeBench:
     """Anywhere on a bench of the room that a robot drives to; things that say so are on different.
 
-    All benches are equally likely, and so are all places on each.
+    All benches are equally likely, and so are all places on each, but for those from which a robot
+    that stands before them would not have to drive to what is elsewhere.
 
     Attributes:
         instrument: Whether it is an instrument, up to 0.34 m long and wide: it stands where there
@@ -61,12 +67,21 @@ class OnSomeBench:
                 f"The task needs {len(taken) + 1} benches that a robot drives to. Choose a robot "
                 "and a room for that"
             )
-        bench = free[int(rng.integers(len(free)))]
-        there = [spot for spot in spots if spot.dock.bench == bench]
-        spot = there[int(rng.integers(len(there)))]
+        drawn: list[Spot] = []
+        while not drawn or (_way_off(drawn[-1], placed) < AWAY and len(drawn) < _TRIES):
+            bench = free[int(rng.integers(len(free)))]
+            there = [spot for spot in spots if spot.dock.bench == bench]
+            drawn.append(there[int(rng.integers(len(there)))])
+        spot = drawn[-1] if len(drawn) < _TRIES else max(drawn, key=lambda s: _way_off(s, placed))
         x, y, height = spot.position
         yaw = spot.dock.yaw if self.instrument else rng.uniform(-math.pi, math.pi)
-        return Placement(x, y, yaw, height, bench=bench)
+        return Placement(x, y, yaw, height, bench=spot.dock.bench)
+
+
+def _way_off(spot: Spot, placed: Mapping[Piece, Placement]) -> float:
+    """Return how far a base that docks for a place is from the next thing that is placed [m]."""
+    things = ((thing.x, thing.y) for thing in placed.values())
+    return min((math.dist(spot.dock.position, thing) for thing in things), default=math.inf)
 
 
 @dataclass(frozen=True)

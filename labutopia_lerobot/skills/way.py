@@ -126,9 +126,16 @@ class Way:
         It is planned for the disc, or for one that is as much narrower as the base has
         stopped short of where that has room.
         """
+        return self._planner_at(start).plan(start, goal)
+
+    def shortest(self, start: FloatArray, goal: FloatArray) -> Path:
+        """Return the shortest such path, however near it comes to things."""
+        return self._planner_at(start).shortest(start, goal)
+
+    def _planner_at(self, start: FloatArray) -> PathPlanner:
         room = float(self.planner.clearance.at(start[None])[0])
         narrower = replace(self.planner.clearance, radius=min(self.planner.clearance.radius, room))
-        return replace(self.planner, clearance=narrower).plan(start, goal)
+        return replace(self.planner, clearance=narrower)
 
 
 def _with(known: Occupancy, world: World, others: Iterable[Obstacle], room: float) -> Occupancy:

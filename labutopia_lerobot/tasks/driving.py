@@ -8,6 +8,7 @@ from typing import Literal
 from labutopia_lerobot.navigation.path_planner import RADIUS
 from labutopia_lerobot.predicates import (
     Predicate,
+    at_hand,
     beside,
     carried_into,
     facing,
@@ -22,8 +23,9 @@ from labutopia_lerobot.world import Graspable, Thing
 NEAR = 1.5
 """Greatest distance of the base from a thing that it has driven to [m]; ours: from there it goes
 straight in (paper: "a position near the target beaker")."""
-AT_HAND = 1.1
-"""The same where it has halted at the bench [m]; ours: 0.80 m from the arm, which reaches 0.855."""
+AT_HAND = 0.80 / 0.855
+"""Share of its arm's reach within which a thing is where the base has halted at the bench; ours:
+1.1 m before the middle of the Ridgeback, whose Panda reaches 0.855 m, and 0.97 m of the Fetch."""
 FACING = 10.0
 """Greatest angle of its heading from the direction to the thing [deg]; ours (paper: "face the
 object")."""
@@ -61,7 +63,7 @@ def face(thing: Thing, *, carrying: Graspable | None = None) -> Step:
     return Step(
         "face",
         (Face(thing, carrying),),
-        (Substep("faced", faced), Substep("at_hand", (*faced, beside(thing, within=AT_HAND)))),
+        (Substep("faced", faced), Substep("at_hand", (*faced, at_hand(thing, share=AT_HAND)))),
         _touched(carrying),
     )
 

@@ -74,6 +74,11 @@ class Manipulator(Protocol):
     """The view of the robot that skills have: its hand, and the orientations that suit its arm."""
 
     @property
+    def reach(self) -> float:
+        """Distance that the hand gets from the base of the arm, horizontally [m]."""
+        ...
+
+    @property
     def max_opening(self) -> float:
         """Greatest distance between the pads [m]."""
         ...

@@ -5,7 +5,7 @@ The first two steps of the paper's "Navigation and Manipulation".
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import OnSomeBench
-from labutopia_lerobot.predicates import beside, facing, halted
+from labutopia_lerobot.predicates import at_hand, facing, halted
 from labutopia_lerobot.scenes.views import DRIVING_VIEW
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import driving, failures
@@ -27,7 +27,7 @@ def navigate() -> Task:
             driving.face(beaker).named("2_face"),
         ),
         goal=(
-            beside(beaker, within=driving.AT_HAND),
+            at_hand(beaker, share=driving.AT_HAND),
             facing(beaker, within_deg=driving.FACING),
             halted(than=driving.HALTED),
         ),
