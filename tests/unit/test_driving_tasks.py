@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.evaluation.journey import Journey
 from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.labware.instruments.target_plate import TargetPlate
 from labutopia_lerobot.labware.instruments.weighing.precision_balance import PrecisionBalance
 from labutopia_lerobot.layout import OnSomeBench, sample_base, sample_layout
 from labutopia_lerobot.navigation.occupancy import Occupancy
@@ -100,6 +102,45 @@ def test_things_stand_on_benches_of_their_own_and_the_base_where_it_gets_to_all(
             dock = min(docks, key=lambda dock: math.dist(dock.position, there))
             assert math.dist(dock.position, there) < 1.1
             assert planner.plan(start, dock.before).length > 0.5
+
+
+def test_one_has_to_drive_from_one_thing_to_the_other():
+    """In `corridor_9` benches stand end to end: a third of all pairs of places are 1.5 m apart."""
+    ground = load_room("corridor_9").ground(RIDGEBACK)
+    beaker, plate = glassware("beaker", "250 ml"), TargetPlate("plate")
+    start = {beaker: OnSomeBench(), plate: OnSomeBench()}
+    for seed in range(200):
+        layout = sample_layout(start, np.random.default_rng(seed), ground)
+        first, second = layout[beaker], layout[plate]
+        docks = [
+            spot.dock.position
+            for spot in ground.spots
+            if math.dist(spot.position[:2], (second.x, second.y)) < 1e-9
+        ]
+        assert min(math.dist(dock, (first.x, first.y)) for dock in docks) >= 2.0
+
+
+def test_a_base_is_no_faster_diagonally_and_turns_as_it_is_bidden(env):
+    env.reset(seed=0)
+    filtered = env.workcell.filter
+    base = env.workcell.simulation.scene.robot.roles.base
+    action = filtered.applied.copy()
+    action[base] = (9.0, 9.0, 0.5)
+    for _ in range(60):
+        filtered(action, env.workcell.simulation.commands)
+        applied = filtered.applied[base]
+        assert np.hypot(*applied[:2]) <= RIDGEBACK.limits.speed + 1e-6
+
+
+def test_a_way_is_that_of_the_steps_that_are_played(env):
+    env.reset(seed=0)
+    steps, world = env.workcell.task.steps, env.workcell.world
+    whole, first = Journey(steps, world), Journey(steps[:1], world)
+    assert first.columns(success=True)["m_shortest"] == whole.columns(success=True)["m_shortest"]
+    picking = Journey(steps[2:], world).columns(success=True)
+    assert picking["m_shortest"] is None
+    assert picking["spl"] is None
+    assert first.columns(success=False)["spl"] == 0.0
 
 
 def test_an_instrument_stands_level_and_free_with_its_front_to_the_robot(ground):

@@ -120,6 +120,29 @@ def test_paths_are_as_short_as_those_of_an_independent_planner(occupancy):
         assert path.length >= np.hypot(*(goal - start)) - 1e-9
 
 
+def test_the_shortest_path_is_no_longer_than_the_careful_one_and_no_shorter_than_can_be():
+    planner, ends = PathPlanner.of(HALL, LIMITS), (np.array([1.0, 5.0]), np.array([18.0, 5.0]))
+    careful, short = planner.plan(*ends), planner.shortest(*ends)
+    assert short.length < careful.length
+    assert short.length == pytest.approx(shortest(HALL, *ends), rel=0.05)
+
+
+def test_a_map_has_boxes_where_they_are_wherever_it_begins():
+    cells = np.zeros((40, 40), np.uint8)
+    occupancy = Occupancy(cells, (-1.0, -1.0), 0.05)
+    occupancy.add(np.array([[0.0, 0.2, 0.0]]), np.array([[0.2, 0.4, 1.0]]))
+    rows, columns = np.nonzero(occupancy.cells)
+    assert (rows.min(), rows.max(), columns.min(), columns.max()) == (24, 27, 20, 23)
+
+
+def test_a_base_that_is_where_it_is_to_go_stays_there():
+    planner = PathPlanner.of(with_boxes((6.0, 6.0)), LIMITS)
+    here = np.array([3.0, 3.0])
+    tracker = PathTracker(planner.plan(here, here), LIMITS)
+    assert tracker.velocity(here, 0.5) == pytest.approx([0.0, 0.0, 0.0])
+    assert tracker.arrived(here, within=0.01)
+
+
 def test_where_there_is_room_a_path_keeps_away_from_things_by_more_than_it_must():
     planner = PathPlanner.of(HALL, LIMITS)
     path = planner.plan(np.array([1.0, 5.0]), np.array([18.0, 5.0]))

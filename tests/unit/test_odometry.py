@@ -53,6 +53,13 @@ def test_a_straight_way_gets_longer_and_bends_as_an_arc_does(yaw: float) -> None
     assert (x, y) == pytest.approx((c * ahead - s * left, s * ahead + c * left), abs=1e-4)
 
 
+def test_what_bends_a_way_ahead_bends_it_back_in_reverse() -> None:
+    """Wheels of two sizes (Borenstein and Feng, 1996) turn a base the other way when it backs."""
+    along = np.concatenate([np.linspace(0.0, 10.0, 900), np.linspace(10.0, 0.0, 900)])
+    places = np.column_stack([along, np.zeros((1800, 2))])
+    assert believed(places, (0.0, 0.0, 0.01)) == pytest.approx([0.0, 0.0, 0.0], abs=1e-3)
+
+
 def test_turns_come_out_too_large_and_sideways_ways_too_long() -> None:
     turning = np.column_stack([np.zeros((90, 2)), np.linspace(0.0, 3.0, 90)])
     assert believed(turning, (0.5, 0.02, 0.5)) == pytest.approx([0.0, 0.0, 3.06])
