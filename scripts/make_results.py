@@ -144,7 +144,7 @@ def readme() -> str:
     lines = [f"| {' | '.join(['%', *rates])} |", "| --- " * (1 + len(rates)) + "|"]
     for policy in policies:
         cells = (of_task[policy] for of_task in rates.values())
-        shown = (f"{cell.percent:.0f}" if isinstance(cell, Rate) else "-" for cell in cells)
+        shown = (str(int(cell.percent + 0.5)) if isinstance(cell, Rate) else "-" for cell in cells)
         lines.append(f"| {' | '.join([policy, *shown])} |")
     before, _, rest = README.read_text().partition(BEGIN)
     _, _, after = rest.partition(END)

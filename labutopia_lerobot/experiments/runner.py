@@ -228,7 +228,9 @@ def _do_one(
     """Do a part, or go on with what a killed one has left; return why it failed."""
     try:
         begun = _begun(part)
-        if part.finished():  # a kill came between its end and its record
+        if part.finished():  # a kill came between its end and its record, or it is from a kit
+            if isinstance(part, TrainingPart) and (why := part.made_otherwise()):
+                return why
             records.keep(part, replace(begun, state=DONE, digest=part.digest()))
             return ""
         records.keep(part, begun)

@@ -1,5 +1,6 @@
 """Experiments: what a command line means, what is refused before anything is done."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -260,3 +261,21 @@ def test_a_policy_is_asked_for_by_the_weights_that_were_trained_here(tmp_path):
     command = evaluation.command()
     assert any(word.startswith(f"policy.path={tmp_path}") for word in command)
     assert f"out={evaluation.place}" in command
+
+
+def test_a_training_that_comes_back_from_elsewhere_must_be_the_one_that_was_asked_for(tmp_path):
+    _, _, training, _ = planned(*PICK, "training={policy.chunk_size: 20}", f"out={tmp_path}")
+    assert isinstance(training, TrainingPart)
+    folder = training.place / "checkpoints" / "last" / "pretrained_model"
+    folder.mkdir(parents=True)
+    made = {"policy": {"type": "act", "chunk_size": 20}, "batch_size": 64}
+
+    def said(config):
+        (folder / "train_config.json").write_text(json.dumps(config))
+        return training.made_otherwise()
+
+    assert said(made) == ""
+    assert "policy.type=diffusion, not act" in said({**made, "policy": {"type": "diffusion"}})
+    assert "batch_size=8, not 64" in said({**made, "batch_size": 8})
+    other = {"type": "act", "chunk_size": 40}
+    assert "policy.chunk_size=40, not 20" in said({**made, "policy": other})

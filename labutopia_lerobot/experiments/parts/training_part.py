@@ -1,10 +1,12 @@
 """The part that trains a policy on a recording, by `lerobot-train` and a recipe of `policies/`."""
 
+import json
 import math
 import re
 import shutil
 import sys
 from dataclasses import dataclass
+from functools import reduce
 from pathlib import Path
 from typing import Any
 
@@ -195,6 +197,24 @@ class TrainingPart:
         """Return whether the last checkpoint has all steps."""
         last = self.place / _LAST
         return last.exists() and (training_step(last.resolve()) or 0) >= self.steps
+
+    def made_otherwise(self) -> str:
+        """Return what the last checkpoint was made with that is not asked for, or nothing.
+
+        Of a checkpoint from elsewhere nothing else is known: it may be of another experiment.
+        """
+        made = read_json_object(self.place / _LAST / "train_config.json", RecipeError)
+        recipe, words = self._recipe, [word.removeprefix("--") for word in self.budget.arguments]
+        asked = {
+            "policy.type": recipe["policy"]["type"],
+            "batch_size": self.budget.batch_size or recipe["batch_size"],
+            **{name: json.loads(value) for name, _, value in (w.partition("=") for w in words)},
+        }
+        for name, value in asked.items():
+            there = reduce(lambda at, key: at.get(key, {}), name.split("."), made)
+            if there not in ({}, value):
+                return f"{self.place} was trained with {name}={there}, not {value}: move it away"
+        return ""
 
     def digest(self) -> str:
         """Return the hash of the weights and of all that decides what they do."""
