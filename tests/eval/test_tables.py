@@ -371,6 +371,20 @@ def test_precision_is_reported_for_successes_and_for_all() -> None:
     assert lines["expert", "all"]["s over the expert"] is None
 
 
+def test_how_a_robot_drove_is_reported_where_one_drives() -> None:
+    rows = written("level2/pour_liquid", "act", 0.7, n=40)
+    assert "SPL" not in precision_table(report_entries([result(*rows)])).head
+    driving = {"m_gap": 0.05, "m_off_dock": 0.012, "deg_off_dock": 0.4}
+    drove = [replace(r, driving={**driving, "spl": 0.9 if r.success else 0.0}) for r in rows]
+    table = precision_table(report_entries([result(*drove)]))
+    won, everything = (dict(zip(table.head, line, strict=True)) for line in table.lines)
+    assert won["SPL"] == "0.900"
+    assert everything["SPL"] == f"{0.9 * sum(row.success for row in rows) / 40:.3f}"
+    gap = everything["mm from things"]
+    assert isinstance(gap, Median)
+    assert (gap.value, gap.n) == (pytest.approx(50.0), 40)
+
+
 def test_the_command_of_an_entry_plays_its_rows(tmp_path: Path) -> None:
     rows = written("level3/pick", "act", 0.9, n=7, split="ood", axes=["all"], seed=100_010)
     folder = keep(tmp_path / "out", rows, particles=200, videos=0, robot="default")

@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby, takewhile
+from statistics import fmean
 
 from labutopia_lerobot.evaluation.condition import EXPERT, ID, OOD, SINGLE, STAGED, Condition
 from labutopia_lerobot.evaluation.failure_causes import failed_in
@@ -284,6 +285,7 @@ def precision_table(entries: Sequence[ReportEntry]) -> Table:
             measured: list[Cell] = [
                 *(_median(of, rows) for of in (*_MEASURES.values(), _over(pace, entry))),
                 _touched(entry, rows),
+                _spl(rows),
             ]
             if any(cell is not None for cell in measured):
                 lines.append((entry.task, entry.label, entry.condition.played, whose, *measured))
@@ -295,12 +297,15 @@ def precision_table(entries: Sequence[ReportEntry]) -> Table:
         *_MEASURES,
         "s over the expert",
         "unwanted contact",
+        "SPL",
     )
     note = (
         "Medians with 95 % intervals (order statistics), of the worst of each episode: millilitres "
         "that are not where they should be, millimetres and degrees from the place at the end, "
         "seconds over the expert's with the same seed. Unwanted contact: episodes in which the arm "
-        "touched anything, or the hand the bench, a housing or a distractor."
+        "touched anything, or the hand the bench, a housing or a distractor. Of one that drives: "
+        "how near its footprint came to things on the map, how far it stood at the end from where "
+        "it should dock, and SPL, the mean success weighted by path length."
     )
     if any(entry.sequential for entry in entries):
         note += " Intervals of medians are those of a number of episodes fixed beforehand."
@@ -321,7 +326,21 @@ _MEASURES: dict[str, Callable[[Row], float | None]] = {
     "ml off target": lambda row: row.ml_off_target,
     "mm off place": lambda row: row.mm_off_place,
     "deg off place": lambda row: row.deg_off_place,
+    "mm from things": lambda row: _driven(row, "m_gap", 1e3),
+    "mm off dock": lambda row: _driven(row, "m_off_dock", 1e3),
+    "deg off dock": lambda row: _driven(row, "deg_off_dock"),
 }
+
+
+def _driven(row: Row, name: str, times: float = 1.0) -> float | None:
+    """Return a number of the driving, or None where nobody drives or it is not known."""
+    number = None if row.driving is None else row.driving.get(name)
+    return None if number is None else times * number
+
+
+def _spl(rows: Iterable[Row]) -> str | None:
+    shares = [share for row in rows if (share := _driven(row, "spl")) is not None]
+    return f"{fmean(shares):.3f}" if shares else None
 
 
 def _over(
