@@ -10,7 +10,6 @@ import numpy as np
 
 from labutopia_lerobot.navigation.clearance import Clearance
 from labutopia_lerobot.navigation.occupancy import FREE, Occupancy
-from labutopia_lerobot.navigation.path import Path
 from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, PathPlanner
 from labutopia_lerobot.world import FloatArray
 
@@ -70,27 +69,6 @@ class FloorRectangle:
         return not (away < reach - 1e-9).all(axis=1).any()
 
 
-@dataclass(frozen=True)
-class Docking:
-    """The way to a place at a bench.
-
-    Attributes:
-        path: To the point straight behind the place, for the disc.
-        yaw: Heading there and from there on [rad], room frame.
-        position: The place: middle of the base, shape (2,) [m], room frame.
-    """
-
-    path: Path
-    yaw: float
-    position: FloatArray
-
-    @property
-    def before(self) -> FloatArray:
-        """Point straight behind the place at which the path ends, shape (2,) [m]."""
-        point: FloatArray = self.path.points[-1]
-        return point
-
-
 def approach_to(
     planner: PathPlanner,
     occupancy: Occupancy,
@@ -136,30 +114,3 @@ def approach_to(
     if not free:
         raise BlockedPlaceError(f"{place} {reason}. Choose another place")
     return free[0]
-
-
-def plan_docking(
-    planner: PathPlanner,
-    occupancy: Occupancy,
-    footprint: FloorRectangle,
-    start: FloatArray,
-    position: FloatArray,
-    yaw: float,
-) -> Docking:
-    """Return the way from a point to a place at a bench.
-
-    Args:
-        planner: As in `approach_to`.
-        occupancy: As in `approach_to`.
-        footprint: As in `approach_to`.
-        start: Where the base is, shape (2,) [m], room frame.
-        position: As in `approach_to`.
-        yaw: As in `approach_to`.
-
-    Raises:
-        BlockedPlaceError: If the disc cannot be at the start, or the footprint at the place or on
-            the way in.
-        UnreachableGoalError: If no way leads to where one goes in.
-    """
-    before = approach_to(planner, occupancy, footprint, position, yaw)
-    return Docking(planner.plan(start, before), yaw, position)

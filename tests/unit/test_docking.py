@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from furnished_plans import BRIGHT
-from labutopia_lerobot.navigation.docking import FloorRectangle, approach_to, plan_docking
+from labutopia_lerobot.navigation.docking import FloorRectangle, approach_to
 from labutopia_lerobot.navigation.occupancy import FREE, Occupancy
 from labutopia_lerobot.navigation.path_planner import (
     RADIUS,
@@ -63,12 +63,12 @@ def test_a_footprint_fits_where_none_of_its_points_is_in_anything():
 def test_a_robot_docks_nearer_to_a_bench_than_its_disc_may_be():
     occupancy, place = with_bench(), np.array([5.2 - 0.48 - 0.02, 2.5])
     assert not planner(occupancy).free(place)
-    docking = plan_docking(planner(occupancy), occupancy, BASE, np.array([1.0, 1.0]), place, 0.0)
-    assert docking.before[1] == pytest.approx(2.5)
-    assert docking.before[0] == pytest.approx(5.2 - RADIUS, abs=0.04)
-    assert docking.path.points[0].tolist() == [1.0, 1.0]
+    before = approach_to(planner(occupancy), occupancy, BASE, place, 0.0)
+    assert before[1] == pytest.approx(2.5)
+    assert before[0] == pytest.approx(5.2 - RADIUS, abs=0.04)
+    assert planner(occupancy).plan(np.array([1.0, 1.0]), before).length > 3.0
     for share in np.linspace(0.0, 1.0, 20):
-        assert BASE.fits(occupancy, docking.before + share * (place - docking.before), docking.yaw)
+        assert BASE.fits(occupancy, before + share * (place - before), 0.0)
 
 
 def test_a_robot_turns_before_a_bench_where_its_corners_touch_nothing():
@@ -116,10 +116,9 @@ def test_a_place_in_a_slot_too_long_to_go_straight_in_is_refused():
 
 def test_a_bench_in_another_part_of_the_room_is_out_of_reach():
     occupancy = with_bench((3.0, 0.0, 3.2, 5.0))
+    before = approach_to(planner(occupancy), occupancy, BASE, np.array([4.7, 2.5]), 0.0)
     with pytest.raises(UnreachableGoalError):
-        plan_docking(
-            planner(occupancy), occupancy, BASE, np.array([1.0, 1.0]), np.array([4.7, 2.5]), 0.0
-        )
+        planner(occupancy).plan(np.array([1.0, 1.0]), before)
 
 
 def test_docks_of_a_room_are_before_its_benches_and_face_them():
