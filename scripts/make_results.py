@@ -11,6 +11,7 @@ from pathlib import Path
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.experiment import parse
 from labutopia_lerobot.evaluation.condition import REFERENCES
+from labutopia_lerobot.evaluation.reporting.paper import NAMES, paper_number
 from labutopia_lerobot.evaluation.reporting.table import Cell, Rate, Table, as_markdown
 from labutopia_lerobot.evaluation.uncertainty.intervals import wilson
 from labutopia_lerobot.experiments.measured import Measured, kept_results
@@ -65,7 +66,7 @@ labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU wit
   below `out`, is what the experiment then evaluates, with `device=cpu` where there is no GPU.
 - `out/report.html` has tables, curves, causes and films; `out/logs/` what every program said.
 - State policies are given the poses of all things and see no pictures: their numbers are not
-  comparable with the paper's.
+  comparable with the paper's, which stand [beside them](#beside-the-paper).
 
 """
 
@@ -83,9 +84,29 @@ def content() -> str:
     state = f"Of the {len(kept.evaluations)} evaluations below {len(kept.results) or 'none'} "
     state += "is measured." if len(kept.results) < 2 else "are measured."
     tables = [*kept.tables(), *measured("controls").controls()]
-    shown = "\n".join(map(as_markdown, tables))
+    shown = "\n".join(map(as_markdown, [*tables, beside_the_paper()]))
     parts = (FINDINGS.read_text(), shown, _with_pictures(), as_markdown(elsewhere()))
     return _HEAD.format(state=state) + "\n".join(parts)
+
+
+def beside_the_paper() -> Table:
+    """Return the paper's numbers beside ours, wherever both have measured one task."""
+    table, lines = measured("results_cpu").by_task(), list[tuple[Cell, ...]]()
+    for task, played, *rates in table.lines:
+        ours = dict(zip(table.head[2:], rates, strict=True))
+        theirs = {name: paper_number(str(task), name, str(played).upper()) for name in NAMES}
+        both = [name for name in NAMES if theirs[name] and isinstance(ours.get(name), Rate)]
+        if both:
+            beside = (each for name in ("act", "diffusion") for each in (ours[name], theirs[name]))
+            lines.append((task, played, *beside))
+    head = ("Task", "Condition", "act", "paper's ACT", "diffusion", "paper's DP")
+    note = (
+        "Not comparable: the paper's policies see pictures of Isaac Sim, ours the poses of all "
+        "things; demonstrations, scenes, thresholds and how long a goal must hold are others; the "
+        "paper does not say of how many episodes its numbers are. To be compared with it, "
+        "policies are trained on pictures with its settings: `make results-gpu`, not measured."
+    )
+    return Table("Beside the paper", head, tuple(lines), note)
 
 
 def _with_pictures() -> str:

@@ -1,5 +1,6 @@
 """docs/results.md and the README say what is measured, and of all else that it is not."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ import pytest
 import experiment_rows
 import make_results
 from labutopia_lerobot.evaluation.load_results import load_results
+from labutopia_lerobot.evaluation.reporting.paper import PaperNumber
 from labutopia_lerobot.evaluation.reporting.table import Rate
 
 from .written_rows import keep, written
@@ -51,3 +53,40 @@ def test_an_experiment_without_results_is_refused(tmp_path):
         experiment_rows.NothingMeasuredError, match="Make one: labutopia-experiment"
     ):
         experiment_rows.keep(tmp_path, tmp_path / "kept")
+
+
+def test_the_papers_numbers_stand_beside_what_is_measured_here():
+    lines = {line[:2]: line[2:] for line in make_results.beside_the_paper().lines}
+    ours, theirs, *_ = lines["level1/pick", "id"]
+    assert isinstance(ours, Rate)
+    assert isinstance(theirs, PaperNumber)
+    assert theirs.percent == 75.0  # paper, table of levels 1 and 2
+    assert all(any(isinstance(cell, Rate) for cell in line) for line in lines.values())
+    assert ("level3/press", "ood") in lines
+
+
+def test_every_kept_result_is_of_the_evaluation_that_it_stands_for():
+    for kept in map(make_results.measured, ("results_cpu", "controls", "small_pictures")):
+        for evaluation, result in kept.results.items():
+            assert len(result.rows) == evaluation.episodes, result.place
+            shift = evaluation.shift
+            assert {(row.split, tuple(row.axes)) for row in result.rows} == {
+                (shift.split, shift.axes)
+            }, result.place
+            steps = {made["step"] for made in result.provenance["checkpoints"].values()}
+            assert steps == {evaluation.at or evaluation.trainings[0].steps}, result.place
+
+
+def test_paths_of_an_experiment_are_kept_as_if_it_were_at_the_default_place(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    rows = written("level1/pick", "act", 0.9, n=3, obs="state", axes=["layout"])
+    keep(tmp_path / "out" / "eval" / "act" / "id", rows)
+    result = tmp_path / "out" / "eval" / "act" / "id" / "result.json"
+    said = json.loads(result.read_text())
+    said["provenance"]["config"]["policy"] = {"path": "out/train/act"}
+    said["provenance"]["config"]["axes"] = ["layout"]
+    result.write_text(json.dumps(said))
+    (file,) = experiment_rows.keep(Path("out"), tmp_path / "kept")
+    config = json.loads(file.read_text())["provenance"]["config"]
+    assert config["axes"] == ["layout"]
+    assert config["policy"]["path"] == "outputs/experiments/results_cpu/train/act"
