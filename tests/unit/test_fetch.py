@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.features import action_feature
 from labutopia_lerobot.layout import Workspace
+from labutopia_lerobot.predicates import at_hand
 from labutopia_lerobot.robots import FETCH, PANDA, ROBOTS
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.fetch_base import FETCH_BASE
@@ -20,6 +21,8 @@ from labutopia_lerobot.robots.mesh_package import MeshPackage, NoMeshesError
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.scenes import LABORATORY, load_room, rooms_to_drive_in
 from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.skills.way import base_at
+from labutopia_lerobot.tasks.driving import AT_HAND
 
 
 def has_meshes() -> bool:
@@ -259,3 +262,19 @@ def outcome(env: LabEnv, seed: int) -> str:
 
 def test_a_turn_of_its_rolling_axes_has_one_number():
     assert [math.degrees(upper) for upper in FETCH.upper[3:8:2]] == pytest.approx([180.0] * 3)
+
+
+@pytest.mark.parametrize(("robot", "far"), [("ridgeback_panda", 1.1), ("fetch", 0.968)])
+def test_at_hand_is_what_the_arm_reaches_that_is_there(robot: str, far: float) -> None:
+    env = LabEnv(Setting("level5/navigate", obs="state", robot=robot, room="organic_7"))
+    env.reset(seed=0)
+    world, (beaker,) = env.workcell.world, env.workcell.task.start
+    goal = at_hand(beaker, share=AT_HAND)
+    base, data = env.workcell.simulation.data.joint, env.workcell.simulation.data
+    for off in (-0.02, 0.02):
+        (x, y), (at_x, at_y) = base_at(world)[0], world.pose(beaker).position_w[:2]
+        base("base_x").qpos += at_x - far - off - x
+        base("base_y").qpos += at_y - y
+        mujoco.mj_forward(env.workcell.simulation.scene.model, data)
+        assert goal.holds(world) == (off < 0.0)
+    env.close()
