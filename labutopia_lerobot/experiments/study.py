@@ -223,7 +223,6 @@ def _said(training: Any) -> tuple[str, ...]:
 _HAVE_OPTIONS = {
     "steps": "steps=",
     "batch_size": "batch_size=",
-    "save_freq": "evaluate_at=",
     "output_dir": "out=",
     "dataset.repo_id": "task=",
     "dataset.root": "out=",
