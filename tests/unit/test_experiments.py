@@ -264,11 +264,13 @@ def test_a_policy_is_asked_for_by_the_weights_that_were_trained_here(tmp_path):
 
 
 def test_a_training_that_comes_back_from_elsewhere_must_be_the_one_that_was_asked_for(tmp_path):
-    _, _, training, _ = planned(*PICK, "training={policy.chunk_size: 20}", f"out={tmp_path}")
+    said_beside = "training={policy.chunk_size: 20, policy.input_features: null}"
+    _, _, training, _ = planned(*PICK, said_beside, f"out={tmp_path}")
     assert isinstance(training, TrainingPart)
     folder = training.place / "checkpoints" / "last" / "pretrained_model"
     folder.mkdir(parents=True)
-    made = {"policy": {"type": "act", "chunk_size": 20}, "batch_size": 64}
+    chosen = {"type": "act", "chunk_size": 20, "input_features": {"observation.state": {}}}
+    made = {"policy": chosen, "batch_size": 64}
 
     def said(config):
         (folder / "train_config.json").write_text(json.dumps(config))

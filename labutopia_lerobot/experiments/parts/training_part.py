@@ -212,7 +212,7 @@ class TrainingPart:
         }
         for name, value in asked.items():
             there = reduce(lambda at, key: at.get(key, {}), name.split("."), made)
-            if there not in ({}, value):
+            if value is not None and there not in ({}, value):  # LeRobot fills in for a null
                 return f"{self.place} was trained with {name}={there}, not {value}: move it away"
         return ""
 
