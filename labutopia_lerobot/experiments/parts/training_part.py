@@ -211,7 +211,7 @@ class TrainingPart:
             **{name: json.loads(value) for name, _, value in (w.partition("=") for w in words)},
         }
         for name, value in asked.items():
-            there = reduce(lambda at, key: at.get(key, {}), name.split("."), made)
+            there = reduce(_within, name.split("."), made)
             if value is not None and there not in ({}, value):  # LeRobot fills in for a null
                 return f"{self.place} was trained with {name}={there}, not {value}: move it away"
         return ""
@@ -258,3 +258,8 @@ class TrainingPart:
         words = {"steps": self.budget.steps, "save_freq": math.gcd(*self.evaluate_at) or None}
         said = [f"--{name}={value}" for name, value in words.items() if value is not None]
         return [*said, *self.budget.arguments]
+
+
+def _within(made: Any, name: str) -> Any:
+    """Return an entry of a configuration; an empty one where there is none."""
+    return made.get(name, {}) if isinstance(made, dict) else {}
