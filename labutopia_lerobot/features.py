@@ -350,7 +350,7 @@ def environment_state(pieces: tuple[ObservedPiece, ...], world: World) -> NDArra
         for vessel in one.solutions:
             solution = world.solution(vessel)
             if solution is not None:
-                numbers += solution.observed
+                numbers += solution.observed.values()
     return np.array(numbers, np.float32)
 
 

@@ -197,6 +197,19 @@ _NAME = re.compile(r"\w[\w .,-]*")
 _OF_THE_STUDY = ("task", "obs", "split", "axes")
 """Fields of `Setting` that have a place of their own in a study."""
 
+_HAVE_OPTIONS = {
+    "steps": "steps=",
+    "batch_size": "batch_size=",
+    "output_dir": "out=",
+    "dataset.repo_id": "task=",
+    "dataset.root": "out=",
+    "policy.device": "device=",
+    "policy.type": "policy=",
+    "config_path": "policy=",
+    "resume": "nothing: what is there is gone on with",
+}
+"""Options of `lerobot-train` that experiments have their own for, or none."""
+
 
 def _unusual(config: StudyConfig) -> Iterator[tuple[str, Any]]:
     for each in fields(Setting):
@@ -218,20 +231,6 @@ def _said(training: Any) -> tuple[str, ...]:
                 f"training={{{name}}}: an experiment decides that itself. Say {_HAVE_OPTIONS[name]}"
             )
     return tuple(f"--{name}={json.dumps(value)}" for name, value in (training or {}).items())
-
-
-_HAVE_OPTIONS = {
-    "steps": "steps=",
-    "batch_size": "batch_size=",
-    "output_dir": "out=",
-    "dataset.repo_id": "task=",
-    "dataset.root": "out=",
-    "policy.device": "device=",
-    "policy.type": "policy=",
-    "config_path": "policy=",
-    "resume": "nothing: what is there is gone on with",
-}
-"""Options of `lerobot-train` that experiments have their own for, or none."""
 
 
 def words_of(options: Mapping[str, Any]) -> list[str]:

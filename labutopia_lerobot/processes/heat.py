@@ -140,12 +140,12 @@ class ThermalMass(Process):
     @property
     @override
     def slots(self) -> tuple[str, ...]:
-        return ("temperature", "heat", "melted")
+        return ("temperature", "heat", "melted", "vapour")
 
     @override
     def start(self, apparatus: Apparatus, rng: np.random.Generator) -> None:
         begins = apparatus.ambient if self.begins is None else self.begins + ZERO_C
-        apparatus.memory(self)[:] = begins, 0.0, self.latent if begins > ZERO_C else 0.0
+        apparatus.memory(self)[:] = begins, 0.0, self.latent if begins > ZERO_C else 0.0, 0.0
 
     def temperature(self, apparatus: Apparatus) -> float:
         """Return its temperature [K]."""

@@ -33,8 +33,6 @@ _HUMIDITY = 0.5
 """Of the room's air, relative; ours."""
 _BOILS = 0.05
 """How far below its boiling point a liquid counts as boiling [K]; ours: a step's rounding."""
-_BEFORE_VAPOUR = 4
-"""Slots before those of the heat that vapour has taken from each vessel."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +56,7 @@ class HeatExchange(Process):
     @property
     @override
     def slots(self) -> tuple[str, ...]:
-        vapour = (f"vapour of {mass.name}" for mass in self.masses)
-        return ("supplied", "lost", "touched", "evaporated", *vapour)
+        return ("supplied", "lost", "touched", "evaporated")
 
     @override
     def start(self, apparatus: Apparatus, rng: np.random.Generator) -> None:
@@ -78,14 +75,13 @@ class HeatExchange(Process):
         for mass in self.masses:
             for name, conductance in mass.links:
                 self._exchange(apparatus, mass, self._by_name[name], conductance)
-        for number, mass in enumerate(self.masses, _BEFORE_VAPOUR):
+        for mass in self.masses:
             around = self._meet(apparatus, mass) if mass.wall is not None else False
             if mass.wall is not None:
                 latent = self._into_liquid(apparatus, mass, around)
                 memory[1] += latent
                 if latent:
-                    memory[number] += latent
-                    memory[3] += self._shrink(apparatus, mass, memory[number:])
+                    memory[3] += self._shrink(apparatus, mass, latent)
             if not around:
                 memory[1] += self._lose(apparatus, mass)
         if apparatus.liquid is not None:
@@ -175,7 +171,7 @@ class HeatExchange(Process):
         liquid.warm(vessel.body, heat - lost)
         return lost
 
-    def _shrink(self, apparatus: Apparatus, vessel: ThermalMass, latent: FloatArray) -> float:
+    def _shrink(self, apparatus: Apparatus, vessel: ThermalMass, latent: float) -> float:
         """Let as much water leave a vessel as has evaporated, as whole particles.
 
         Nothing leaves mixtures: which of them does is not known.
@@ -183,20 +179,21 @@ class HeatExchange(Process):
         Args:
             apparatus: What it is in.
             vessel: The vessel.
-            latent: First, the heat that vapour has taken which has not left yet [J]; in place.
+            latent: Heat that vapour has taken since the last step [J].
 
         Returns:
             The heat that it had above 0 K, beside that of evaporation [J].
         """
-        liquid = apparatus.liquid
+        liquid, memory = apparatus.liquid, apparatus.memory(vessel)
+        memory[3] += latent
         held = None if liquid is None else liquid.warmth(vessel.body)
         if liquid is None or held is None or held.water < 1.0:
             return 0.0
         each = WATER.density * liquid.particle * _latent(held.temperature)
-        count = int(latent[0] / each)
+        count = int(memory[3] / each)
         if not count:
             return 0.0
-        latent[0] -= count * each
+        memory[3] -= count * each
         return liquid.evaporate(vessel.body, count)
 
     def vapour(self, apparatus: Apparatus, vessel: ThermalMass) -> float:

@@ -68,11 +68,13 @@ class OnSomeBench:
                 "and a room for that"
             )
         drawn: list[Spot] = []
-        while not drawn or (_way_off(drawn[-1], placed) < AWAY and len(drawn) < _TRIES):
+        for _ in range(_TRIES):
             bench = free[int(rng.integers(len(free)))]
             there = [spot for spot in spots if spot.dock.bench == bench]
             drawn.append(there[int(rng.integers(len(there)))])
-        spot = drawn[-1] if len(drawn) < _TRIES else max(drawn, key=lambda s: _way_off(s, placed))
+            if _way_off(drawn[-1], placed) >= AWAY:
+                break
+        spot = max(drawn, key=lambda spot: _way_off(spot, placed))
         x, y, height = spot.position
         yaw = spot.dock.yaw if self.instrument else rng.uniform(-math.pi, math.pi)
         return Placement(x, y, yaw, height, bench=spot.dock.bench)

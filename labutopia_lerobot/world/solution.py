@@ -4,19 +4,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-SOLUTION_NAMES = (
-    "acidity",
-    "red",
-    "green",
-    "blue",
-    "warmth",
-    "dissolved",
-    "solid",
-    "gas",
-    "mixed",
-)
-"""What `Solution.observed` is called."""
-
 _ROOM = 293.15
 """Temperature that `warmth` counts from [K]: that of a room."""
 
@@ -62,25 +49,32 @@ class Solution:
         }
 
     @property
-    def observed(self) -> tuple[float, ...]:
-        """What a policy on privileged states sees of it, as `SOLUTION_NAMES` has it.
+    def observed(self) -> dict[str, float]:
+        """What a policy on privileged states sees of it.
 
         By how much its pH is below 7; the colour; by how many tens of degrees it is warmer than a
         room; all that is in solution [mol/l]; solids and gas [mol]; how mixed it is. An empty
         vessel is as water.
         """
         there = self.volume > 0.0
-        return (
-            7.0 - self.ph if there else 0.0,
-            *self.colour,
-            (self.temperature - _ROOM) / 10.0 if there else 0.0,
-            1e-3 * sum(self.concentrations.values()),
-            sum(self.solids.values()),
-            sum(self.gas.values()),
-            self.mixed,
-        )
+        red, green, blue = self.colour
+        return {
+            "acidity": 7.0 - self.ph if there else 0.0,
+            "red": red,
+            "green": green,
+            "blue": blue,
+            "warmth": (self.temperature - _ROOM) / 10.0 if there else 0.0,
+            "dissolved": 1e-3 * sum(self.concentrations.values()),
+            "solid": sum(self.solids.values()),
+            "gas": sum(self.gas.values()),
+            "mixed": self.mixed,
+        }
 
     @classmethod
     def nothing(cls, gas: Mapping[str, float]) -> "Solution":
         """Return what is in an empty vessel, which gas may have left before."""
         return cls(0.0, math.nan, math.nan, {}, {}, gas, 1.0, (1.0, 1.0, 1.0))
+
+
+SOLUTION_NAMES = tuple(Solution.nothing({}).observed)
+"""Names of what is observed of a solution."""

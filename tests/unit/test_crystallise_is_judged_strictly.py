@@ -28,7 +28,7 @@ def brought_to(env: LabEnv, celsius: float) -> None:
     liquid = liquid_of(env.workcell.simulation)
     for _ in range(4):  # crystals that form or dissolve warm it, or cool it
         liquid.temperatures[:] = celsius + 273.15
-        mix(env.workcell.simulation, 60.0)
+        mix(env.workcell.simulation, 40.0)
     liquid.temperatures[:] = celsius + 273.15
 
 

@@ -45,8 +45,8 @@ def test_waiting_until_the_time_is_up_leaves_crystals(split: str, seed: int) -> 
     assert not after(limit, 0.005, split, seed)["facts"][CLEAR]
 
 
-def test_stirring_for_a_minute_leaves_none() -> None:
-    info = after(60.0, 0.02)
+def test_stirring_for_forty_seconds_leaves_none() -> None:
+    info = after(40.0, 0.02)
     assert info["facts"][CLEAR]
     assert info["solutions"]["beaker"]["mol_solid"] == 0.0
 

@@ -167,7 +167,7 @@ def test_boiling_water_gets_less_by_its_latent_heat_and_no_heat_is_lost_on_the_w
     assert gone == pytest.approx(watts * took / 2.26e6 / 998.0, rel=0.15)
 
 
-def test_water_in_a_cold_room_loses_next_to_nothing():
+def test_warm_water_loses_next_to_nothing_in_a_minute():
     simulation = on_the_plate(60.0, 1000, 40.0)
     warm_up(simulation, 60.0)
     assert simulation.liquid is not None
