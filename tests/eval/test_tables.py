@@ -373,7 +373,9 @@ def test_precision_is_reported_for_successes_and_for_all() -> None:
 
 def test_how_a_robot_drove_is_reported_where_one_drives() -> None:
     rows = written("level2/pour_liquid", "act", 0.7, n=40)
-    assert "SPL" not in precision_table(report_entries([result(*rows)])).head
+    standing = precision_table(report_entries([result(*rows)]))
+    assert "SPL" not in standing.head
+    assert "drives" not in standing.note
     driving = {"m_gap": 0.05, "m_off_dock": 0.012, "deg_off_dock": 0.4}
     drove = [replace(r, driving={**driving, "spl": 0.9 if r.success else 0.0}) for r in rows]
     table = precision_table(report_entries([result(*drove)]))

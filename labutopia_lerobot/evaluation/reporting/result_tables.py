@@ -303,10 +303,14 @@ def precision_table(entries: Sequence[ReportEntry]) -> Table:
         "Medians with 95 % intervals (order statistics), of the worst of each episode: millilitres "
         "that are not where they should be, millimetres and degrees from the place at the end, "
         "seconds over the expert's with the same seed. Unwanted contact: episodes in which the arm "
-        "touched anything, or the hand the bench, a housing or a distractor. Of one that drives: "
-        "how near its footprint came to things on the map, how far it stood at the end from where "
-        "it should dock, and SPL, the mean success weighted by path length."
+        "touched anything, or the hand the bench, a housing or a distractor."
     )
+    if any(row.driving is not None for entry in entries for row in entry.rows):
+        note += (
+            " Of a robot that drives: how near its footprint came to things on the map, how far it "
+            "stood at the end from where it should dock, and SPL, the mean success weighted by "
+            "path length."
+        )
     if any(entry.sequential for entry in entries):
         note += " Intervals of medians are those of a number of episodes fixed beforehand."
     return Table("Precision", head, tuple(lines), note).without_empty_columns()
