@@ -25,7 +25,7 @@ NEAR = 1.5
 straight in (paper: "a position near the target beaker")."""
 AT_HAND = 0.80 / 0.855
 """Share of its arm's reach within which a thing is where the base has halted at the bench; ours:
-1.1 m before the middle of the Ridgeback, whose Panda reaches 0.855 m, and 0.97 m of the Fetch."""
+1.1 m before the middle of the Ridgeback, whose arm reaches 0.855 m, and 0.97 m of the Fetch."""
 FACING = 10.0
 """Greatest angle of its heading from the direction to the thing [deg]; ours (paper: "face the
 object")."""
