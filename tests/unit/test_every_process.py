@@ -34,6 +34,8 @@ CHECKED_BY = {
     "test_a_pump_evacuates_it_exponentially_towards_its_end_vacuum",
     "Fan": "test_drives::test_a_fan_moves_the_air_as_a_lag_of_three_seconds",
     "HeatExchange": "test_heat::test_what_is_supplied_is_in_the_things_or_was_lost",
+    "IndicatorPaper": "test_meters_in_solutions::"
+    "test_a_strip_of_ph_paper_keeps_the_colour_of_the_last_drop_on_it",
     "Latched": "test_drives::test_a_syringe_pump_gives_what_its_rate_says_until_it_is_stopped",
     "LiquidNitrogen": "test_liquid_nitrogen::"
     "test_open_it_boils_off_by_what_the_room_radiates_down_its_neck_as_well",

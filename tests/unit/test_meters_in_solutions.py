@@ -1,4 +1,4 @@
-"""Meters of conductivity, temperature, absorbance and refraction against numbers of handbooks."""
+"""Meters of conductivity, temperature, absorbance, refraction and pH against handbooks."""
 
 import math
 
@@ -11,8 +11,10 @@ from labutopia_lerobot.chemistry.refraction import refractive_index
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.measuring.conductivity_meter import ConductivityMeter
 from labutopia_lerobot.labware.instruments.measuring.digital_thermometer import DigitalThermometer
+from labutopia_lerobot.labware.instruments.measuring.ph_paper import PhPaper
 from labutopia_lerobot.labware.instruments.measuring.refractometer import Refractometer
 from labutopia_lerobot.labware.instruments.measuring.spectrophotometer import Spectrophotometer
+from labutopia_lerobot.labware.parts.indicator_paper import DRY, SCALE
 from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.layout import Inside, OnBench, sample_layout
 from labutopia_lerobot.robots import PANDA
@@ -173,3 +175,35 @@ def test_a_drop_is_read_once_the_prisms_are_shut_on_it() -> None:
     assert read(simulation, name).shown == pytest.approx(1.3330 + 0.0096, abs=2e-4)
     turn(simulation, hinge, 1.5)
     assert read(simulation, name, 0.1).text == "--.---- nD"
+
+
+@pytest.mark.parametrize(
+    ("of", "molar", "ph"),
+    [
+        ("hydrochloric acid", 0.1, 1),
+        ("acetic acid", 0.1, 3),
+        ("sodium chloride", 0.1, 7),
+        ("sodium hydroxide", 0.1, 13),
+    ],
+)
+def test_a_strip_of_ph_paper_keeps_the_colour_of_the_last_drop_on_it(
+    of: str, molar: float, ph: int
+) -> None:
+    paper, beaker = PhPaper("paper"), glassware("beaker", "150 ml", "beaker")
+    simulation = bench(paper, beaker, Inside(paper, (0.0, -0.25, 0.0)), 60.0, Solute(of, molar))
+    first, second, *rest = (strip.name for strip in paper.strips)
+    assert read(simulation, second).text == "-- pH"
+    liquid = simulation.liquid
+    assert liquid is not None
+    over = simulation.data.site(second).xpos + np.array([0.0, 0.0, 0.02])
+    liquid.positions[:3], liquid.velocities[:3] = over, 0.0
+    liquid.positions[:3, 0] += np.array([-0.004, 0.0, 0.004])
+    assert read(simulation, second).shown == ph
+    liquid.take(np.flatnonzero(np.linalg.norm(liquid.positions - over, axis=1) < 0.05))
+    assert read(simulation, second).shown == ph
+    assert all(math.isnan(read(simulation, name, 0.1).value) for name in (first, *rest))
+    simulation.apparatus.show()
+    seen = {name: simulation.apparatus.model.geom(name).rgba[:3] for name in (first, second)}
+    assert tuple(seen[first]) == pytest.approx(DRY)
+    nearest = min(SCALE, key=lambda step: float(np.abs(seen[second] - SCALE[step]).sum()))
+    assert abs(nearest - ph) <= 1

@@ -42,6 +42,7 @@ def trained(folder: Path, *words: str) -> "subprocess.CompletedProcess[str]":
     )
 
 
+@pytest.mark.slow
 def test_what_a_kit_has_trained_elsewhere_is_taken_for_what_was_begun_here(
     tmp_path, monkeypatch
 ) -> None:
