@@ -2,6 +2,7 @@
 
 from labutopia_lerobot.scenario.draw import AxisError, Draw, Value
 from labutopia_lerobot.scenario.scenario import (
+    ArmsAloneError,
     NeedsBaseError,
     Scenario,
     canonical_task,
@@ -10,6 +11,7 @@ from labutopia_lerobot.scenario.scenario import (
 )
 
 __all__ = [
+    "ArmsAloneError",
     "AxisError",
     "Draw",
     "NeedsBaseError",

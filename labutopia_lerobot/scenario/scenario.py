@@ -19,9 +19,17 @@ from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import ALL, DEFAULT_ROOM, Setting
 from labutopia_lerobot.task import Task
 
+_OF_ARMS_ALONE = ("level3/", "level4/")
+"""Levels whose tasks are of an arm on its stand; those of the first two a robot with a base plays
+too, standing still. Ours: no expert with a base has been measured in these."""
+
 
 class NeedsBaseError(UserError, ValueError):
     """A task in which one drives, and a robot that cannot; the message lists those that can."""
+
+
+class ArmsAloneError(UserError, ValueError):
+    """A task of arms alone, and a robot with a base; the message lists those without one."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +75,7 @@ def canonical_task(setting: Setting) -> Task:
     """Return the task with the first value on every axis: names and widths are those of all draws.
 
     Raises:
+        ArmsAloneError: If the task is one of arms alone, of level 3 or 4, and the robot has a base.
         AxisError: If the task declares an axis wrongly.
         NeedsBaseError: If one drives in the task, and the robot cannot.
         NowhereToDriveError: If one does, and the room has not the benches for it.
@@ -96,10 +105,9 @@ def _drawn(setting: Setting, draw: Draw) -> tuple[Task, Variation]:
     task = task_function(setting.task, setting.tasks_dir)(draw)
     robot = load_robot(setting.robot)
     robot.meshes.require()
-    if task.drives:
-        _require_base(setting)
-        if setting.room == DEFAULT_ROOM:  # nobody has chosen one
-            draw.vary("room", shifted=True)
+    _require_fit(setting, task)
+    if task.drives and setting.room == DEFAULT_ROOM:  # nobody has chosen one
+        draw.vary("room", shifted=True)
     drives_in = rooms_for(task.start) if task.drives else None
     variation = draw_variation(draw, len(robot.arm), drives_in=drives_in)
     variation = replace(variation, ambient=draw_ambient(draw, task))
@@ -109,13 +117,23 @@ def _drawn(setting: Setting, draw: Draw) -> tuple[Task, Variation]:
     return task, variation
 
 
-def _require_base(setting: Setting) -> None:
-    if load_robot(setting.robot).base is None:
-        able = ", ".join(name for name, robot in ROBOTS.items() if robot.base is not None)
+def _require_fit(setting: Setting, task: Task) -> None:
+    """Refuse a robot that cannot drive where one drives, and a base where arms alone play."""
+    mobile = load_robot(setting.robot).base is not None
+    if task.drives and not mobile:
         raise NeedsBaseError(
             f"robot={setting.robot} is mounted on a stand, and in {setting.task} one drives. "
-            f"Choose from: {able}"
+            f"Choose from: {_robots(mobile=True)}"
         )
+    if mobile and not task.drives and setting.task.startswith(_OF_ARMS_ALONE):
+        raise ArmsAloneError(
+            f"robot={setting.robot} has a base, and {setting.task} is a task of arms alone. "
+            f"Choose from: {_robots(mobile=False)}"
+        )
+
+
+def _robots(*, mobile: bool) -> str:
+    return ", ".join(n for n, robot in ROBOTS.items() if (robot.base is not None) == mobile)
 
 
 def _axes(setting: Setting) -> Mapping[str, bool]:

@@ -16,7 +16,7 @@ from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path_planner import PathPlanner
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.robots.ridgeback import RIDGEBACK
-from labutopia_lerobot.scenario import NeedsBaseError, canonical_task, draw_scenario
+from labutopia_lerobot.scenario import ArmsAloneError, NeedsBaseError, canonical_task, draw_scenario
 from labutopia_lerobot.scenes import NowhereToDriveError, load_room, rooms_to_drive_in
 from labutopia_lerobot.scenes.ground import Ground
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
@@ -50,6 +50,13 @@ def test_the_tasks_of_level_5_drive_with_the_robot_of_the_paper():
 def test_an_arm_on_a_stand_is_refused_where_one_drives(robot):
     with pytest.raises(NeedsBaseError, match=f"robot={robot} .* Choose from: ridgeback_panda"):
         canonical_task(Setting(PICK, robot=robot))
+
+
+@pytest.mark.parametrize("task", ["level3/pick", "level4/clean_beaker"])
+@pytest.mark.parametrize("robot", ["ridgeback_panda", "fetch_differential"])
+def test_a_base_is_refused_where_arms_alone_play(robot, task):
+    with pytest.raises(ArmsAloneError, match=f"{robot} has a base, and {task} .* panda, iiwa$"):
+        canonical_task(Setting(task, robot=robot))
 
 
 def test_a_room_without_enough_benches_is_refused_by_name():
