@@ -53,7 +53,7 @@ def _run(arguments: argparse.Namespace) -> None:
     stem = arguments.out / f"{plan.name}_{arguments.resolution:g}"
     data, picture = Path(f"{stem}.npz"), Path(f"{stem}.png")
     occupancy.save(data)
-    occupancy.save_picture(picture)
+    picture.write_bytes(occupancy.png)
     rows, columns = occupancy.cells.shape
     free = (occupancy.cells == FREE).mean()
     Console(highlight=False, soft_wrap=True).print(

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from labutopia_lerobot.datasets.routes import PlannedPath, Routes
+from labutopia_lerobot.datasets.routes import PlannedPath, Routes, map_of
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.navigation.occupancy import Occupancy
@@ -31,7 +31,7 @@ def routes_of(env: LabEnv, planned: Sequence[Route]) -> Routes | None:
     floor = workcell.world.floor
     occupancy = Occupancy(floor.cells, floor.origin, floor.resolution)
     paths = [_plain(route) for route in planned]
-    return Routes(room=workcell.room, map=occupancy.sha256, paths=paths)
+    return Routes(room=workcell.room, map=map_of(occupancy), paths=paths)
 
 
 class Replanning:

@@ -4,7 +4,24 @@ All in the world frame [m]: that of the map, which the room has too (`load_room(
 Lengths are rounded to millimetres, headings to 1e-4 rad.
 """
 
+import base64
 from typing import TypedDict
+
+from labutopia_lerobot.navigation.occupancy import Occupancy
+
+
+class RoomMap(TypedDict):
+    """A map as ROS has it: a picture, and where it lies.
+
+    Attributes:
+        png: The picture (`Occupancy.png`), in base64.
+        origin: Where the south-west corner of its lowest, leftmost pixel is: x, y [m].
+        resolution: Width of a pixel [m].
+    """
+
+    png: str
+    origin: list[float]
+    resolution: float
 
 
 class PlannedPath(TypedDict):
@@ -32,13 +49,36 @@ class Routes(TypedDict):
 
     Attributes:
         room: Its name, or that of its file and a hash.
-        map: Digest of its map (`Occupancy.sha256`).
+        map: Its map, before anybody drives.
         paths: In the order in which they were planned.
     """
 
     room: str
-    map: str
+    map: RoomMap
     paths: list[PlannedPath]
+
+
+def map_of(occupancy: Occupancy) -> RoomMap:
+    """Return a map as a dataset has it."""
+    return RoomMap(
+        png=base64.b64encode(occupancy.png).decode(),
+        origin=[float(c) for c in occupancy.origin],
+        resolution=occupancy.resolution,
+    )
+
+
+def occupancy_of(stored: RoomMap) -> Occupancy:
+    """Return the map that a dataset has.
+
+    Raises:
+        ValueError: If it is no map.
+    """
+    try:
+        (x, y), resolution = stored["origin"], stored["resolution"]
+        png = base64.b64decode(stored["png"], validate=True)
+        return Occupancy.of_png(png, (float(x), float(y)), float(resolution))
+    except (KeyError, TypeError) as error:
+        raise ValueError(f"It has not what a map has: {error!r}") from None
 
 
 def difference(there: Routes | None, here: Routes | None) -> str | None:
@@ -50,9 +90,14 @@ def difference(there: Routes | None, here: Routes | None) -> str | None:
     """
     if there is None or here is None:
         return None if there is here else "somebody drives in one of them only"
-    for key in ("room", "map"):
-        if there[key] != here[key]:
-            return f"its {key} is {there[key]!r}, but the environment has {here[key]!r}"
+    if there["room"] != here["room"]:
+        return f"its room is {there['room']!r}, but the environment has {here['room']!r}"
+    try:
+        known = occupancy_of(there["map"])
+    except ValueError as error:
+        return f"its map cannot be read. {error}"
+    if known.sha256 != occupancy_of(here["map"]).sha256:
+        return f"its map is not that of {here['room']} here"
     for number, path in enumerate(there["paths"]):
         planned = here["paths"][number] if number < len(here["paths"]) else None
         if planned is None:

@@ -5,6 +5,7 @@ projected onto it. What is beside the floor is undefined. Neither can be driven 
 """
 
 import hashlib
+import io
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -145,12 +146,40 @@ class Occupancy:
             np.array(self.origin) + self.resolution / 2
         )
 
-    def save_picture(self, path: Path) -> None:
-        """Write the map as a PNG, a pixel a cell, north up, in the greys of ROS."""
+    @property
+    def png(self) -> bytes:
+        """The map as a PNG, a pixel a cell, north up, in the greys of ROS."""
         greys = np.full(self.cells.shape, _GREYS[UNDEFINED], np.uint8)
         for value, grey in _GREYS.items():
             greys[self.cells == value] = grey
-        Image.fromarray(greys[::-1]).save(path)
+        written = io.BytesIO()
+        Image.fromarray(greys[::-1]).save(written, "PNG")
+        return written.getvalue()
+
+    @classmethod
+    def of_png(
+        cls, png: bytes, origin: tuple[float, float], resolution: float = FINE
+    ) -> "Occupancy":
+        """Return the map of which `png` is the picture.
+
+        Args:
+            png: The picture.
+            origin: Where the south-west corner of its lowest, leftmost pixel is, (x, y) [m].
+            resolution: Width of a pixel [m].
+
+        Raises:
+            ValueError: If it is no picture in the greys of `png`.
+        """
+        try:
+            greys = np.asarray(Image.open(io.BytesIO(png), formats=["PNG"]))[::-1]
+        except (OSError, SyntaxError, Image.DecompressionBombError) as error:
+            raise ValueError(f"It is no PNG of a map: {error}") from None
+        if greys.ndim != 2 or not np.isin(greys, list(_GREYS.values())).all():
+            raise ValueError(f"A map has these greys, a byte each: {_GREYS}")
+        cells = np.zeros(greys.shape, np.int8)
+        for value, grey in _GREYS.items():
+            cells[greys == grey] = value
+        return cls(cells, origin, resolution)
 
     def save(self, path: Path) -> None:
         """Write the map as a NumPy archive of `cells`, `origin` and `resolution`."""

@@ -1,20 +1,25 @@
 """Where one drives, a dataset has map and planned paths, which the judge plans again."""
 
+import base64
 import copy
+import io
 import json
 import math
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
+from PIL import Image
 
 from labutopia_lerobot.datasets.replanning import Replanning, routes_of
-from labutopia_lerobot.datasets.routes import Routes, difference
+from labutopia_lerobot.datasets.routes import Routes, difference, map_of, occupancy_of
 from labutopia_lerobot.datasets.tables import ROUTES, read_episodes
 from labutopia_lerobot.datasets.verify import Verdict, verify
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.navigation.occupancy import FREE, OCCUPIED
 from labutopia_lerobot.navigation.path_planner import RADIUS
 from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import Setting
@@ -58,8 +63,38 @@ def planned_again(env: LabEnv, routes: Routes, commands: list[FloatArray]) -> Ro
 def test_the_map_is_that_of_the_room(driving: tuple[Routes, list[FloatArray]]) -> None:
     routes, _ = driving
     assert routes["room"] == "organic_7"
-    assert routes["map"] == load_room(routes["room"]).map().sha256
-    assert routes["map"] != load_room("organic_8").map().sha256
+    stored = occupancy_of(json.loads(json.dumps(routes["map"])))
+    assert stored.sha256 == load_room(routes["room"]).map().sha256
+    assert stored.sha256 != load_room("organic_8").map().sha256
+    assert {FREE, OCCUPIED} <= set(np.unique(stored.cells))
+
+
+def test_a_map_is_read_without_this_package(driving: tuple[Routes, list[FloatArray]]) -> None:
+    """By what ROS says of maps: a dark pixel is occupied, the lowest row comes first (y = 0)."""
+    stored = driving[0]["map"]
+    greys = np.asarray(Image.open(io.BytesIO(base64.b64decode(stored["png"]))))[::-1]
+    own = load_room("organic_7").map()
+    assert np.array_equal(greys < 100, own.cells == OCCUPIED)
+    assert np.array_equal(greys > 250, own.cells == FREE)
+    assert stored["origin"] == list(own.origin)
+    assert stored["resolution"] == own.resolution == 0.05
+
+
+@pytest.mark.parametrize(
+    ("wrong", "why"),
+    [
+        ("0", "not what a map has"),
+        ({"png": "", "origin": [0, 0], "resolution": 0.05}, "no PNG"),
+        ({"png": "!", "origin": [0, 0], "resolution": 0.05}, "cannot be read"),
+        ({"png": "", "origin": [0], "resolution": 0.05}, "cannot be read"),
+        ({"png": "", "resolution": 0.05}, "origin"),
+    ],
+)
+def test_what_is_no_map_is_a_difference(
+    driving: tuple[Routes, list[FloatArray]], wrong: object, why: str
+) -> None:
+    routes, _ = driving
+    assert why in str(difference(cast(Routes, routes | {"map": wrong}), routes))
 
 
 def test_a_path_leads_from_the_base_to_a_dock_along_its_key_waypoints(
@@ -99,8 +134,8 @@ def test_planned_again_it_is_the_same_and_a_changed_one_is_found(
         wrong["paths"][0][key] = value  # type: ignore[literal-required]
         assert "no path" in str(difference(wrong, planned_again(env, wrong, commands)))
     wrong = copy.deepcopy(routes)
-    wrong["map"] = "0"
-    assert "its map is '0'" in str(difference(wrong, planned_again(env, wrong, commands)))
+    wrong["map"] = map_of(load_room("organic_8").map())
+    assert "its map is not" in str(difference(wrong, planned_again(env, wrong, commands)))
 
 
 def test_a_way_round_somebody_is_one_more_route_with_its_time() -> None:
