@@ -99,7 +99,16 @@ class Handling(LiquidHandling):
 
     @override
     def drop_at(self, point_w: FloatArray) -> Solution | None:
-        liquid, near = self._liquid, self._within_reach(point_w)
+        return self._drop(self._within_reach(point_w))
+
+    @override
+    def drop_on(self, patch: Pose, size: tuple[float, float]) -> Solution | None:
+        places = (self._liquid.positions - patch.position_w) @ patch.rotation_w
+        reach = 0.5 * np.array([*size, 2.0 * self._liquid.spacing])
+        return self._drop(np.flatnonzero((np.abs(places) <= reach).all(axis=1)))
+
+    def _drop(self, near: NDArray[np.intp]) -> Solution | None:
+        liquid = self._liquid
         near = near[liquid.accounted[near] < 0]
         if liquid.solutions is None or not len(near):
             return None

@@ -95,6 +95,17 @@ class LiquidHandling(Protocol):
         """
         ...
 
+    def drop_on(self, patch: Pose, size: tuple[float, float]) -> Solution | None:
+        """Return what is dissolved in what lies on a patch, in no vessel.
+
+        None where nothing does, or nothing is dissolved in the scene.
+
+        Args:
+            patch: Its frame, in its middle, z out of it.
+            size: Along x and along y [m].
+        """
+        ...
+
     def gather(self, vessel: str) -> None:
         """Add what has come into a narrow vessel to the column that stands there."""
         ...

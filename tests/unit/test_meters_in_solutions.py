@@ -207,3 +207,20 @@ def test_a_strip_of_ph_paper_keeps_the_colour_of_the_last_drop_on_it(
     assert tuple(seen[first]) == pytest.approx(DRY)
     nearest = min(SCALE, key=lambda step: float(np.abs(seen[second] - SCALE[step]).sum()))
     assert abs(nearest - ph) <= 1
+
+
+@pytest.mark.parametrize(
+    ("aside", "wet"),
+    [((0.023, 0.0), True), ((-0.023, 0.006), True), ((0.0, 0.015), False), ((0.03, 0.0), False)],
+)
+def test_a_drop_anywhere_on_a_strip_wets_it_and_one_beside_it_does_not(
+    aside: tuple[float, float], wet: bool
+) -> None:
+    paper, beaker = PhPaper("paper"), glassware("beaker", "150 ml", "beaker")
+    at = Inside(paper, (0.0, -0.25, 0.0))
+    simulation = bench(paper, beaker, at, 60.0, Solute("hydrochloric acid", 0.1))
+    strip, liquid = simulation.apparatus.site(paper.strips[1].name), simulation.liquid
+    assert liquid is not None
+    liquid.positions[0] = strip.position_w + strip.rotation_w @ (*aside, 0.003)
+    liquid.velocities[0] = 0.0
+    assert (read(simulation, paper.strips[1].name, 0.1).value == 1.0) == wet

@@ -41,9 +41,11 @@ class IndicatorPaper(Process):
 
     Attributes:
         name: What its reading is called, and the geom that is seen of it.
+        size: Along x and along y [m].
     """
 
     name: str
+    size: tuple[float, float]
 
     @property
     @override
@@ -58,7 +60,7 @@ class IndicatorPaper(Process):
     def step(self, apparatus: Apparatus) -> None:
         if apparatus.liquid is None:
             return
-        drop = apparatus.liquid.drop_at(apparatus.site(self.name).position_w)
+        drop = apparatus.liquid.drop_on(apparatus.site(self.name), self.size)
         if drop is not None and not math.isnan(drop.ph):
             apparatus.memory(self)[:] = 1.0, drop.ph
 
@@ -72,15 +74,14 @@ class IndicatorPaper(Process):
         wetted, ph = apparatus.memory(self)
         apparatus.model.geom(self.name).rgba = (*(color_of(ph) if wetted else DRY), 1.0)
 
-    def add_to(self, body: mujoco.MjsBody, pos: Vector, size: tuple[float, float]) -> None:
+    def add_to(self, body: mujoco.MjsBody, pos: Vector) -> None:
         """Lay it onto a body, dry.
 
         Args:
             body: What carries it.
             pos: Its middle, on the surface, in the frame of the body [m].
-            size: Along x and along y [m].
         """
-        add_patch(body, self.name, pos, size, DRY)
+        add_patch(body, self.name, pos, self.size, DRY)
         body.add_site(name=self.name, pos=pos, group=COLLISION_GROUP)
 
 

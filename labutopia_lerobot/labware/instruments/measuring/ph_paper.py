@@ -35,7 +35,8 @@ class PhPaper(Instrument):
     @property
     def strips(self) -> tuple[IndicatorPaper, ...]:
         """The strips, from left to right."""
-        return tuple(IndicatorPaper(f"{self.name}_strip_{number}") for number in range(1, 5))
+        size = (0.050, 0.016)
+        return tuple(IndicatorPaper(f"{self.name}_strip_{n}", size) for n in range(1, 5))
 
     @property
     def works(self) -> tuple[Process, ...]:
@@ -46,7 +47,7 @@ class PhPaper(Instrument):
 
     def _add_parts(self, spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
         for strip, left in zip(self.strips, (1.5, 0.5, -0.5, -1.5), strict=True):
-            strip.add_to(body, (-0.012, left * _APART, _TOP), (0.050, 0.016))
+            strip.add_to(body, (-0.012, left * _APART, _TOP))
         wide = 0.110 / len(SCALE)
         for place, (ph, color) in enumerate(SCALE.items()):
             at = (0.030, 0.055 - (place + 0.5) * wide, _TOP)
