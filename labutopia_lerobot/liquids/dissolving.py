@@ -15,6 +15,8 @@ _TREMBLE = 0.006
 
 _PLENTY = 2e4
 """More of a solid than dissolves [mol/m^3]; ours: `chemistry.inventory` has as much at most."""
+_HALVINGS = 8
+"""How often that is halved where the water does not do for it, as where it binds some; ours."""
 
 
 class Dissolving:
@@ -82,8 +84,8 @@ class Dissolving:
         temperature: float,
         speed: float,
         period: float,
-    ) -> float:
-        """Let crystals of a vessel go into solution where they are, in place; return the heat [J].
+    ) -> tuple[float, str]:
+        """Let crystals of a vessel go into solution where they are, in place.
 
         As fast as `Crystals.rate` has it, and no more than the solution takes. How much that is
         shows in an equilibrium with more of the solid than can dissolve.
@@ -95,16 +97,17 @@ class Dissolving:
             temperature: Of the vessel's liquid [K].
             speed: Mean speed in the vessel [m/s].
             period: Time [s].
+
+        Returns:
+            The heat [J], and why some did not dissolve, in words, else nothing.
         """
         mean: FloatArray = own.mean(axis=0)
-        heat = 0.0
+        heat, unknown = 0.0, ""
         for column, one in self._crystals.items():
             if not mean[column]:
                 continue
-            with_more = mean.copy()
-            with_more[column] += _PLENTY * volume
-            goal, _ = self._inventory.settled(with_more, volume, temperature)
-            taken = max(0.0, float(with_more[column] - goal[column]))
+            taken, why = self._taken(column, mean, volume, temperature)
+            unknown = unknown or why
             left = float(everything[column]) / self._filled[column]
             rate = one.rate(left, max(0.0, speed - _TREMBLE), taken / volume)
             part = min(-math.expm1(-rate * period), taken / float(mean[column]))
@@ -113,4 +116,17 @@ class Dissolving:
             own[:, column] -= going
             enthalpies = self._inventory.enthalpies
             heat += float(going.sum() * (enthalpies[column] - self._made[column] @ enthalpies))
-        return heat
+        return heat, unknown
+
+    def _taken(
+        self, column: int, mean: FloatArray, volume: float, temperature: float
+    ) -> tuple[float, str]:
+        """Return how much of a solid a particle takes [mol]; and why that is not known, if not."""
+        why = ""
+        for halvings in range(_HALVINGS):
+            with_more = mean.copy()
+            with_more[column] += _PLENTY / 2**halvings * volume
+            goal, why = self._inventory.settled(with_more, volume, temperature)
+            if not why:
+                return max(0.0, float(with_more[column] - goal[column])), ""
+        return 0.0, why

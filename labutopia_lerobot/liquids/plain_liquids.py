@@ -27,7 +27,7 @@ class PlainLiquids:
         densities = [one.density for one in substances]
         self._per_volume = np.array(densities) / [one.molar_mass for one in compounds]
         self._colors = np.array([one.rgba[:3] for one in substances])
-        self._all_water = list(substances) == [WATER]
+        self._other = np.array([one != WATER for one in substances])
 
     def solution(self, what: Portion, capacities: FloatArray) -> Solution:
         """Return what is in a vessel: how warm, how mixed, of what; of water alone the pH.
@@ -47,7 +47,7 @@ class PlainLiquids:
         return Solution(
             volume=count * self._particle,
             temperature=warm,
-            ph=_neutral(warm) if self._all_water else math.nan,
+            ph=math.nan if shares[self._other].any() else _neutral(warm),
             concentrations={key: amount for key, amount in amounts.items() if amount},
             solids={},
             gas={},

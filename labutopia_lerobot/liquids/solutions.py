@@ -142,9 +142,10 @@ class Solutions:
             own, weights, speed = contents[held], capacities[held], float(speeds[vessel])
             warm = float(weights @ what.temperatures[held] / weights.sum())
             if self._dissolving.columns.any() and own[:, self._dissolving.columns].any():
-                heat = self._dissolving.dissolve(
+                heat, why = self._dissolving.dissolve(
                     own, contents.sum(axis=0), self._particle, warm, speed, period
                 )
+                self._note(why)
                 contents[held] = own
                 what.temperatures[held] += heat / weights.sum()
             mean, present = _mean(own), own.any(axis=0)
@@ -203,9 +204,13 @@ class Solutions:
     def _noted(self, mean: FloatArray, temperature: float) -> FloatArray:
         """Return what becomes of a particle, as `_settled`, and note why not."""
         goal, why = self._settled(mean, temperature)
+        self._note(why)
+        return goal
+
+    def _note(self, why: str) -> None:
+        """Keep why something was left as it is, once; nothing is no reason."""
         if why and why not in self.unreacted:
             self.unreacted = (*self.unreacted, why)
-        return goal
 
     def solution(self, vessel: int, what: Portion, capacities: FloatArray) -> Solution:
         """Return what is in a vessel.

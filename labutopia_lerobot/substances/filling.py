@@ -161,11 +161,12 @@ def require_fillable[Present: Thing](
                 f"{vessel.name} cannot hold {filling.ml:g} ml of {filling.of}: "
                 f"it takes more than 0 and at most {capacity:.0f} ml"
             )
-        boiling = filling.substance.boiling_point - ZERO_C
-        if filling.celsius is not None and not -ZERO_C < filling.celsius < boiling:
+        melting = round(filling.substance.melting_point - ZERO_C, 2)
+        boiling = round(filling.substance.boiling_point - ZERO_C, 2)
+        if filling.celsius is not None and not melting <= filling.celsius < boiling:
             raise ImpossibleFillingError(
                 f"{vessel.name} cannot hold {filling.of} of {filling.celsius:g} degrees C: it is "
-                f"liquid below {boiling:g}"
+                f"liquid from {melting:g} to below {boiling:g}"
             )
 
 

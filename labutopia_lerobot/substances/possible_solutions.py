@@ -1,6 +1,7 @@
 """Whether the solutions of a task can be, alone and poured together."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
@@ -10,12 +11,16 @@ from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.hazards import refuse
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute, made_up
 from labutopia_lerobot.chemistry.refusals import ChemistryError
-from labutopia_lerobot.substances.filling import Filling, ImpossibleFillingError
+from labutopia_lerobot.substances.filling import Dispenser, Filling, ImpossibleFillingError, Narrow
 from labutopia_lerobot.substances.substance import WATER, ZERO_C
 from labutopia_lerobot.world import Thing
 
 _ROOM = 293.15
 """As warm as solutions are when they meet, if they are no warmer [K]."""
+
+_RATIOS = (0.25, 0.5, 1.0, 2.0, 4.0)
+"""Of the volumes of two vessels that are poured together in part: what is most dangerous or warmest
+need not be all of both; ours."""
 
 _CLOUDED = 0.01
 """Part of what is dissolved that may fall out of a solution by itself; ours: some copper sulfate
@@ -33,11 +38,17 @@ def require_possible_solutions[Present: Thing](
 
     Raises:
         ImpossibleFillingError: Something does not dissolve, or not as much of it, or falls out as
-            cold as it is; another solvent than water is in the scene; solutions of two vessels are
-            dangerous together or boil.
+            cold as it is; another solvent than water is in the scene; crystals are more than the
+            liquid covers, or where none can lie; solutions of two vessels, or a part of one and
+            the other, are dangerous together or boil.
     """
-    if not any(filling.reacts for filling in contents.values()):
-        return
+    if any(filling.reacts for filling in contents.values()):
+        _require_possible(task, tuple(contents.items()))
+
+
+@lru_cache(maxsize=256)  # every reset asks, and episodes often hold the same
+def _require_possible(task: str, held: tuple[tuple[Thing, Filling], ...]) -> None:
+    contents = dict(held)
     grains: dict[str, float] = {}
     for vessel, filling in contents.items():
         if filling.substance != WATER:
@@ -56,12 +67,35 @@ def require_possible_solutions[Present: Thing](
                     f"{task}, {vessel.name}: crystals of {crystals.of} of two sizes cannot be in "
                     "one task: give them one grain_mm"
                 )
+        _require_on_the_bottom(task, vessel, filling)
         _require(task, [vessel], {filling: filling.volume}, "Dissolve less of it, or another")
     for both in combinations(contents, 2):
-        volumes: dict[Filling, float] = {}
-        for vessel in both:
-            volumes[contents[vessel]] = volumes.get(contents[vessel], 0.0) + contents[vessel].volume
-        _require(task, both, volumes, "Take one of them out of the task, or dilute both")
+        first, second = (contents[vessel] for vessel in both)
+        parts = {(first.volume, second.volume): None}
+        for ratio in _RATIOS:
+            part = min(first.volume, ratio * second.volume)
+            parts[part, part / ratio] = None
+        for one, other in parts:
+            volumes = {first: one}
+            volumes[second] = volumes.get(second, 0.0) + other
+            _require(task, both, volumes, "Take one of them out of the task, or dilute both")
+
+
+def _require_on_the_bottom(task: str, vessel: Thing, filling: Filling) -> None:
+    """Refuse crystals where none can lie, or more than the liquid covers."""
+    if not filling.crystals:
+        return
+    if isinstance(vessel, Dispenser) or (isinstance(vessel, Narrow) and vessel.column):
+        raise ImpossibleFillingError(
+            f"{task}: {vessel.name} cannot hold crystals, as it is a bottle or a narrow tube. Put "
+            "them into a beaker or a flask"
+        )
+    heap = sum(one.mol * one.heaped_volume for one in filling.crystals)
+    if heap > filling.volume:
+        raise ImpossibleFillingError(
+            f"{task}: the crystals in {vessel.name} make a heap of {1e6 * heap:.0f} ml, which "
+            f"{filling.ml:g} ml do not cover. Put in fewer, or fill in more"
+        )
 
 
 def _require(
@@ -85,7 +119,8 @@ def _faults(volumes: Mapping[Filling, float]) -> Iterator[str]:
         for key, mol in made_up(filling.dissolved).items():
             amounts[key] = amounts.get(key, 0.0) + mol * volume
         for one in filling.crystals:
-            amounts[one.species] = amounts.get(one.species, 0.0) + one.mol
+            grains = one.mol * volume / filling.volume
+            amounts[one.species] = amounts.get(one.species, 0.0) + grains
     vessel = ReactionVessel(total, _ROOM, slow=False)
     refuse(charge_of([solute.compound for solute in solutes], amounts, vessel))
     solids = [one.species for filling in volumes for one in filling.crystals]
@@ -100,7 +135,8 @@ def _faults(volumes: Mapping[Filling, float]) -> Iterator[str]:
         lying, _ = inventory.settled(before, total, own)
         more = inventory.amounts(np.maximum(lying - before, 0.0))
         solid = {key: mol for key, mol in more.items() if key.endswith("(s)")}
-        if sum(solid.values()) > _CLOUDED * float(before[inventory.dissolved].sum()):
+        dissolved = np.maximum(before, lying)[inventory.dissolved].sum()  # crystals dissolve too
+        if sum(solid.values()) > _CLOUDED * float(dissolved):
             most = max(solid, key=lambda key: solid[key])
             yield f"does not stay dissolved at {own - ZERO_C:g} degrees C: {most} falls out"
     warmest = max([_ROOM, *(f.celsius + ZERO_C for f in volumes if f.celsius is not None)])

@@ -35,6 +35,7 @@ class Substance:
         rgba: How it is drawn.
         specific_heat: Heat that warms 1 kg by 1 K [J/kg K].
         boiling_point: At atmospheric pressure [K].
+        melting_point: The same [K]; 0 where it is not known.
 
     Raises:
         ValueError: A quantity is not a positive number.
@@ -47,6 +48,7 @@ class Substance:
     rgba: Color
     specific_heat: float = 4182.0
     boiling_point: float = 373.15
+    melting_point: float = 0.0
 
     def __post_init__(self) -> None:
         for field in fields(self)[1:4]:
@@ -88,7 +90,14 @@ def _poured(compound: Compound) -> Substance | None:
     name = compound.name.lower()
     specific_heat = float(round(capacity / compound.molar_mass))  # whole J/(kg K), as printed
     return Substance(
-        name, density, viscosity, tension, _rgba(compound, name), specific_heat, boiling_point
+        name,
+        density,
+        viscosity,
+        tension,
+        _rgba(compound, name),
+        specific_heat,
+        boiling_point,
+        compound.melting_point or 0.0,
     )
 
 

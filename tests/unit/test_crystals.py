@@ -59,6 +59,22 @@ def test_near_saturation_they_dissolve_as_much_slower_as_the_solution_takes_less
     assert gone(5.0) / gone(0.1) == pytest.approx((saturated - 5.0) / (saturated - 0.1), rel=0.1)
 
 
+@pytest.mark.parametrize(
+    "salt", ["magnesium sulfate", "zinc sulfate", "sodium thiosulfate", "iron(III) sulfate"]
+)
+def test_salts_that_bind_much_water_dissolve_too(salt: str) -> None:
+    crystals = [Crystals(salt, 1.0)]
+    inventory = Inventory.of([()], [crystals[0].species])
+    dissolving = Dissolving(crystals, inventory)
+    own = inventory.filled((), 1e-4)[None].copy()
+    dissolving.strew(own, np.zeros(1), 1.0, crystals)
+    reasons = {
+        dissolving.dissolve(own, own.sum(axis=0), 1e-4, 293.15, 0.05, 1.0)[1] for _ in range(300)
+    }
+    assert not own[0, dissolving.columns].any()
+    assert reasons == {""}
+
+
 def test_crystals_lie_on_the_bottom_and_are_neither_clear_nor_dissolved() -> None:
     simulation = bench(WATER, Filling(60.0, crystals=(SALT,)))
     liquid, view = liquid_of(simulation), world(simulation)

@@ -372,5 +372,7 @@ def test_a_cold_filling_begins_cold_with_its_glass_and_warms_up_in_a_warm_room()
 
 
 def test_water_that_would_boil_is_refused():
-    with pytest.raises(ImpossibleFillingError, match="120 degrees C: it is liquid below 100"):
+    with pytest.raises(
+        ImpossibleFillingError, match="120 degrees C: it is liquid from 0 to below 100"
+    ):
         require_fillable({BEAKER: Filling(20.0, celsius=120.0)}, {BEAKER: None})

@@ -2,11 +2,13 @@
 
 import pytest
 
+from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.inventory import Solute
+from labutopia_lerobot.labware.instruments.handling.burette_stand import BuretteStand
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenario import canonical_task, draw_scenario
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.substances.filling import Filling, ImpossibleFillingError
+from labutopia_lerobot.substances.filling import Filling, ImpossibleFillingError, require_fillable
 from labutopia_lerobot.substances.possible_solutions import require_possible_solutions
 from solution_bench import ACID, BASE, GIVER, SODA, TAKER
 
@@ -54,6 +56,38 @@ def test_a_solution_that_falls_out_as_cold_as_it_is_is_refused() -> None:
     cold = {GIVER: Filling(50.0, celsius=8.0, dissolved=nitre)}
     with pytest.raises(ImpossibleFillingError, match=r"giver does not stay dissolved at 8 degrees"):
         require_possible_solutions("level2/mine", cold)
+
+
+def test_a_part_of_one_vessel_that_boils_over_with_another_is_refused() -> None:
+    """All of both do not: 600 ml of base take up what 20 ml of acid give off."""
+    acid = Filling(20.0, dissolved=(Solute("hydrochloric acid", 13.0),))
+    base = Filling(600.0, dissolved=(Solute("sodium hydroxide", 13.0),))
+    with pytest.raises(ImpossibleFillingError, match="giver and taker would boil over"):
+        require_possible_solutions("level2/mine", {GIVER: acid, TAKER: base})
+
+
+@pytest.mark.parametrize("salt", ["copper(II) sulfate pentahydrate", "nickel(II) chloride"])
+def test_crystals_in_plain_water_are_let_through(salt: str) -> None:
+    """They make the water acid enough that no more than a trace of hydroxide falls out."""
+    heap = Filling(60.0, crystals=(Crystals(salt, 2.0),))
+    require_possible_solutions("level2/mine", {GIVER: heap})
+
+
+def test_crystals_are_refused_where_none_can_lie_and_where_they_are_not_covered() -> None:
+    salt = Filling(20.0, crystals=(Crystals("sodium chloride", 5.0),))
+    burette = BuretteStand("stand").burette
+    with pytest.raises(ImpossibleFillingError, match=f"{burette.name} cannot hold crystals.*flask"):
+        require_possible_solutions("level2/mine", {burette: salt})
+    much = Filling(60.0, crystals=(Crystals("sodium chloride", 500.0),))
+    with pytest.raises(ImpossibleFillingError, match=r"giver make a heap of 384 ml.*60 ml"):
+        require_possible_solutions("level2/mine", {GIVER: much})
+
+
+@pytest.mark.parametrize(("of", "celsius"), [("water", -5.0), ("ethanol", -130.0)])
+def test_what_is_frozen_is_no_filling(of: str, celsius: float) -> None:
+    frozen = {GIVER: Filling(50.0, of, celsius=celsius)}
+    with pytest.raises(ImpossibleFillingError, match="liquid from"):
+        require_fillable(frozen, [GIVER])
 
 
 def test_what_can_be_is_let_through() -> None:

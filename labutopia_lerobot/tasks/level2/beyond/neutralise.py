@@ -28,8 +28,8 @@ _LOW, _HIGH, _OVER = 5.8, 7.0, 7.6
 (Harris, Quantitative Chemical Analysis, acid-base indicators); the lower limits are ours, where
 `chemistry.colour` says green."""
 _SHARE = 0.975
-"""Share of the acid that the expert neutralises: it is green from 95 to 99 %, up to a pH of
-6.75 with acetic acid and 6.86 with the weakest."""
+"""Share of the acid that the expert neutralises: it is green from 95 % on, up to 99 % and a pH of
+6.74 with acetic acid, to 98.6 % and 6.7 with the weakest."""
 _WITHIN = 0.05
 """How near to where it stood the beaker is to be put back [m]; ours, as `pour_to_mass`."""
 

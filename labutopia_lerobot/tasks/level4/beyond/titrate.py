@@ -56,10 +56,12 @@ def titrate(draw: Draw) -> Task:
     needed, celsius = _SAMPLE_ML * molar / _BASE, start_temperature(draw)
     sample, base = (Solute(acid, molar),), (Solute("sodium hydroxide", _BASE),)
 
-    def ph_at(ml: float) -> float:
+    def ph_at(ml: float, celsius: float | None = celsius) -> float:
         return ph_together(((sample, _SAMPLE_ML), (base, ml)), celsius)
 
-    low, high = ph_at(needed - _WITHIN_ML), ph_at(needed + _WITHIN_ML)
+    # What begins warm or cold comes to the room's temperature meanwhile.
+    low = min(ph_at(needed - _WITHIN_ML, at) for at in (celsius, None))
+    high = max(ph_at(needed + _WITHIN_ML, at) for at in (celsius, None))
     stand, beaker = BuretteStand("stand"), glassware("beaker", "150 ml", "beaker")
     meter = PhMeter("meter", turned=math.radians(45), lowered=0.112)  # electrode beside the jet
     burette, wing = stand.burette, stand.stopcock
