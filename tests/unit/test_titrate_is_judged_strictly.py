@@ -1,11 +1,14 @@
 """Adversarial cases of `level4/titrate`: the end point of the acid counts, however it looks."""
 
+import re
 from typing import Any
 
 import pytest
 
 from adversary import begun
+from labutopia_lerobot.chemistry.poured_together import ph_together
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.scenario import draw_scenario
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.task import NeedsLiquidError
 from solution_bench import bring, liquid_of
@@ -83,3 +86,17 @@ def test_an_acid_that_was_partly_spilled_is_neutral_too_soon(env: LabEnv) -> Non
     bring(simulation, BURETTE, BEAKER, needed(env) * 25.0 / 45.0)
     *_, info = env.step(env.workcell.filter.applied.copy())
     assert reached(info)[1] is False
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_what_began_warm_or_cold_is_no_overshoot_within_a_tenth_of_a_millilitre(seed: int) -> None:
+    """It comes to the room's temperature meanwhile, at which the same base has another pH."""
+    setting = Setting(TASK, split="ood", axes=("start_temperature",))
+    task = draw_scenario(setting, seed).task
+    held = {vessel.name: filling for vessel, filling in task.contents.items()}
+    acid, base = held[BEAKER], held[BURETTE]
+    (limit,) = re.findall(r"above ([\d.]+)", task.never["overshot"].name)
+    ml = acid.ml * acid.dissolved[0].molar / 0.1 + 0.095
+    for celsius in (acid.celsius, 20.0):
+        parts = ((acid.dissolved, acid.ml), (base.dissolved, ml))
+        assert ph_together(parts, celsius) < float(limit)
