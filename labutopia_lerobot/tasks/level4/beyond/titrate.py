@@ -56,12 +56,10 @@ def titrate(draw: Draw) -> Task:
     needed, celsius = _SAMPLE_ML * molar / _BASE, start_temperature(draw)
     sample, base = (Solute(acid, molar),), (Solute("sodium hydroxide", _BASE),)
 
-    def ph_at(ml: float, celsius: float | None = celsius) -> float:
-        return ph_together(((sample, _SAMPLE_ML), (base, ml)), celsius)
+    def ph_at(ml: float) -> list[float]:  # at first, and as warm as the room in the end
+        return [ph_together(((sample, _SAMPLE_ML), (base, ml)), t) for t in (celsius, None)]
 
-    # What begins warm or cold comes to the room's temperature meanwhile.
-    low = min(ph_at(needed - _WITHIN_ML, at) for at in (celsius, None))
-    high = max(ph_at(needed + _WITHIN_ML, at) for at in (celsius, None))
+    low, high = min(ph_at(needed - _WITHIN_ML)), max(ph_at(needed + _WITHIN_ML))
     stand, beaker = BuretteStand("stand"), glassware("beaker", "150 ml", "beaker")
     meter = PhMeter("meter", turned=math.radians(45), lowered=0.112)  # electrode beside the jet
     burette, wing = stand.burette, stand.stopcock
@@ -90,7 +88,7 @@ def titrate(draw: Draw) -> Task:
                         wing,
                         burette.processes[0],
                         meter.reads,
-                        ph=ph_at(needed - _WITHIN_ML / 2),
+                        ph=ph_at(needed - _WITHIN_ML / 2)[0],
                         first_ml=needed - _LAST_ML,
                         drop_ml=_DROP_ML,
                     ),
