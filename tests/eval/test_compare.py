@@ -233,7 +233,7 @@ def test_of_runs_that_stop_when_distinguished_no_more_false_alarms_are_printed_t
 
 @pytest.mark.parametrize("sequential", [False, True])
 def test_over_several_tasks_no_more_runs_have_a_false_alarm_than_stated(sequential: bool) -> None:
-    runs, tasks, n = 500, 4, 60
+    runs, tasks, n = 1500, 4, 60
     first, second = np.random.default_rng(7).random((2, runs, tasks, n)) < 0.7
     alarms = 0
     for better, worse in zip((first & ~second).sum(2), (second & ~first).sum(2), strict=True):

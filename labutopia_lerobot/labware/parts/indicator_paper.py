@@ -7,12 +7,11 @@ from typing import override
 import mujoco
 import numpy as np
 
+from labutopia_lerobot.chemistry.colour import Rgb
 from labutopia_lerobot.labware.parts.solid import Vector
 from labutopia_lerobot.processes import Apparatus, Process
 from labutopia_lerobot.world import Reading
 from labutopia_lerobot.world.model import COLLISION_GROUP, VISUAL_GROUP
-
-Rgb = tuple[float, float, float]
 
 SCALE: dict[int, Rgb] = {
     1: (0.83, 0.16, 0.22),
@@ -37,7 +36,8 @@ class IndicatorPaper(Process):
     """A strip of indicator paper: it keeps the colour of the last drop that wetted it.
 
     Its reading is the nearest whole pH, which is what an eye finds on the scale; dashes while it
-    is dry. A liquid of unknown pH, such as one without water, leaves it as it is.
+    is dry. What has no known pH leaves it as it is: liquids without water, and any liquid of a
+    scene in which nothing is dissolved.
 
     Attributes:
         name: What its reading is called, and the geom that is seen of it.
