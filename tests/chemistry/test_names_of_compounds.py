@@ -43,6 +43,7 @@ def test_a_formula_is_its_compound_or_lists_its_isomers():
                 assert all(isomer.id in str(error.value) for isomer in isomers)
 
 
+@pytest.mark.slow
 def test_a_slip_never_turns_one_compound_into_another():
     """Two random slips in every word of every third compound's names."""
     rng = np.random.default_rng(11)

@@ -35,6 +35,7 @@ def test_a_machine_that_draws_is_well_and_each_finding_that_is_not_good_has_a_cu
         assert (each["state"] == "good") == (each["cure"] == "")
 
 
+@pytest.mark.slow
 def test_without_opengl_it_says_how_to_get_it_and_exits_with_1():
     done = doctor(MUJOCO_GL="disable", DISPLAY="", WAYLAND_DISPLAY="")
     assert done.returncode == 1

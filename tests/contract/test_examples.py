@@ -50,6 +50,7 @@ def test_a_policy_is_recorded_for_trained_and_evaluated(tmp_path):
     assert "0/2" in run(tmp_path, "2_record_and_train.py", *few)
 
 
+@pytest.mark.slow
 def test_a_network_of_plain_pytorch_copies_and_plays(tmp_path):
     few = ("--demonstrations", "1", "--steps", "20", "--episodes", "1")
     assert "/1 successes, 95 %: " in run(tmp_path, "3_policy_of_your_own.py", *few)
@@ -61,6 +62,7 @@ def test_a_policy_on_a_server_is_asked(tmp_path):
     assert "times: Pick up the conical flask" in told
 
 
+@pytest.mark.slow
 def test_a_task_and_an_instrument_of_ones_own_are_played(tmp_path):
     assert "Seed 0: success" in run(tmp_path, "5_task_of_your_own.py", "--episodes", "1")
     assert "success; wrote mat.png" in run(tmp_path, "6_instrument_of_your_own.py")

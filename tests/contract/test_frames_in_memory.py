@@ -91,6 +91,7 @@ def test_pictures_that_half_of_the_memory_does_not_hold_are_read_as_ever(
     assert not kept(filmed)
 
 
+@pytest.mark.slow
 def test_recordings_with_language_are_read_as_ever(tmp_path, lerobots_own) -> None:
     root = recording(tmp_path / "told", *FILM, "episodes=1", "cameras=[front]", "language=true")
     keep_frames_in_memory()

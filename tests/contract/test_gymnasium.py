@@ -18,7 +18,7 @@ from labutopia_lerobot.setting import Setting, UnknownOptionError
     [
         ("level1/pick", "state", "off"),
         ("level1/pick", "pixels", "off"),
-        ("level1/pour", "state", "on"),
+        pytest.param("level1/pour", "state", "on", marks=pytest.mark.slow),
         # They are all the same environment.
         *(pytest.param(task, "state", "off", marks=pytest.mark.slow) for task in task_files()),
     ],

@@ -117,6 +117,7 @@ def test_a_batch_of_frames_can_be_collated(dataset: LeRobotDataset) -> None:
     assert batch["annotation.step"] == ["pick"] * 4
 
 
+@pytest.mark.slow
 def test_language_columns_say_what_the_annotations_say(tmp_path: Path) -> None:
     options = [*FILM, "episodes=1", "cameras=[front]", "language=true"]
     root = recording(tmp_path / "dataset", *options)

@@ -122,7 +122,7 @@ class Script(torch.nn.Module):
         return torch.from_numpy(np.stack(actions))
 
 
-@pytest.mark.parametrize("asynchronous", [False, True])
+@pytest.mark.parametrize("asynchronous", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_lerobot_counts_one_success_of_two(
     asynchronous: bool, solution: list[NDArray[np.float32]]
 ) -> None:
@@ -189,6 +189,7 @@ def test_lerobot_eval_ends_with_the_message_of_a_wrong_flag(tmp_path: Path) -> N
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.slow
 def test_successes_per_task_stand_in_a_run_of_weights_and_biases(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -59,6 +59,7 @@ def test_exactly_the_wanted_successes_are_stored(picked: Path) -> None:
     assert not (picked / ".recording").exists()
 
 
+@pytest.mark.slow
 def test_the_same_command_makes_the_same_bytes_in_whatever_order_python_keeps_its_sets(
     picked: Path, tmp_path: Path
 ) -> None:
@@ -94,6 +95,7 @@ def test_a_full_disk_is_reported_before_anything_is_played(tmp_path: Path) -> No
     assert watch.indices == []
 
 
+@pytest.mark.slow
 def test_failures_are_kept_with_their_causes(tmp_path: Path) -> None:
     (tmp_path / "level1").mkdir()
     (tmp_path / "level1" / "moody.py").write_text(MOODY_TASK.format(limit=0.0))
@@ -107,6 +109,7 @@ def test_failures_are_kept_with_their_causes(tmp_path: Path) -> None:
     assert verify(root).faults == []
 
 
+@pytest.mark.slow
 def test_one_step_is_recorded_from_where_the_expert_comes_to_it(tmp_path: Path) -> None:
     overrides = ["task=level2/operate_drawer", "step=close", "obs=state", "episodes=1"]
     (config,) = parse(overrides).datasets()
@@ -154,7 +157,8 @@ def test_a_command_beyond_the_limits_stands_beside_what_acted() -> None:
     assert (columns["action"] < 9.0).all()
 
 
-@pytest.mark.parametrize("workers", [pytest.param(1, marks=pytest.mark.slow), 2])
+@pytest.mark.slow
+@pytest.mark.parametrize("workers", [1, 2])
 def test_failures_are_listed_and_the_lowest_successes_stored(workers: int, tmp_path: Path) -> None:
     (tmp_path / "level1").mkdir()
     (tmp_path / "level1" / "moody.py").write_text(MOODY_TASK.format(limit=0.0))

@@ -22,6 +22,7 @@ from labutopia_lerobot.runtime.video import video_size_and_frames
 from recordings import FILM, MOODY_TASK, PICK, StoppedError, Watch, assert_same_dataset, recording
 
 
+@pytest.mark.slow
 def test_killed_while_playing_it_resumes_without_loss(picked: Path, tmp_path: Path) -> None:
     root = tmp_path / "dataset"
     command = [sys.executable, "-m", "labutopia_lerobot.cli.record", *PICK, f"root={root}"]
@@ -124,6 +125,7 @@ def test_another_recording_is_refused_with_the_difference(
     assert ("obs: 'pixels' there, 'state' here" in str(refusal.value)) == (fixture == "stopped")
 
 
+@pytest.mark.slow
 def test_other_code_does_not_go_on_with_a_recording(tmp_path: Path) -> None:
     (tmp_path / "level1").mkdir()
     task = tmp_path / "level1" / "moody.py"
@@ -186,6 +188,7 @@ def test_a_finished_recording_is_extended_to_the_one_that_is_longer(
         assert video_size_and_frames(film) == video_size_and_frames(other)
 
 
+@pytest.mark.slow
 def test_an_extension_that_is_stopped_leaves_the_dataset_and_goes_on(
     picked: Path, tmp_path: Path
 ) -> None:

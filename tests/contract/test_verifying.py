@@ -202,6 +202,7 @@ def test_an_edited_draw_is_found(copied: Path) -> None:
     assert "episode 1: labutopia/drawn is {'light': 1.1}" in fault
 
 
+@pytest.mark.slow
 def test_several_processes_come_to_the_same_verdict(
     copied: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -49,6 +49,7 @@ def test_a_success_is_reported_in_a_line_and_leaves_a_picture_and_a_film(tmp_pat
         assert sum(1 for _ in film.decode(video=0)) > 100
 
 
+@pytest.mark.slow
 def test_a_failure_is_reported_with_step_phase_substeps_and_what_did_not_hold(tmp_path, hasty):
     out = ("--out", str(tmp_path), "--tasks-dir", str(hasty))
     done = view("level1/hasty", *SMALL, *out)

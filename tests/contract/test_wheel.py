@@ -71,6 +71,7 @@ def test_recording_from_an_empty_folder_leaves_a_dataset_and_nothing_else(site, 
     assert find_problems(tmp_path / "pick") == []
 
 
+@pytest.mark.slow
 def test_evaluating_from_an_empty_folder_takes_configurations_and_recipes_from_the_wheel(
     site, tmp_path
 ):

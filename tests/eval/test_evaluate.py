@@ -43,6 +43,7 @@ def test_the_expert_wins_and_doing_nothing_or_anything_does_not(episodes: list[E
     assert wins == {"expert": 3}
 
 
+@pytest.mark.slow
 def test_rows_do_not_depend_on_the_workers(episodes: list[Episode]) -> None:
     alone = played(workers=1)
     assert [episode.row for episode in alone] == [episode.row for episode in episodes]

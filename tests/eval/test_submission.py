@@ -101,6 +101,7 @@ def test_what_was_played_here_is_played_again_to_the_bit(
     assert "not whose they are" in said
 
 
+@pytest.mark.slow
 def test_one_episode_under_a_hundred_seeds_does_not_come_out_the_same(
     hundred: dict[str, Any],
     tmp_path: Path,

@@ -125,6 +125,7 @@ def test_raised_from_a_slant_it_drips_what_air_and_rubber_give_way_by(simulation
     assert simulation.account.counts.sum() == 1500
 
 
+@pytest.mark.slow
 def test_a_squeeze_in_the_air_gives_it_back_and_takes_in_none(simulation):
     squeeze(simulation, FLAT)
     squeeze(simulation, 0.0)

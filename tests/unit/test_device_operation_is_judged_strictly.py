@@ -49,6 +49,7 @@ class PressBelow(Press):
         return super()._before(world).moved(z=-0.045)
 
 
+@pytest.mark.slow
 def test_a_hand_raised_by_twelve_centimetres_is_not_raised(env):
     low = replace(HIGH, height=OUTSIDE.height + 0.12)
 
@@ -61,6 +62,7 @@ def test_a_hand_raised_by_twelve_centimetres_is_not_raised(env):
     assert not np.isfinite(info["substeps"]["3_pick/gripped"])
 
 
+@pytest.mark.slow
 def test_an_oven_is_not_started_with_one_beaker_still_on_the_bench(env):
     info = play_on(env, SEED, "4_place", lambda skills: skills[-2:])
     assert info["outcome"] == "pressed_out_of_turn"
@@ -99,6 +101,7 @@ def test_a_button_that_does_not_click_starts_nothing(env):
     assert not np.isfinite(info["substeps"]["7_press/pressed"])
 
 
+@pytest.mark.slow
 def test_a_fist_against_the_panel_is_not_at_the_button(env):
     def choose(skills):
         go, press = skills

@@ -100,6 +100,7 @@ def test_a_search_with_backtracking_furnishes_what_sampling_does_not():
     assert len(sketch.entries) == 6
 
 
+@pytest.mark.slow
 def test_what_was_placed_is_taken_back_where_the_next_finds_no_place(monkeypatch):
     taken: list[str] = []
     take_back = search.Sketch.take_back
@@ -114,6 +115,7 @@ def test_what_was_placed_is_taken_back_where_the_next_finds_no_place(monkeypatch
     assert len(set(taken)) > 1
 
 
+@pytest.mark.slow
 def test_a_room_too_small_names_what_does_not_fit_and_the_room_it_needs():
     with pytest.raises(RoomTooSmallError, match=r"3 x 3 m there is no place for work_bench.*3\.6"):
         generate(family("organic"), 7, size=(3.0, 3.0))

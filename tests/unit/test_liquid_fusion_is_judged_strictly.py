@@ -50,6 +50,7 @@ def skills_of(env: LabEnv, kind: type) -> list:
     return [skill for skill in env.workcell.task.skills if isinstance(skill, kind)]
 
 
+@pytest.mark.slow
 def test_a_beaker_put_back_five_centimetres_off_is_not_back(monkeypatch):
     env = shortened(monkeypatch, 30.0, liquid="off")
     pick, pour, place = env.workcell.task.skills[:3]
@@ -59,6 +60,7 @@ def test_a_beaker_put_back_five_centimetres_off_is_not_back(monkeypatch):
     assert not np.isfinite(info["substeps"]["3_place/placed"])
 
 
+@pytest.mark.slow
 def test_less_than_four_fifths_of_a_liquid_is_not_poured(monkeypatch):
     env = shortened(monkeypatch, 30.0, particles=300)
     pick, pour, place = env.workcell.task.skills[:3]

@@ -48,7 +48,8 @@ def test_without_liquid_it_is_refused() -> None:
         LabEnv(Setting(TASK, obs="state", liquid="off"))
 
 
-@pytest.mark.parametrize("split", ["id", pytest.param("ood", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("split", ["id", "ood"])
 def test_in_every_draw_the_right_one_makes_it_and_the_other_does_not(split: str) -> None:
     env = begun(TASK, split=split)
     drawn = set()

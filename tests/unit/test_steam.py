@@ -67,6 +67,7 @@ def test_cold_water_has_none_and_hot_water_the_more_the_hotter():
     assert 0.0 < warm < hot < boils
 
 
+@pytest.mark.slow
 def test_what_boils_away_is_what_the_plate_gives_and_the_glass_does_not_lose():
     simulation = boiling()
     exchange = simulation.apparatus.processes["surface_at_hand"]
@@ -83,6 +84,7 @@ def test_what_boils_away_is_what_the_plate_gives_and_the_glass_does_not_lose():
     assert power == pytest.approx(lost - dry, rel=0.05)
 
 
+@pytest.mark.slow
 def test_it_is_seen_over_the_mouth_and_neither_depth_nor_segments_show_it():
     simulation = boiling()
     renderer = ClassicRenderer(

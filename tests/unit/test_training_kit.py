@@ -99,6 +99,7 @@ def test_a_kit_that_has_trained_is_not_filled_again(tmp_path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_a_kit_has_every_package_that_ours_needs_but_torch() -> None:
     named = {package.name.lower() for package in packages_needed()}
     assert {"lerobot", "mujoco", "numpy", "av", "lerobot_env_labutopia"} <= named
