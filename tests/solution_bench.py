@@ -8,6 +8,7 @@ from labutopia_lerobot.chemistry.inventory import Solute
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.temperature import capacities
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
@@ -110,9 +111,14 @@ def bring(simulation: Simulation, origin: str, into: str | None, ml: float) -> N
     else:
         portion = liquid.take(np.flatnonzero(liquid.origins == holder)[:count])
     if into is not None:
-        grid = np.arange(len(portion.origins))
-        places = np.column_stack([grid % 5 - 2, grid // 5 % 5 - 2, 10 + grid // 25 / 2])
-        positions = simulation.data.body(into).xpos + 0.004 * places
-        liquid.add(positions, np.zeros_like(positions), portion)
+        put(simulation, portion, into)
     simulation.account = liquid.take_account()
     swirl(simulation)
+
+
+def put(simulation: Simulation, portion: Portion, into: str) -> None:
+    """Put liquid that has been taken from somewhere into a vessel."""
+    grid = np.arange(len(portion.origins))
+    places = np.column_stack([grid % 5 - 2, grid // 5 % 5 - 2, 10 + grid // 25 / 2])
+    positions = simulation.data.body(into).xpos + 0.004 * places
+    liquid_of(simulation).add(positions, np.zeros_like(positions), portion)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from scipy.spatial.transform import Rotation
 
 from labutopia_lerobot.places import Destination
+from labutopia_lerobot.predicates.predicate import Predicate
 from labutopia_lerobot.skills.posture import horizontal, upright_in_hand
 from labutopia_lerobot.skills.skill import Phase, arrived, carrier, waited
 from labutopia_lerobot.world import Pose, Thing, World
@@ -23,13 +24,16 @@ class Shake:
         thing: The thing in the hand.
         at: Where its base is at the start and at the end.
         angle: How far it is tilted to each side [rad].
-        cycles: How many times it goes left and right (paper: "repeated three times").
+        cycles: How many times it goes left and right (paper: "repeated three times"), at most where
+            something is waited for.
+        until: Fact that is waited for, if any.
     """
 
     thing: Thing
     at: Destination
     angle: float = math.radians(22.0)
     cycles: int = 3
+    until: Predicate | None = None
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield start, pause, left and right for every cycle, return and stabilise."""
@@ -42,6 +46,8 @@ class Shake:
         yield Phase("pause", lambda w: start, shut, waited(0.3), own, thing)
         left, right = _tilted(start, self.angle), _tilted(start, -self.angle)
         for _ in range(self.cycles):
+            if self.until is not None and self.until.holds(world):
+                break
             yield Phase("left", lambda w: left, shut, there, own, thing, turn_speed=3.0)
             yield Phase("right", lambda w: right, shut, there, own, thing, turn_speed=3.0)
         yield Phase("return", lambda w: start, shut, there, own, thing, turn_speed=3.0)

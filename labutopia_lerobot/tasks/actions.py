@@ -279,6 +279,23 @@ def shake(vessel: Graspable, at: Destination) -> Step:
     )
 
 
+def swirl(vessel: Graspable, at: Destination, *, until: Predicate) -> Step:
+    """Swirl: tilt left and right until something has come about, and hold it upright again.
+
+    Args:
+        vessel: The vessel in the hand.
+        at: Where the expert does it.
+        until: What is to come about.
+    """
+    upright_again = (until, gripped(vessel), upright(vessel, within_deg=10))
+    return Step(
+        "swirl",
+        (Shake(vessel, at, cycles=90, until=until),),
+        (Substep("swirled", (until,)), Substep("steadied", upright_again)),
+        (vessel,),
+    )
+
+
 def held_at(vessel: Graspable, at: Destination) -> tuple[Predicate, ...]:
     """Return what holds where a shake starts and ends."""
     return (

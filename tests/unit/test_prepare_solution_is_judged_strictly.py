@@ -3,13 +3,14 @@
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 from adversary import begun
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.task import NeedsLiquidError
-from solution_bench import bring
+from solution_bench import bring, liquid_of, put, swirl
 
 TASK = "level4/prepare_solution"
 STOCK, WATER, INTO = "stock_beaker", "water_beaker", "large"
@@ -22,7 +23,8 @@ def env() -> LabEnv:
 
 
 def after(env: LabEnv, stock_ml: float, water_ml: float) -> dict[str, Any]:
-    """Begin, bring stock and water into the beaker on the balance, mix them, and take a step."""
+    """Dissolve the stock, bring it and water to the balance, mix them, and take a step."""
+    swirl(env.workcell.simulation)
     bring(env.workcell.simulation, STOCK, INTO, stock_ml)
     bring(env.workcell.simulation, WATER, INTO, water_ml)
     *_, info = env.step(env.workcell.filter.applied.copy())
@@ -68,6 +70,25 @@ def test_the_stock_itself_is_not_it_nor_is_water(env: LabEnv) -> None:
     for stock, water in ((60.0, 0.0), (0.0, 60.0)):
         env.reset(seed=0)
         assert not made(after(env, stock, water))
+
+
+@pytest.mark.parametrize("sludge", [False, True])
+def test_what_is_weighed_before_the_crystals_have_dissolved_is_not_it(
+    env: LabEnv, sludge: bool
+) -> None:
+    """Poured off them it holds too little, and from the bottom, with them, too much."""
+    env.reset(seed=0)
+    share, simulation = molar(env) / 0.5, env.workcell.simulation
+    liquid = liquid_of(simulation)
+    stock = np.flatnonzero(liquid.origins == liquid.names.index(STOCK))
+    from_above = stock[np.argsort(-liquid.positions[stock, 2])]
+    taken = round(1e-6 * share * TOTAL_ML / liquid.volume)
+    portion = liquid.take(from_above[-taken:] if sludge else from_above[:taken])
+    bring(simulation, WATER, INTO, (1.0 - share) * TOTAL_ML)
+    put(simulation, portion, INTO)
+    swirl(simulation)
+    *_, info = env.step(env.workcell.filter.applied.copy())
+    assert not made(info)
 
 
 def test_who_has_weighed_too_much_fills_up_further(env: LabEnv) -> None:

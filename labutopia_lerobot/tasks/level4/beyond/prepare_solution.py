@@ -1,20 +1,21 @@
-"""Prepare solution: weigh out a stock solution, and fill it up with water to a concentration.
+"""Prepare solution: dissolve crystals, weigh out what they make, and fill it up to a concentration.
 
 Beyond the paper, whose laboratory has no chemistry in its vessels. It is made up by mass, in a
-beaker on the balance. A solid on a spatula and a volumetric flask are missing: nothing here pours a
-powder.
+beaker on the balance; there is no solid on a spatula, and no volumetric flask.
 """
 
 import math
 
+from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.inventory import Solute
 from labutopia_lerobot.chemistry.poured_together import density
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.weighing.precision_balance import PrecisionBalance
 from labutopia_lerobot.layout import Inside, OnBench
-from labutopia_lerobot.places import WhereItStood
+from labutopia_lerobot.places import OverBench, WhereItStood
 from labutopia_lerobot.predicates import (
     concentration,
+    dissolved,
     given,
     reads,
     settled,
@@ -28,58 +29,57 @@ from labutopia_lerobot.task import Task
 from labutopia_lerobot.tasks import actions, failures
 from labutopia_lerobot.tasks.variety import start_temperature
 
-# What is made up -> the ion that it is judged by; one for each formula unit.
+# What is made up -> the ion that it is judged by, one for each formula unit; grams of crystals.
 _SALTS = {
-    "copper(II) sulfate": "Cu^2+(aq)",
-    "potassium hexacyanidoferrate(III)": "[Fe(CN)6]^3-(aq)",
-    "nickel(II) chloride": "Ni^2+(aq)",
-    "potassium chromate": "CrO4^2-(aq)",
+    "copper(II) chloride": ("Cu^2+(aq)", 5.71),
+    "potassium hexacyanidoferrate(III)": ("[Fe(CN)6]^3-(aq)", 13.99),
+    "nickel(II) chloride": ("Ni^2+(aq)", 5.51),
+    "potassium chromate": ("CrO4^2-(aq)", 8.25),
 }
-_STOCK = 0.5
-"""Of the stock solution [mol/l]; ours."""
-_TOTAL_ML = 120.0
-"""Volume of the solution [ml]; ours."""
+_STOCK, _GRAIN_MM = 0.5, 0.7
+"""What the stock is when its crystals have dissolved [mol/l]; diameter of a grain [mm]; ours."""
+_ACID = Solute("sulfuric acid", 1e-3)
+"""In the water that they dissolve in [mol/l]; ours, as `level2/dissolve`."""
+_TOTAL_ML, _STOCK_ML, _WATER_ML = 120.0, 85.0, 110.0
+"""Volumes of the solution, and of what the two beakers hold [ml]; ours: a quarter of it is left."""
 _WITHIN_G = 4.0
 """How near to its mass, and the stock to its share [g]; ours: what counts is their ratio."""
-_WITHIN = 0.02
-"""How near the concentration must be, as a part of it; as is asked of a student."""
-_STOCK_ML, _WATER_ML = 85.0, 110.0
-"""What the beakers hold [ml]; ours: of either a quarter is left."""
-_BACK = 0.05
-"""How near to where they stood they are to be put back [m]; ours, as `pour_to_mass`."""
+_WITHIN, _BACK = 0.02, 0.05
+"""How near the concentration must be, as a part of it, as is asked of a student; and how near to
+where they stood the beakers are to be put back [m]; ours, as `pour_to_mass`."""
 
 
 def prepare_solution(draw: Draw) -> Task:
     """Return the task that an episode has drawn."""
-    names = list(_SALTS)
-    salt = draw.choice("substance", train=names[:2], test=names[2:], shifted=True)
+    salts = list(_SALTS)
+    salt = draw.choice("substance", train=salts[:2], test=salts[2:], shifted=True)
+    (ion, grams), solutes = _SALTS[salt], (Solute(salt, _STOCK),)
     molar = draw.choice("concentration", train=(0.20, 0.15, 0.25), test=(0.18, 0.22), shifted=True)
-    celsius, solutes = start_temperature(draw), (Solute(salt, _STOCK),)
+    celsius, crystals = start_temperature(draw), (Crystals(salt, grams, _GRAIN_MM),)
     ml = _TOTAL_ML * molar / _STOCK
     share = round(1e-3 * density(solutes) * ml, 1)
     total = round(share + 1e-3 * density(()) * (_TOTAL_ML - ml), 1)
     balance, target = PrecisionBalance("balance"), glassware("beaker", "250 ml", "large")
     stock = glassware("beaker", "150 ml", "stock_beaker")
     water = glassware("beaker", "150 ml", "water_beaker")
-    weighing = balance.weighing
-    low, high = (molar * (1.0 + off) for off in (-_WITHIN, _WITHIN))
-    made = concentration(target, species=_SALTS[salt], low=low, high=high)
+    weighing, homes = balance.weighing, {vessel: WhereItStood(vessel) for vessel in (stock, water)}
+    made = concentration(target, species=ion, low=molar * (1 - _WITHIN), high=molar * (1 + _WITHIN))
     full = reads(weighing, low=total - _WITHIN_G, high=total + _WITHIN_G)
     there = (made, full, settled(weighing))
     weigh = actions.pour_by_reading(
         stock, target, weighing, mass=share, within=_WITHIN_G, aim=_WITHIN_G / 4, coarse=0.3
     )
     fill_up = actions.dilute(water, target, weighing, times=total / share, there=there)
-    homes = {vessel: WhereItStood(vessel) for vessel in (stock, water)}
+    over = OverBench("before the robot", ahead=0.5, left=0.1, height=0.2)
     return Task(
-        instruction=f"Prepare {total:g} g of {molar:g} mol/l {salt}: tare the balance, weigh "
-        f"{share:g} g of the {_STOCK:g} mol/l stock into its beaker, fill it up with water, and "
-        "put both beakers back.",
+        instruction=f"Prepare {total:g} g of {molar:g} mol/l {salt}: tare the balance, swirl the "
+        f"stock beaker until its crystals have dissolved, weigh {share:g} g of this {_STOCK:g} "
+        "mol/l stock into the other beaker, fill it up with water, and put both beakers back.",
         paraphrases=(
-            f"Dilute the {_STOCK:g} mol/l {salt} to {molar:g} mol/l on the tared balance: "
-            f"{share:g} g of it, and water up to {total:g} g. Return both beakers.",
-            f"Make up {total:g} g of {salt}, {molar:g} mol/l, of the coloured stock of "
-            f"{_STOCK:g} mol/l and water, by the balance, then put the two beakers back.",
+            f"Swirl the {salt} until it is clear: {_STOCK:g} mol/l. Dilute {share:g} g of it "
+            f"to {molar:g} mol/l, {total:g} g, on the tared balance. Return both beakers.",
+            f"Make up {total:g} g of {salt}, {molar:g} mol/l, of {share:g} g of {_STOCK:g} mol/l "
+            "stock, once you have swirled it clear, and water; then put the two beakers back.",
         ),
         start={
             balance: OnBench((0.28, 0.36), (-0.12, -0.04), (-math.radians(10), math.radians(10))),
@@ -90,6 +90,7 @@ def prepare_solution(draw: Draw) -> Task:
         steps=(
             actions.press(balance.tare, hold=0.3).named("tare"),
             actions.pick(stock, by=actions.OFF_THE_BENCH).named("take_stock"),
+            actions.swirl(stock, over, until=dissolved(stock)),
             weigh.named("weigh"),
             actions.place(stock, homes[stock], within=_BACK).named("return_stock"),
             actions.pick(water, by=actions.OFF_THE_BENCH).named("take_water"),
@@ -103,7 +104,7 @@ def prepare_solution(draw: Draw) -> Task:
             *actions.left_standing(water, homes[water], within=_BACK),
         ),
         contents={
-            stock: Filling(_STOCK_ML, celsius=celsius, dissolved=solutes),
+            stock: Filling(_STOCK_ML, celsius=celsius, dissolved=(_ACID,), crystals=crystals),
             water: Filling(_WATER_ML, celsius=celsius),
         },
         never={
@@ -114,6 +115,6 @@ def prepare_solution(draw: Draw) -> Task:
             "overshot": given(stock, target, more_than_ml=ml * (1.0 + _WITHIN_G / share)),
         },
         needs_liquid=True,
-        time_limit_s=260.0,  # ours
+        time_limit_s=300.0,  # ours
         view=WIDE_VESSEL_VIEW,
     )
