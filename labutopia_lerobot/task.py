@@ -265,8 +265,11 @@ class Task:
             raise TaskError(f"There is no step '{name}'. Steps of this task: {', '.join(names)}")
         return self.steps[: names.index(name) + 1]
 
-    def without_liquid(self) -> "Task":
+    def without_liquid(self, name: str) -> "Task":
         """Return the same task with empty vessels: what is poured or spilled is judged by tilts.
+
+        Args:
+            name: Of the task, for what is raised.
 
         Raises:
             NeedsLiquidError: If the task needs its liquid.
@@ -274,14 +277,11 @@ class Task:
         dissolving = [vessel.name for vessel, held in self.contents.items() if held.reacts]
         if dissolving:
             raise NeedsLiquidError(
-                f"liquid=off: the task '{self.instruction}' has solutions in "
-                f"{', '.join(dissolving)}, which only its liquid can show. Choose liquid=on"
+                f"liquid=off: {name} has solutions in {', '.join(dissolving)}, which only its "
+                "liquid can show. Choose liquid=on"
             )
         if self.needs_liquid:
-            raise NeedsLiquidError(
-                f"liquid=off: the task '{self.instruction}' is judged by its liquid. Choose "
-                "liquid=on"
-            )
+            raise NeedsLiquidError(f"liquid=off: {name} is judged by its liquid. Choose liquid=on")
         return replace(self, contents={})
 
 

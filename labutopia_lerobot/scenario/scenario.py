@@ -96,7 +96,7 @@ def canonical_task(setting: Setting) -> Task:
 def _scenario(setting: Setting, draw: Draw) -> Scenario:
     task, variation = _drawn(setting, draw)
     if setting.liquid == "off":
-        task = task.without_liquid()
+        task = task.without_liquid(setting.task)
     draw.require_axes(setting.task, lambda: _axes(setting))
     return Scenario(task, variation, draw.values)
 

@@ -45,7 +45,9 @@ def tip(env: LabEnv, ml: float, vessel: str, into: str | None = "yellow_beaker")
 
 
 def test_without_liquid_it_is_refused() -> None:
-    with pytest.raises(NeedsLiquidError, match=r"solutions in base_beaker.*Choose liquid=on"):
+    with pytest.raises(
+        NeedsLiquidError, match=r"level2/neutralise has solutions in base_beaker.*Choose liquid=on"
+    ):
         LabEnv(Setting(TASK, obs="state", liquid="off"))
 
 
