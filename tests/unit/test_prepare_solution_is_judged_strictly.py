@@ -19,7 +19,7 @@ TOTAL_ML = 120.0
 
 @pytest.fixture(scope="module")
 def env() -> LabEnv:
-    return begun(TASK, particles=1000)
+    return begun(TASK, particles=500)
 
 
 def after(env: LabEnv, stock_ml: float, water_ml: float) -> dict[str, Any]:
@@ -49,7 +49,7 @@ def test_without_liquid_it_is_refused() -> None:
 
 @pytest.mark.parametrize("split", ["id", pytest.param("ood", marks=pytest.mark.slow)])
 def test_in_every_draw_the_weighed_share_makes_it_up(split: str) -> None:
-    env = begun(TASK, split=split, particles=1000)
+    env = begun(TASK, split=split, particles=500)
     drawn = set()
     for seed in range(5):
         env.reset(seed=seed)
@@ -89,6 +89,20 @@ def test_what_is_weighed_before_the_crystals_have_dissolved_is_not_it(
     swirl(simulation)
     *_, info = env.step(env.workcell.filter.applied.copy())
     assert not made(info)
+
+
+def test_who_swirls_stops_when_the_crystals_have_gone(env: LabEnv) -> None:
+    """At every tilt to the left it is asked whether they have: here they go before the third."""
+    env.reset(seed=0)
+    swirled = next(step for step in env.workcell.task.steps if step.name == "swirl")
+    phases = iter(swirled.skills[0].phases(env.workcell.world))
+    names = [next(phases).name for _ in range(6)]
+    swirl(env.workcell.simulation)
+    env.step(env.workcell.filter.applied.copy())
+    assert names + [phase.name for phase in phases] == [
+        *("start", "pause", "left", "right", "left", "right"),
+        *("return", "stabilise"),
+    ]
 
 
 def test_who_has_weighed_too_much_fills_up_further(env: LabEnv) -> None:
