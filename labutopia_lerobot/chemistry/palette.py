@@ -86,7 +86,11 @@ class Palette:
         return np.asarray((amounts * self._solid @ self._scattering)[:, None])
 
     def _light(self, amounts: NDArray[np.float64], centimetres: float) -> Floats:
-        """Return the linear sRGB that comes through, shape (n, 3)."""
-        molar = 1e-3 * centimetres * np.maximum(amounts, 0.0)
-        bands = 10.0 ** -(molar @ self._spectra) @ colour.to_linear_srgb().T
+        """Return the linear sRGB that comes through, shape (n, 3).
+
+        Bands are seen through so much of a solution. A stated colour is that of a whole vessel:
+        what is stated of copper(II) has the absorptivities of its foot in 3 cm, not in 1 cm.
+        """
+        molar = 1e-3 * np.maximum(amounts, 0.0)
+        bands = 10.0 ** -(centimetres * molar @ self._spectra) @ colour.to_linear_srgb().T
         return np.asarray(np.clip(bands * 10.0 ** -(molar @ self._tints), 0.0, 1.0))

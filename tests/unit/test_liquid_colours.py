@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import binary_dilation
 
+from labutopia_lerobot.chemistry.palette import Palette
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
@@ -123,3 +124,10 @@ def test_a_colour_is_the_mean_of_the_particles_around() -> None:
     assert found[:2] == pytest.approx(np.array([[1.0, 0.0], [0.5, 0.5]]), abs=1e-6)
     assert found[2, 0] > 0.7
     assert not found[3].any()
+
+
+def test_a_stated_colour_is_that_of_a_vessel_so_that_a_strong_solution_is_not_black() -> None:
+    """Copper sulfate of 0.5 mol/l is a deep blue in a beaker."""
+    weak, strong = Palette(["Cu^2+(aq)"], {}).seen(np.array([[100.0], [500.0]]))[:, :3]
+    assert 0.35 < weak[0] < weak[1] < weak[2]
+    assert strong[0] < 0.05 < strong[1] < 0.5 < strong[2]
