@@ -1,9 +1,9 @@
-"""What colour a solution has, 1 cm of it before white.
+"""What colour a solution has before white: 1 cm of it, where its bands are known.
 
 Beer-Lambert: absorbances add. A band of absorption is a Gaussian in wavenumber of one width for
 all, an estimate of ours: printed are maxima, seldom widths. What has a colour but no known bands
-absorbs in each channel of linear sRGB what its colour at 0.1 mol/l says; so
-does what has a maximum out of sight, where the shape of the foot matters more than the maximum.
+absorbs in each channel of linear sRGB what its colour at 0.1 mol/l says, which is that of a whole
+vessel; so does what has a maximum out of sight, where the shape of the foot matters more.
 """
 
 import colorsys
@@ -79,7 +79,7 @@ def absorptivity(key: str, nanometres: float) -> float:
 
 @cache
 def tint_of(key: str) -> Floats:
-    """Return what a species absorbs in each channel of linear sRGB [l/(mol cm)], shape (3,).
+    """Return what a species absorbs in each channel of linear sRGB [l/mol], shape (3,).
 
     0 of what is colourless or has a spectrum that counts instead.
     """

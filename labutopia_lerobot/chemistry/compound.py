@@ -121,7 +121,7 @@ class Ion(_Record):
 
     Attributes:
         name: What it is called, for example ``copper(II)``.
-        colour: sRGB of 1 cm of a 0.1 mol/l solution before white; None if colourless.
+        colour: sRGB of a 0.1 mol/l solution in a vessel before white; None if colourless.
         absorption: Maxima of absorption, where known.
         formation_enthalpy: Of the ion in water at infinite dilution, H+ being 0 [J/mol].
         pka: Of the hydrated metal ion as an acid, first step; None if it is not one.
@@ -170,7 +170,7 @@ class Compound(_Record):
         viscosity: Dynamic, of the liquid at 25 C [Pa s].
         surface_tension: Of the liquid against air at 25 C [N/m].
         colour: sRGB of the pure compound; None if colourless and clear.
-        solution_colour: sRGB of 1 cm of a 0.1 mol/l solution before white (an indicator: 20
+        solution_colour: sRGB of a 0.1 mol/l solution in a vessel before white (an indicator: 20
             micromol/l, as its neutral form); None if colourless.
         absorption: Maxima of absorption in water, where known.
         reactivity: Classes that it belongs to.
