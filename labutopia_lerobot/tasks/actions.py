@@ -285,7 +285,7 @@ def swirl(vessel: Graspable, at: Destination, *, until: Predicate) -> Step:
     Args:
         vessel: The vessel in the hand.
         at: Where the expert does it.
-        until: What is to come about.
+        until: The fact that is to come about.
     """
     upright_again = (until, gripped(vessel), upright(vessel, within_deg=10))
     return Step(

@@ -65,7 +65,6 @@ def test_in_air_it_shows_dashes() -> None:
     assert reading.text == "--.-- pH"
 
 
-@pytest.mark.slow
 def test_after_three_time_constants_it_shows_95_percent_of_a_change() -> None:
     simulation = dipped(ACID)
     world, liquid = SimulatedWorld(simulation), simulation.liquid

@@ -74,9 +74,10 @@ def emptying(vessel, volume: float, bore: Bore) -> float:
     return float(solution.t_events[0][0])
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
-    ("vessel", "ml"), [(BURETTE, 10.0), (FUNNEL, 200.0)], ids=["burette", "funnel"]
+    ("vessel", "ml"),
+    [(BURETTE, 10.0), pytest.param(FUNNEL, 200.0, marks=pytest.mark.slow)],
+    ids=["burette", "funnel"],
 )
 def test_it_empties_in_the_time_that_head_and_bore_say(vessel, ml):
     simulation = above_a_beaker(vessel, Filling(ml=ml))
