@@ -44,7 +44,7 @@ class Palette:
         self._scattering = np.array([scattering.get(key, _SCATTERING) for key in species])
 
     def colour(self, amounts: NDArray[np.float64]) -> Rgb:
-        """Return the sRGB of 1 cm of a solution, as it is dissolved.
+        """Return the sRGB of 1 cm of a solution, or as stated, as it is dissolved.
 
         Args:
             amounts: Shape (species,) [mol/m^3].
@@ -88,8 +88,9 @@ class Palette:
     def _light(self, amounts: NDArray[np.float64], centimetres: float) -> Floats:
         """Return the linear sRGB that comes through, shape (n, 3).
 
-        Bands are seen through so much of a solution. A stated colour is that of a whole vessel:
-        what is stated of copper(II) has the absorptivities of its foot in 3 cm, not in 1 cm.
+        Bands are seen through so much of a solution. A stated colour is taken for that of a whole
+        vessel, an estimate of ours: of copper(II) red 140 is stated, and the foot of its band gives
+        173 in 3 cm and 223 in 1 cm, so that three times the stated would be far too much.
         """
         molar = 1e-3 * np.maximum(amounts, 0.0)
         bands = 10.0 ** -(centimetres * molar @ self._spectra) @ colour.to_linear_srgb().T

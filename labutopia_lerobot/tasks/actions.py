@@ -288,9 +288,10 @@ def swirl(vessel: Graspable, at: Destination, *, until: Predicate) -> Step:
         until: The fact that is to come about.
     """
     upright_again = (until, gripped(vessel), upright(vessel, within_deg=10))
+    swirling = Shake(vessel, at, cycles=90, until=until)  # ours: one takes a second or so
     return Step(
         "swirl",
-        (Shake(vessel, at, cycles=90, until=until),),
+        (swirling,),
         (Substep("swirled", (until,)), Substep("steadied", upright_again)),
         (vessel,),
     )

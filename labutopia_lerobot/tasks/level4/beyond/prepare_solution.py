@@ -36,17 +36,20 @@ _SALTS = {
     "nickel(II) chloride": ("Ni^2+(aq)", 5.51),
     "potassium chromate": ("CrO4^2-(aq)", 8.25),
 }
-_STOCK, _GRAIN_MM = 0.5, 0.7
-"""What the stock is when its crystals have dissolved [mol/l]; diameter of a grain [mm]; ours."""
+_STOCK = 0.5
+"""Of the stock, when its crystals have dissolved [mol/l]; ours."""
+_GRAIN_MM = 0.7
+"""Diameter of a grain [mm]; ours, as `level2/dissolve`."""
 _ACID = Solute("sulfuric acid", 1e-3)
 """In the water that they dissolve in [mol/l]; ours, as `level2/dissolve`."""
 _TOTAL_ML, _STOCK_ML, _WATER_ML = 120.0, 85.0, 110.0
 """Volumes of the solution, and of what the two beakers hold [ml]; ours: a quarter of it is left."""
 _WITHIN_G = 4.0
 """How near to its mass, and the stock to its share [g]; ours: what counts is their ratio."""
-_WITHIN, _BACK = 0.02, 0.05
-"""How near the concentration must be, as a part of it, as is asked of a student; and how near to
-where they stood the beakers are to be put back [m]; ours, as `pour_to_mass`."""
+_WITHIN = 0.02
+"""How near the concentration must be, as a part of it; as is asked of a student."""
+_BACK = 0.05
+"""How near to where they stood they are to be put back [m]; ours, as `pour_to_mass`."""
 
 
 def prepare_solution(draw: Draw) -> Task:
@@ -60,8 +63,7 @@ def prepare_solution(draw: Draw) -> Task:
     share = round(1e-3 * density(solutes) * ml, 1)
     total = round(share + 1e-3 * density(()) * (_TOTAL_ML - ml), 1)
     balance, target = PrecisionBalance("balance"), glassware("beaker", "250 ml", "large")
-    stock = glassware("beaker", "150 ml", "stock_beaker")
-    water = glassware("beaker", "150 ml", "water_beaker")
+    stock, water = (glassware("beaker", "150 ml", f"{of}_beaker") for of in ("stock", "water"))
     weighing, homes = balance.weighing, {vessel: WhereItStood(vessel) for vessel in (stock, water)}
     made = concentration(target, species=ion, low=molar * (1 - _WITHIN), high=molar * (1 + _WITHIN))
     full = reads(weighing, low=total - _WITHIN_G, high=total + _WITHIN_G)
@@ -108,9 +110,7 @@ def prepare_solution(draw: Draw) -> Task:
             water: Filling(_WATER_ML, celsius=celsius),
         },
         never={
-            **failures.of_any(
-                *(failures.handling(v, spill=0.02, into=target) for v in (stock, water))
-            ),
+            **failures.of_any(*(failures.handling(v, spill=0.02, into=target) for v in homes)),
             "struck": struck(target, but_for=frozenset({balance.pan.name})),
             "overshot": given(stock, target, more_than_ml=ml * (1.0 + _WITHIN_G / share)),
         },
