@@ -35,6 +35,10 @@ CLASSIC, FILAMENT = "classic", "filament"
 RENDERERS = (CLASSIC, FILAMENT)
 """What draws: MuJoCo's OpenGL renderer, or its physically based one, which needs Vulkan."""
 
+RULES = "rules"
+"""Who says what reacts, by default; or a file of a language model's answers
+(`chemistry.kept_answers`)."""
+
 EXACT, DRIFT = "exact", "drift"
 ODOMETRY = (EXACT, DRIFT)
 """Where a base is, as it is observed: as it is, or as its wheels say (`robots.odometry`)."""
@@ -153,6 +157,11 @@ class SettingOptions:
         "on", "`on`; with `off` vessels are empty, pouring and spilling are judged by tilts."
     )
     particles: int = option(PARTICLES, "In how many particles the liquid of a task is divided.")
+    reasoner: str = option(
+        RULES,
+        f"Who says what reacts: `{RULES}`, or FILE.json of a language model's answers, which "
+        "`labutopia-chem ask` has written.",
+    )
     robot: str = option(
         OF_THE_LEVEL,
         f"Which robot plays: `{OF_THE_LEVEL}` is the paper's ({DEFAULT_ROBOT}, at level 5 "
@@ -213,6 +222,7 @@ class Setting(SettingOptions):
         if self.tasks_dir is not None:
             object.__setattr__(self, "tasks_dir", str(self.tasks_dir))
         object.__setattr__(self, "room", str(self.room))
+        object.__setattr__(self, "reasoner", str(self.reasoner))
         require_choices("obs", [self.obs], OBSERVATION_KINDS)
         require_choices("split", [self.split], SPLITS)
         require_choices("liquid", [self.liquid], LIQUID)

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from labutopia_lerobot.chemistry.inventory import Solute
+from labutopia_lerobot.chemistry.kept_answers import KeptAnswers
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.liquids.liquid import Liquid
@@ -27,10 +28,12 @@ BARIUM = Filling(40.0, dissolved=(Solute("barium chloride", 0.1),))
 SODA = Filling(50.0, dissolved=(Solute("sodium carbonate", 0.1),))
 
 
-def bench(giver: Filling, taker: Filling, particles: int = 200) -> Simulation:
-    """Return two filled beakers, side by side."""
-    held = {GIVER: giver, TAKER: taker}
-    scene = compile_scene([GIVER, TAKER], PANDA, LABORATORY, WIDE_VESSEL_VIEW, held, particles)
+def bench(
+    giver: Filling, taker: Filling, particles: int = 200, answers: KeptAnswers | None = None
+) -> Simulation:
+    """Return two filled beakers, side by side; with `answers`, these decide what reacts."""
+    held, view = {GIVER: giver, TAKER: taker}, WIDE_VESSEL_VIEW
+    scene = compile_scene([GIVER, TAKER], PANDA, LABORATORY, view, held, particles, answers=answers)
     simulation = Simulation(scene)
     simulation.reset({GIVER: Placement(0.3, 0.12, 0.0), TAKER: Placement(0.3, -0.1, 0.0)})
     simulation.fill(np.random.default_rng(0))

@@ -74,12 +74,29 @@ def read_answer(
     answer: _Answer = checked(
         _Answer, parse_json(said, "the answer", AnswerError), "the answer", AnswerError
     )
-    _require_few("reactions", answer.reactions)
-    ids = [reaction.reaction_id for reaction in answer.reactions]
+    require_possible(answer.reactions, portions, conditions)
+    return answer.reactions
+
+
+def require_possible(
+    reactions: Sequence[Reaction], portions: Sequence[Reactant], conditions: Conditions
+) -> None:
+    """Make sure that reactions may be an answer.
+
+    Args:
+        reactions: Those of the answer.
+        portions: Those that were asked about.
+        conditions: Under which conditions.
+
+    Raises:
+        AnswerError: If one breaks a rule.
+    """
+    _require_few("reactions", reactions)
+    ids = [reaction.reaction_id for reaction in reactions]
     if len(set(ids)) < len(ids):
         raise AnswerError("two reactions have the same reaction_id")
     there = _there(portions, conditions)
-    for reaction in answer.reactions:
+    for reaction in reactions:
         _require_sober(reaction)
         try:
             equation = read_equation(reaction.stoichiometry)
@@ -95,7 +112,6 @@ def read_answer(
                     "their ions, or made before"
                 )
         there = _with_conjugates(there | {composition(term.formula) for term in equation.right})
-    return answer.reactions
 
 
 def _there(portions: Sequence[Reactant], conditions: Conditions) -> set[Composition]:

@@ -33,6 +33,8 @@ class ReactionVessel:
         ph: What it is held at, or None.
         alone: Whether there is one compound besides water.
         slow: Whether slow reactions happen, to their end.
+        forms: Keys of what may form: solids and gases, and of each redox or listed reaction one
+            product at least; None for all that the rules know.
     """
 
     volume: float
@@ -42,6 +44,7 @@ class ReactionVessel:
     ph: float | None = None
     alone: bool = False
     slow: bool = True
+    forms: frozenset[str] | None = None
 
     @property
     def is_wet(self) -> bool:
@@ -103,6 +106,7 @@ def _settled(state: Mapping[str, float], vessel: ReactionVessel) -> dict[str, fl
         vessel.temperature,
         open_system=vessel.open_system,
         ph=vessel.ph,
+        forms=vessel.forms,
     )
     if settled.get(WATER, 0.0) < -1e-9 * max(settled.values()):
         raise ImpossibleConditionsError(
@@ -119,7 +123,7 @@ def _first_step(
     if vessel.is_wet:
         ph = ph_of(settled, vessel.volume)
         for step in redox.steps(state, settled, vessel.volume, vessel.temperature):
-            done = _done(step, state)
+            done = _done(step, state, vessel.forms)
             if done is not None:
                 return done
     present = vessel.catalysts | {key.removesuffix("(aq)") for key in settled}
@@ -127,7 +131,8 @@ def _first_step(
     for step in known.steps(pool, temperature=vessel.temperature, ph=ph, catalysts=present):
         if step.slow and not vessel.slow:
             continue
-        done = _done(_in_solution(step, state) if vessel.is_wet else step, state)
+        step = _in_solution(step, state) if vessel.is_wet else step
+        done = _done(step, state, vessel.forms)
         if done is not None:
             return done
     return None
@@ -140,7 +145,12 @@ def _in_solution(step: ReactionStep, state: Mapping[str, float]) -> ReactionStep
     return step if balanced is None else replace(step, coefficients=balanced)
 
 
-def _done(step: ReactionStep, state: Mapping[str, float]) -> Change | None:
+def _done(
+    step: ReactionStep, state: Mapping[str, float], forms: frozenset[str] | None
+) -> Change | None:
+    products = {key for key, n in step.coefficients.items() if n > 0}
+    if forms is not None and forms.isdisjoint(products):
+        return None
     ratios = {
         key: state.get(key, 0.0) / -n
         for key, n in step.coefficients.items()

@@ -1,6 +1,6 @@
 """The species of a scene in a fixed order, so that what a particle holds is a row of numbers."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.chemistry.compound import Compound
 from labutopia_lerobot.chemistry.course import ReactionVessel, proceed
+from labutopia_lerobot.chemistry.equation import Composition, composition
 from labutopia_lerobot.chemistry.equilibrium import NoEquilibriumError
 from labutopia_lerobot.chemistry.names import resolve
-from labutopia_lerobot.chemistry.network import PROTON, WATER, network
+from labutopia_lerobot.chemistry.network import HYDROXIDE, PROTON, WATER, network
 from labutopia_lerobot.chemistry.portions import WATER_PER_VOLUME, poured
 from labutopia_lerobot.chemistry.refusals import ChemistryError
 from labutopia_lerobot.chemistry.rules import known, redox
@@ -96,28 +97,42 @@ class Inventory:
 
     Args:
         species: Their keys.
+        forms: Keys of what may form (see `ReactionVessel`); None for all that the rules know.
 
     Attributes:
         species: Their keys, sorted.
     """
 
-    def __init__(self, species: Iterable[str]) -> None:
+    def __init__(self, species: Iterable[str], forms: frozenset[str] | None = None) -> None:
         self.species = tuple(sorted(species))
+        self._forms = forms
         self._settled = lru_cache(maxsize=64)(self._settle)
 
     @classmethod
-    def of(cls, solutions: Iterable[Sequence[Solute]], solids: Iterable[str] = ()) -> "Inventory":
+    def of(
+        cls,
+        solutions: Iterable[Sequence[Solute]],
+        solids: Collection[str] = (),
+        named: Collection[Composition] | None = None,
+    ) -> "Inventory":
         """Return the inventory of solutions that may be poured together.
 
         Args:
             solutions: The solutes of each vessel.
             solids: Keys of the species that lie in them beside.
+            named: Of what may form, whatever its phase, beside those solids, acids, bases and
+                complexes; None for all that the rules know.
 
         Raises:
             NotDissolvedError: A compound does not dissolve, or not as much of it.
         """
         keys = {key for solutes in solutions for key in made_up(solutes)}
-        return cls(_reachable(keys | {WATER, PROTON, *solids}))
+        species = _reachable(keys | {WATER, PROTON, *solids})
+        if named is None:
+            return cls(species)
+        made = network().species
+        forms = {key for key in species if composition(made[key].composition) in named}
+        return cls(species, frozenset((forms | {*solids}) - {WATER, PROTON, HYDROXIDE}))
 
     def row(self, amounts: Mapping[str, float]) -> Floats:
         """Return amounts as a row, shape (species,).
@@ -160,7 +175,7 @@ class Inventory:
 
     def _settle(self, content: bytes, volume: float, temperature: float) -> tuple[bytes, str]:
         row: Floats = np.frombuffer(content)
-        vessel = ReactionVessel(volume, temperature, slow=False)
+        vessel = ReactionVessel(volume, temperature, slow=False, forms=self._forms)
         try:
             after = self.row(proceed(self.amounts(row), vessel, described=False)[0])
         except NoEquilibriumError:  # its message has numbers: each particle would have its own

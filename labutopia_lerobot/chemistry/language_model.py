@@ -52,6 +52,7 @@ class LanguageModel:
     Raises:
         ModelOptionError: If no model is named, or no address where one is needed, or the time is
             none.
+        ModelServerError: If the address is none.
     """
 
     model: str
@@ -71,6 +72,8 @@ class LanguageModel:
             )
         if not 0.0 < self.timeout_s < float("inf"):
             raise ModelOptionError(f"timeout={self.timeout_s:g} is impossible: more than 0 s")
+        if not self._is_kept_only:
+            self._server()  # an address that is none is no failure of the model
 
     @classmethod
     def of_environment(
@@ -105,12 +108,10 @@ class LanguageModel:
 
         Raises:
             ChemistryError: As `react.react` does. Whatever the model does raises nothing.
-            ModelServerError: If the address is none.
         """
         outcome = react(portions, conditions)
-        server = None if self._is_kept_only else self._server()
         try:
-            reactions = self._reactions(server, portions, conditions)
+            reactions = self.reactions(portions, conditions)
         except (AnswerError, ModelServerError) as failed:
             note = f"By the rules, as {printable(self.model)} failed: {failed}"
             return replace(outcome, note=_joined(outcome.note, note))
@@ -125,10 +126,16 @@ class LanguageModel:
     def _is_kept_only(self) -> bool:
         return self.cached_only or self.base_url is None
 
-    def _reactions(
-        self, server: ModelServer | None, portions: Sequence[Reactant], conditions: Conditions
+    def reactions(
+        self, portions: Sequence[Reactant], conditions: Conditions
     ) -> tuple[Reaction, ...]:
-        """Return reactions of a good answer, kept or new; a server of None is not asked."""
+        """Return the reactions of a good answer, kept or new.
+
+        Raises:
+            AnswerError: If it gives none.
+            ModelServerError: If it does not answer, or nobody is to be asked.
+        """
+        server = None if self._is_kept_only else self._server()
         messages = prompt(portions, conditions)
         kept = self._file(messages)
         # A file that somebody has damaged counts as none.

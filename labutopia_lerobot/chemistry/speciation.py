@@ -59,6 +59,7 @@ def settle(
     *,
     open_system: bool,
     ph: float | None = None,
+    forms: frozenset[str] | None = None,
 ) -> dict[str, float]:
     """Return the amounts of species at equilibrium, oxidation numbers unchanged.
 
@@ -68,6 +69,7 @@ def settle(
         temperature: [K].
         open_system: Whether gases leave at their escape pressure, else at 1 bar.
         ph: What a buffer that is not modelled holds; protons are not conserved then.
+        forms: Keys of the solids and gases that may form; None for all.
 
     Raises:
         NoEquilibriumError: None was reached.
@@ -86,7 +88,7 @@ def settle(
     totals.setdefault(PROTON, 0.0)
     present = frozenset(name for name, n in totals.items() if n > 0.0 or name == PROTON)
     dissolving = frozenset(k for k in amounts if k in made and made[k].only_dissolves)
-    chosen = _select(present, dissolving, round(temperature, 6), open_system, ph)
+    chosen = _select(present, dissolving, round(temperature, 6), open_system, ph, forms)
     right = np.array([totals[name] / litres for name in chosen.components])
     possible = _possible(chosen, right)
     answer = solve(
@@ -156,6 +158,7 @@ def _select(
     temperature: float,
     open_system: bool,
     ph: float | None,
+    forms: frozenset[str] | None,
 ) -> _Selection:
     allowed = present | {WATER}
     chosen = [
@@ -165,6 +168,7 @@ def _select(
         and allowed.issuperset(one.components)
         and takes_part(one.key)
         and (not one.only_dissolves or one.key in dissolving)
+        and (forms is None or one.phase == "aq" or one.key in forms)
     ]
     dissolved = tuple(one for one in chosen if one.phase == "aq")
     phases = tuple(one for one in chosen if one.phase != "aq")

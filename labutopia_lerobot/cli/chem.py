@@ -3,6 +3,7 @@
 A compound is a name, formula, synonym or CAS number, and behind a colon how much of it, if not
 --volume of --concentration: "hydrochloric acid: 0.2M 50ml", "zinc: 0.5g", "water: 1mol".
 `labutopia-chem list [WORD]` and `labutopia-chem show NAME` are about the compounds themselves.
+`labutopia-chem ask TASK --out FILE.json` keeps a language model's answers for reasoner=FILE.json.
 """
 
 import argparse
@@ -15,6 +16,7 @@ from rich.console import Console
 from labutopia_lerobot.chemistry import Conditions, Outcome, react
 from labutopia_lerobot.chemistry.network import WATER
 from labutopia_lerobot.chemistry.output import amounts_form, paper_form
+from labutopia_lerobot.cli.chem_ask import add_ask
 from labutopia_lerobot.cli.chem_compounds import add_list, add_show
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.grammar import ABOUT, OptionParser
@@ -22,7 +24,7 @@ from labutopia_lerobot.cli.quantities import concentration, portion, temperature
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.foreign_files import printable
 
-_COMMANDS = {"list": add_list, "show": add_show}
+_COMMANDS = {"list": add_list, "show": add_show, "ask": add_ask}
 _TRUTH = {"true": True, "false": False}
 _WORTH_SAYING = 1e-3
 """Share of the largest amount from which on a summary names a species; ours."""

@@ -17,6 +17,7 @@ from labutopia_lerobot.hub.policy import find_policy, policy_repository
 from labutopia_lerobot.hub.publish import publish, require_repo_id
 from labutopia_lerobot.hub.repository import Repository
 from labutopia_lerobot.scenes.room_files import is_of_file
+from labutopia_lerobot.setting import RULES
 
 ENVIRONMENT = "environment"
 
@@ -82,7 +83,7 @@ def _repository(
     if what == ENVIRONMENT:
         return environment_repository(repo_id)
     if (Path(what) / INFO).exists():
-        _require_known_room(Path(what))
+        _require_known_files(Path(what))
         return dataset_repository(Path(what), repo_id, results, tasks_dir)
     policy = find_policy(Path(what))
     if policy is None:
@@ -93,7 +94,7 @@ def _repository(
     return policy_repository(policy, repo_id, results)
 
 
-def _require_known_room(dataset: Path) -> None:
+def _require_known_files(dataset: Path) -> None:
     """Make sure that the users of a dataset can replay it."""
     recording = read_recording(dataset)
     room = None if recording is None else recording["config"].get("room")
@@ -101,6 +102,12 @@ def _require_known_room(dataset: Path) -> None:
         raise UnpublishableError(
             f"{dataset} was recorded in a room of your own, {room}, which nobody else can replay "
             "it in. Record it in one that `labutopia-scene list` names"
+        )
+    reasoner = RULES if recording is None else recording["config"].get("reasoner", RULES)
+    if reasoner != RULES:
+        raise UnpublishableError(
+            f"{dataset} was recorded with answers of your own, {reasoner}, without which nobody "
+            f"else can replay it. Record it with reasoner={RULES}"
         )
 
 

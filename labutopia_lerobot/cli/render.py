@@ -13,7 +13,7 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.recording_bars import RecordingBars
-from labutopia_lerobot.cli.setting_flags import add_room_file, add_setting_flags
+from labutopia_lerobot.cli.setting_flags import add_own_files, add_setting_flags
 from labutopia_lerobot.datasets.description import read_info
 from labutopia_lerobot.datasets.rendering import render
 from labutopia_lerobot.setting import Setting
@@ -36,7 +36,7 @@ def main() -> None:
         "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
     )
     add_setting_flags(parser, but=[o.name for o in fields(Setting) if o.name not in _DRAWING])
-    add_room_file(parser)
+    add_own_files(parser)
     arguments = parser.parse_args()
     chosen = {name: getattr(arguments, name) for name in _DRAWING}
     episodes = read_info(arguments.dataset)["total_episodes"]

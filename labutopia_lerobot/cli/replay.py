@@ -21,7 +21,7 @@ from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.in_browser import WEB_SIZE, add_web_flags, show_in_browser
-from labutopia_lerobot.cli.setting_flags import add_room_file
+from labutopia_lerobot.cli.setting_flags import add_own_files
 from labutopia_lerobot.datasets.dataset_folder import dataset_folder
 from labutopia_lerobot.datasets.looking import Film, Look, find_episode, look_at
 from labutopia_lerobot.datasets.playback import Playback
@@ -63,7 +63,7 @@ def main() -> None:
     parser.add_argument(
         "--episodes", type=int, metavar="N", help="compare only the first N (default: all)"
     )
-    add_room_file(parser)
+    add_own_files(parser)
     parser.add_argument(
         "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
     )

@@ -3,9 +3,11 @@
 import argparse
 from collections.abc import Collection
 from dataclasses import fields
+from functools import partial
 from typing import Any
 
 from labutopia_lerobot.errors import UserError
+from labutopia_lerobot.scenario.own_files import OwnFiles
 from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import Setting, option_help, setting_from
 
@@ -36,19 +38,25 @@ def add_setting_flags(
         )
 
 
-def add_room_file(parser: argparse.ArgumentParser) -> None:
-    """Give a program that plays datasets a flag for the file of the room they were recorded in."""
+def add_own_files(parser: argparse.ArgumentParser) -> None:
+    """Give a program that plays datasets flags for the files that they were recorded with."""
     parser.add_argument(
         "--room",
-        type=_known_room,
+        type=partial(_read, "room"),
         metavar="FILE.json",
         help="the room of a dataset that was recorded in one of somebody's own",
     )
+    parser.add_argument(
+        "--reasoner",
+        type=partial(_read, "reasoner"),
+        metavar="FILE.json",
+        help="a language model's answers, of a dataset in which they decided what reacts",
+    )
 
 
-def _known_room(file: str) -> str:
+def _read(kind: str, file: str) -> str:
     try:
-        load_room(file)
+        OwnFiles(**{kind: file}).read()
     except UserError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
     return file

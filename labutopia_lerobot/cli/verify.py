@@ -14,11 +14,12 @@ from rich.console import Console
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.doing import doing
 from labutopia_lerobot.cli.grammar import OptionParser
-from labutopia_lerobot.cli.setting_flags import add_room_file
+from labutopia_lerobot.cli.setting_flags import add_own_files
 from labutopia_lerobot.datasets.dataset_folder import dataset_folder
 from labutopia_lerobot.datasets.description import read_info
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import PICTURES, verify
+from labutopia_lerobot.scenario.own_files import OwnFiles
 
 
 @clear_errors
@@ -41,7 +42,7 @@ def main() -> None:
         metavar="N",
         help="processes that play episodes again (default: one per processor)",
     )
-    add_room_file(parser)
+    add_own_files(parser)
     parser.add_argument(
         "--tasks-dir", metavar="DIR", help="a folder of tasks of your own, whose files you trust"
     )
@@ -49,7 +50,11 @@ def main() -> None:
     root: Path = arguments.dataset
     with doing(Console(stderr=True), f"Verifying {root}"):
         verdict = verify(
-            root, arguments.pictures, arguments.tasks_dir, arguments.workers, arguments.room
+            root,
+            arguments.pictures,
+            arguments.tasks_dir,
+            arguments.workers,
+            OwnFiles(arguments.room, arguments.reasoner),
         )
     console = Console(highlight=False, soft_wrap=True)
     for text in verdict.faults:

@@ -12,7 +12,7 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.registry import choose_tasks, listed
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.video import require_filmable
-from labutopia_lerobot.scenes import room_label
+from labutopia_lerobot.scenario.own_files import without_paths
 from labutopia_lerobot.setting import (
     Setting,
     SettingOptions,
@@ -179,9 +179,8 @@ class RecordingConfig(SettingOptions):
         options = self.chosen
         for name in _UNRECORDED:
             del options[name]
-        options["room"] = room_label(options["room"])
         return {
-            "config": options,
+            "config": without_paths(options),
             "code": provenance.code(self.tasks, self.tasks_dir),
             "versions": provenance.versions(),
         }

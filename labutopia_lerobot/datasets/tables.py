@@ -25,7 +25,7 @@ from labutopia_lerobot.datasets.routes import Routes
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.foreign_files import checked, inside, parse_json, printable
 from labutopia_lerobot.registry import UnknownTaskError
-from labutopia_lerobot.scenes import load_room, room_label
+from labutopia_lerobot.scenario.own_files import OwnFiles, without_paths
 from labutopia_lerobot.setting import Setting
 
 TASKS = "meta/tasks.parquet"
@@ -212,8 +212,8 @@ def column(table: pa.Table, key: str) -> NDArray[Any]:
 
 
 def setting_column(setting: Setting) -> str:
-    """Return what the column `SETTING` holds: a room in a file by its content, no folder."""
-    public = asdict(setting) | {"room": room_label(setting.room)}
+    """Return what the column `SETTING` holds: files of the user's by their content, no folder."""
+    public = without_paths(asdict(setting))
     del public[_LOCAL]
     return json.dumps(public)
 
@@ -240,7 +240,7 @@ def episode_setting(row: Row, tasks_dir: str | None = None) -> Setting | None:
     chosen = {name: value for name, value in stored.items() if name in known}
     try:
         setting = Setting(**chosen, tasks_dir=tasks_dir)
-        load_room(setting.room)  # it must be one that can be played in
+        OwnFiles(setting.room, setting.reasoner).read()  # they must be known here
     except UnknownTaskError as error:
         raise UnknownTaskError(
             f"{error}. If {where} was recorded with a task of somebody's own, and you trust its "

@@ -25,7 +25,7 @@ from labutopia_lerobot.datasets.verification.structure import (
 )
 from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
 from labutopia_lerobot.features import ACTION
-from labutopia_lerobot.scenes import load_room
+from labutopia_lerobot.scenario.own_files import NO_FILES, OwnFiles
 from labutopia_lerobot.task import SUCCESS
 
 PICTURES = 4
@@ -56,7 +56,7 @@ def verify(
     pictures: int = PICTURES,
     tasks_dir: str | None = None,
     workers: int = 1,
-    room: str | None = None,
+    own_files: OwnFiles = NO_FILES,
 ) -> Verdict:
     """Check everything about a dataset that can be checked.
 
@@ -65,13 +65,12 @@ def verify(
         pictures: How many frames of each episode to draw again, `environment.ALL` for every frame.
         tasks_dir: A further folder of tasks, which the user trusts: its files run.
         workers: Processes that play episodes again.
-        room: The file of the room that it was recorded in, if that is of somebody's own.
+        own_files: Those of its room and of the answers that decided what reacts, if any.
 
     Raises:
-        UserError: If that file cannot be read or is no room to work in.
+        UserError: If one cannot be read, is no room to work in, or holds no answers.
     """
-    if room is not None:
-        load_room(room)
+    own_files.read()
     return _verdict(
         root,
         tasks_dir,
@@ -81,7 +80,7 @@ def verify(
             check_features,
             lambda subject: check_replay(subject, pictures, workers),
         ],
-        room,
+        own_files,
     )
 
 
@@ -102,11 +101,11 @@ def require_intact(root: Path) -> None:
 
 
 def _verdict(
-    root: Path, tasks_dir: str | None, checks: list[Check], room: str | None = None
+    root: Path, tasks_dir: str | None, checks: list[Check], own_files: OwnFiles = NO_FILES
 ) -> Verdict:
     findings: list[Finding] = []
     try:
-        subject = VerifiedDataset.of(root, tasks_dir, room)
+        subject = VerifiedDataset.of(root, tasks_dir, own_files)
         for check in checks:
             findings += check(subject)
     except DamagedDatasetError as error:

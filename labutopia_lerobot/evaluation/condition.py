@@ -12,6 +12,7 @@ from labutopia_lerobot.setting import (
     DEFAULT_ROOM,
     OF_THE_LEVEL,
     PARTICLES,
+    RULES,
     canonical_axes,
     robot_of_level,
 )
@@ -29,7 +30,7 @@ REFERENCES = (EXPERT, RANDOM, STILL)
 ID, OOD, ALL_AXES = "ID", "OOD", "all axes"
 """Names of the usual shifts in tables; the first two are the paper's."""
 
-_MARKED = ("liquid", "particles", "robot", "room", "after")
+_MARKED = ("liquid", "particles", "reasoner", "robot", "room", "after")
 """Options that tables mark where they differ from those published, beside shifts and steps."""
 
 
@@ -49,6 +50,7 @@ class Condition:
         after: Step behind which the whole task begins, or None for its start.
         liquid: `on` or `off`; None for a task whose vessels are empty anyway.
         particles: In how many particles the liquid is divided.
+        reasoner: Who says what reacts: `rules`, or the label of a file of answers.
         robot: Which robot plays; by default that of the paper for the level of the task.
         room: Where.
         obs: `pixels` or `state`; None in a `scene`.
@@ -63,6 +65,7 @@ class Condition:
     after: str | None = None
     liquid: str | None = "on"
     particles: int | None = PARTICLES
+    reasoner: str = RULES
     robot: str = OF_THE_LEVEL
     room: str = DEFAULT_ROOM
     obs: str | None = "pixels"

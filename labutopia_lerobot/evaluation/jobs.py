@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
+from labutopia_lerobot.chemistry.kept_answers import reasoner_label
 from labutopia_lerobot.evaluation.checkpoint import Checkpoint, open_checkpoint
 from labutopia_lerobot.evaluation.condition import SINGLE, STAGED, Condition
 from labutopia_lerobot.evaluation.config import (
@@ -50,6 +51,7 @@ class EvaluationJob:
             step=setting.step,
             liquid=setting.liquid if _holds_liquid(setting) else None,
             particles=setting.particles,
+            reasoner=reasoner_label(setting.reasoner),
             robot=setting.robot,
             room=room_label(setting.room),
             obs=setting.obs,

@@ -14,7 +14,7 @@ from labutopia_lerobot.evaluation.policies import StagedPolicyMaker
 from labutopia_lerobot.evaluation.rows import Row
 from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.runtime import provenance
-from labutopia_lerobot.scenes import room_label
+from labutopia_lerobot.scenario.own_files import without_paths
 
 _FREE = ("out", "workers", "videos")
 """Options on which no row depends."""
@@ -69,8 +69,7 @@ def full_provenance(
 
 
 def _options(config: EvaluationConfig) -> dict[str, Any]:
-    options = config.chosen
-    return options | {"room": room_label(options["room"])}
+    return without_paths(config.chosen)
 
 
 def _checkpoints(job: EvaluationJob) -> Iterator[tuple[str, Checkpoint]]:

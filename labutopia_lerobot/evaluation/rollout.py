@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.chemistry.kept_answers import reasoner_label
 from labutopia_lerobot.env import Info, LabEnv
 from labutopia_lerobot.evaluation.condition import EXPERT, Condition
 from labutopia_lerobot.evaluation.failure_causes import cause_of
@@ -180,6 +181,7 @@ def _row(job: EvaluationJob, seed: int, steps: int, info: Info, workcell: Workce
         },
         liquid=job.condition.liquid,
         particles=setting.particles,
+        reasoner=reasoner_label(setting.reasoner),
         ml_total=_millilitres(info.get("ml_total")),
         ml_poured=_millilitres(info.get("ml_poured")),
         ml_retained=_millilitres(info.get("ml_retained")),

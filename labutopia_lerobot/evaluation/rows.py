@@ -14,7 +14,14 @@ from labutopia_lerobot.evaluation.uncertainty.anytime import confidence_sequence
 from labutopia_lerobot.evaluation.uncertainty.intervals import Interval, exact, wilson
 from labutopia_lerobot.foreign_files import checked
 from labutopia_lerobot.scenario.draw import Value
-from labutopia_lerobot.setting import CLASSIC, DEFAULT_ROBOT, DEFAULT_ROOM, FILAMENT, PARTICLES
+from labutopia_lerobot.setting import (
+    CLASSIC,
+    DEFAULT_ROBOT,
+    DEFAULT_ROOM,
+    FILAMENT,
+    PARTICLES,
+    RULES,
+)
 
 _FORMER_NAMES = {"prelude_failures": "setup_failures"}
 """Column name in results of earlier versions -> its name now."""
@@ -79,6 +86,7 @@ class Row:
         solutions: Contents of vessels at the end, by vessel, as `Solution.numbers` has it; None for
             no number. Empty without liquid, and in rows of earlier versions without chemistry.
         unreacted: Why mixtures were left as they were, in words.
+        reasoner: Who says what reacts: `rules`, or a language model and the hash of its answers.
         driving: Of a robot that drives: way driven and shortest way [m], least distances of its
             middle and of its footprint from things [m], SPL, and how far it was at the end from
             where it should dock [m, deg] (see `journey`); None of one that does not.
@@ -128,6 +136,7 @@ class Row:
     readings: dict[str, float | None] = field(default_factory=dict)
     solutions: dict[str, dict[str, float | None]] = field(default_factory=dict)
     unreacted: list[str] = field(default_factory=list)
+    reasoner: str = RULES
     driving: dict[str, float | None] | None = None
 
     @cached_property
@@ -142,6 +151,7 @@ class Row:
             after=self.after,
             liquid=self.liquid,
             particles=self.particles,
+            reasoner=self.reasoner,
             robot=self.robot,
             room=self.room,
             obs=self.obs,

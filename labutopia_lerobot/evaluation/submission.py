@@ -37,6 +37,7 @@ from labutopia_lerobot.setting import (
     DEFAULT_ROOM,
     OF_THE_LEVEL,
     PARTICLES,
+    RULES,
     Setting,
     robot_of_level,
 )
@@ -50,6 +51,7 @@ FEWEST_EPISODES = 100
 PUBLISHED: Mapping[str, object] = {
     "liquid": "on",
     "particles": PARTICLES,
+    "reasoner": RULES,
     "room": DEFAULT_ROOM,
     "renderer": CLASSIC,
     "tasks_dir": None,

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.chemistry.kept_answers import KeptAnswers
 from labutopia_lerobot.liquids.plain_liquids import PlainLiquids
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.solutions import Solutions
@@ -21,6 +22,7 @@ class Beginning:
         fillings: Everything that is to be filled in.
         names: Of all vessels, bottles and pipettes.
         particle: Volume of a particle [m^3].
+        answers: Of a language model, which decide what may form; None for the rules.
 
     Attributes:
         fillings: All of them.
@@ -30,11 +32,17 @@ class Beginning:
         room: How warm the room is [K].
     """
 
-    def __init__(self, fillings: Sequence[Filling], names: Sequence[str], particle: float) -> None:
+    def __init__(
+        self,
+        fillings: Sequence[Filling],
+        names: Sequence[str],
+        particle: float,
+        answers: KeptAnswers | None = None,
+    ) -> None:
         self.fillings = tuple(fillings)
         self.substances = tuple(dict.fromkeys(filling.substance for filling in fillings))
         chemical = any(filling.reacts for filling in fillings)
-        self.solutions = Solutions(fillings, names, particle) if chemical else None
+        self.solutions = Solutions(fillings, names, particle, answers) if chemical else None
         self.plain = PlainLiquids(self.substances, particle)
         self.room = AMBIENT
         self._own = np.full(len(names), np.nan)

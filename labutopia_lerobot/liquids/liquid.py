@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.chemistry.kept_answers import KeptAnswers
 from labutopia_lerobot.kernel import announce_compiling
 from labutopia_lerobot.liquids.account import (
     mean_speeds,
@@ -41,11 +42,11 @@ class Liquid:
     Args:
         model: The compiled scene.
         data: Its state; the walls are where it says at every step.
-        vessels: All that can hold the liquid: vessels, bottles that it comes from, pipettes,
-            drains.
+        vessels: All that can hold it: vessels, bottles that it comes from, pipettes, drains.
         fillings: Everything that is to be filled in: what it is, and how much of it in all.
         particles: Number of particles.
         robot: Root body of what can carry vessels, if anything.
+        answers: Of a language model, which decide what may form; None for the rules.
 
     Attributes:
         vessels: Those that liquid flows among: neither bottles, pipettes nor drains.
@@ -71,6 +72,7 @@ class Liquid:
         fillings: Sequence[Filling],
         particles: int = PARTICLES,
         robot: int | None = None,
+        answers: KeptAnswers | None = None,
     ) -> None:
         announce_compiling()
         bottles = [vessel for vessel in vessels if isinstance(vessel, Dispenser)]
@@ -81,7 +83,7 @@ class Liquid:
         self.volume = volume / particles
         self._particles = particles
         self.bottles = Bottles([bottle.name for bottle in bottles], self.volume)
-        self._beginning = Beginning(fillings, self.names, self.volume)
+        self._beginning = Beginning(fillings, self.names, self.volume, answers)
         self.substances, self.solutions = self._beginning.substances, self._beginning.solutions
         self.kept = Kept(self._beginning.nothing)
         self._keeps = bool(pipettes) or any(is_column(vessel) for vessel in self.vessels)

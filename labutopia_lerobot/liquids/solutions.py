@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.chemistry.inventory import Inventory
+from labutopia_lerobot.chemistry.kept_answers import KeptAnswers
 from labutopia_lerobot.chemistry.network import PROTON, WATER
 from labutopia_lerobot.chemistry.palette import Palette
 from labutopia_lerobot.chemistry.portions import WATER_PER_VOLUME
@@ -35,6 +36,7 @@ class Solutions:
         fillings: Everything that is filled in.
         names: Of all vessels, bottles and pipettes.
         particle: Volume of a particle [m^3].
+        answers: Of a language model, which decide what may form; None for the rules.
 
     Attributes:
         inventory: The species, in the order of `Portion.contents`.
@@ -42,10 +44,18 @@ class Solutions:
         unreacted: Why something was left as it is, in words, each reason once.
     """
 
-    def __init__(self, fillings: Sequence[Filling], names: Sequence[str], particle: float) -> None:
+    def __init__(
+        self,
+        fillings: Sequence[Filling],
+        names: Sequence[str],
+        particle: float,
+        answers: KeptAnswers | None = None,
+    ) -> None:
         crystals = [one for filling in fillings for one in filling.crystals]
         solids = [one.species for one in crystals]
-        self.inventory = Inventory.of([filling.dissolved for filling in fillings], solids)
+        held = [filling.compounds for filling in fillings]
+        named, self._said = (None, ()) if answers is None else answers.may_form(held)
+        self.inventory = Inventory.of([filling.dissolved for filling in fillings], solids, named)
         self._dissolving = Dissolving(crystals, self.inventory)
         self._particle = particle
         self._layer = particle ** (1 / 3)
@@ -64,7 +74,7 @@ class Solutions:
     def empty(self) -> None:
         """Begin anew: no gas has left."""
         self.given_off: FloatArray = np.zeros(self._shape)
-        self.unreacted: tuple[str, ...] = ()
+        self.unreacted: tuple[str, ...] = self._said
 
     def contents(self, fillings: Sequence[Filling]) -> FloatArray:
         """Return what particles hold that come from fillings, shape (m, species) [mol]."""

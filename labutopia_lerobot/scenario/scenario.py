@@ -4,6 +4,7 @@ import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from labutopia_lerobot.chemistry.kept_answers import KeptAnswers, KeptAnswersError, load_answers
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.layout import require_drivable, rooms_for
 from labutopia_lerobot.robots import ROBOTS, load_robot
@@ -77,6 +78,7 @@ def canonical_task(setting: Setting) -> Task:
     Raises:
         ArmsAloneError: If the task is one of arms alone, of level 3 or 4, and the robot has a base.
         AxisError: If the task declares an axis wrongly.
+        KeptAnswersError: If the reasoner is a file without the answers that the task needs.
         NeedsBaseError: If one drives in the task, and the robot cannot.
         NowhereToDriveError: If one does, and the room has not the benches for it.
         TaskError: If the task does not have the step of the setting.
@@ -90,6 +92,9 @@ def canonical_task(setting: Setting) -> Task:
         require_drivable(task.start, room.ground(base), setting.room)
     if setting.step is not None:
         task.steps_until(setting.step)
+    answers = load_answers(setting.reasoner)
+    if answers is not None:
+        _require_answered(setting, task, answers)
     return task
 
 
@@ -115,6 +120,21 @@ def _drawn(setting: Setting, draw: Draw) -> tuple[Task, Variation]:
     if instruction != task.instruction:
         task = replace(task, instruction=instruction)
     return task, variation
+
+
+def _require_answered(setting: Setting, task: Task, answers: KeptAnswers) -> None:
+    """Refuse answers where nothing can react, and those to other questions than the task has."""
+    held = [filling.compounds for filling in task.contents.values()]
+    if not any(held):
+        raise KeptAnswersError(
+            f"reasoner={setting.reasoner}: nothing is dissolved in {setting.task}, so that nothing "
+            "reacts. Leave reasoner= out"
+        )
+    if missing := answers.unanswered(held):
+        raise KeptAnswersError(
+            f"reasoner={setting.reasoner} has no answer about {' and '.join(missing[0])} of "
+            f"{setting.task}. Ask for it: labutopia-chem ask {setting.task} --out FILE.json"
+        )
 
 
 def _require_fit(setting: Setting, task: Task) -> None:

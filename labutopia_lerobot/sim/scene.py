@@ -7,6 +7,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.chemistry.kept_answers import KeptAnswers
 from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.liquids.drawing.liquid_drawing import LiquidDrawing
 from labutopia_lerobot.processes import Process, slots_of
@@ -45,6 +46,7 @@ class Scene:
             named after the thing that it belongs to; shape (ngeom + nflex,).
         contents: What vessels hold at the start.
         particles: In how many particles that is divided.
+        answers: Of a language model, which decide what reacts; None for the rules.
         liquid: How it is drawn, or None where there is none.
         odometry: Where the base believes to be, or None: it is observed where it is.
     """
@@ -58,6 +60,7 @@ class Scene:
     group_of_geom: NDArray[np.intp]
     contents: Mapping[Piece, Filling]
     particles: int
+    answers: KeptAnswers | None
     liquid: LiquidDrawing | None
     odometry: Odometry | None = None
 
@@ -77,11 +80,12 @@ def compile_scene(
     renderer: str = CLASSIC,
     *,
     drifts: bool = False,
+    answers: KeptAnswers | None = None,
 ) -> Scene:
     """Put the robot and the pieces into the room and compile.
 
     Pieces stand at the world's origin; a reset puts them where the layout says. If the odometry of
-    the robot's base `drifts`, the scene has one.
+    the robot's base `drifts`, the scene has one. What reacts is as the rules say, or `answers`.
     """
     pieces = tuple(pieces)
     spec = scene_spec(pieces, robot, room, view)
@@ -115,6 +119,7 @@ def compile_scene(
         group_of_geom,
         contents,
         particles,
+        answers,
         liquid,
         odometry,
     )

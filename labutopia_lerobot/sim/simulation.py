@@ -275,4 +275,4 @@ def _liquid(scene: Scene, data: mujoco.MjData) -> Liquid:
     things = with_mounted(scene.pieces)
     vessels = [thing for thing in things if isinstance(thing, Fillable | Dispenser | Intake)]
     contents, robot = list(scene.contents.values()), scene.model.body(ROBOT_MOUNT).id
-    return Liquid(scene.model, data, vessels, contents, scene.particles, robot)
+    return Liquid(scene.model, data, vessels, contents, scene.particles, robot, scene.answers)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.chemistry.kept_answers import load_answers
 from labutopia_lerobot.layout import Workspace, sample_base, sample_layout, taken_over
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
 from labutopia_lerobot.places import OverBench
@@ -79,6 +80,7 @@ class Workcell:
             setting.particles,
             setting.renderer,
             drifts=setting.odometry == DRIFT,
+            answers=load_answers(setting.reasoner),
         )
         self.simulation = Simulation(scene)
         self.world = SimulatedWorld(self.simulation)

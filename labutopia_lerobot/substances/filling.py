@@ -114,6 +114,12 @@ class Filling:
         return bool(self.dissolved or self.crystals)
 
     @property
+    def compounds(self) -> tuple[str, ...]:
+        """Names of all that is dissolved in it, or will be, by the table of substances."""
+        held: tuple[Solute | Crystals, ...] = (*self.dissolved, *self.crystals)
+        return tuple(one.compound.name for one in held)
+
+    @property
     def volume(self) -> float:
         """Volume [m^3]."""
         return self.ml * 1e-6

@@ -17,6 +17,7 @@ from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.jobs import make_jobs
 from labutopia_lerobot.evaluation.origin import origin
 from labutopia_lerobot.runtime.workers import in_processes
+from labutopia_lerobot.scenario.own_files import OwnFiles
 from labutopia_lerobot.scenes import NoWorkPlaceError, UnknownRoomError, load_room, room_files
 from labutopia_lerobot.scenes.plans import PlanError, text_of
 from labutopia_lerobot.setting import Setting
@@ -100,7 +101,7 @@ def test_a_dataset_holds_no_path_and_is_replayed_with_the_file(
     assert "1 of 1 succeeded again" in capsys.readouterr().out
     monkeypatch.setattr("sys.argv", ["labutopia-verify", str(dataset), "--room", str(file)])
     verify.main()
-    subject = VerifiedDataset.of(dataset, room=str(file))
+    subject = VerifiedDataset.of(dataset, own_files=OwnFiles(room=str(file)))
     assert list(in_processes(_replay, [(subject, 0)], 1)) == [[(0, [])]]
 
 

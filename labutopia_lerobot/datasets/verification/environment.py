@@ -37,7 +37,6 @@ from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences
 from labutopia_lerobot.runtime.workers import in_processes
 from labutopia_lerobot.scenario import canonical_task
-from labutopia_lerobot.scenes import load_room
 from labutopia_lerobot.setting import SEGMENTATION, Setting
 from labutopia_lerobot.sim.segments import segment_names
 from labutopia_lerobot.task import RUNNING
@@ -147,8 +146,7 @@ def _replayed(
 
 
 def _replay(subject: VerifiedDataset, pictures: int) -> _Replayed:
-    if subject.room is not None:
-        load_room(subject.room)  # its name is known in a process that has read the file
+    subject.own_files.read()
     player, replayed = Player(subject.tasks_dir), _Replayed()
     try:
         for row, frames in frames_of_episodes(subject.root, subject.episodes):

@@ -25,6 +25,7 @@ from labutopia_lerobot.datasets.tables import (
     video_file,
 )
 from labutopia_lerobot.foreign_files import inside
+from labutopia_lerobot.scenario.own_files import NO_FILES, OwnFiles
 
 
 @dataclass(frozen=True)
@@ -36,25 +37,25 @@ class VerifiedDataset:
         info: `meta/info.json`.
         episodes: The rows of its episode table, without the statistics.
         tasks_dir: A further folder of tasks, which the user trusts.
-        room: The file of the room that it was recorded in, if that is of somebody's own.
+        own_files: Those of its room and of the answers that decided what reacts, if any.
     """
 
     root: Path
     info: dict[str, Any]
     episodes: list[Row]
     tasks_dir: str | None = None
-    room: str | None = None
+    own_files: OwnFiles = NO_FILES
 
     @classmethod
     def of(
-        cls, root: Path, tasks_dir: str | None = None, room: str | None = None
+        cls, root: Path, tasks_dir: str | None = None, own_files: OwnFiles = NO_FILES
     ) -> "VerifiedDataset":
         """Read a dataset.
 
         Raises:
             DamagedDatasetError: If a file is missing or cannot be read.
         """
-        return cls(root, read_info(root), read_episodes(root), tasks_dir, room)
+        return cls(root, read_info(root), read_episodes(root), tasks_dir, own_files)
 
     @property
     def features(self) -> dict[str, dict[str, Any]]:
