@@ -2,6 +2,7 @@
 
 import pytest
 
+from labutopia_lerobot.chemistry.colour import word
 from labutopia_lerobot.chemistry.engine import react
 from labutopia_lerobot.chemistry.reaction import Conditions, Reactant
 from labutopia_lerobot.chemistry.refusals import (
@@ -108,3 +109,21 @@ def test_dangerous_mixtures_are_refused_by_name() -> None:
         react(["sodium hypochlorite", "hydrochloric acid"])
     with pytest.raises(HazardRefusedError, match="azide"):
         react(["silver nitrate", "sodium azide"])
+
+
+@pytest.mark.parametrize(
+    ("dye", "colours"),
+    [
+        ("thymol blue", {0.3: "pink", 5.0: "yellow", 11.0: "blue"}),
+        ("bromocresol green", {3.0: "yellow", 7.0: "blue"}),
+        ("bromothymol blue", {5.0: "yellow", 9.5: "blue"}),
+        ("phenol red", {5.0: "yellow", 10.0: "purple"}),
+        ("methylene blue", {7.0: "blue"}),
+    ],
+)
+def test_twenty_micromoles_of_a_dye_in_a_litre_are_seen_in_its_colours(
+    dye: str, colours: dict[float, str]
+) -> None:
+    for ph, name in colours.items():
+        amounts = react([Reactant(dye, amount=2e-6)], Conditions(ph=ph)).amounts
+        assert word(amounts.colour) == name, (dye, ph, amounts.colour)
