@@ -364,14 +364,14 @@ class Liquid:
         """Return all that the next step depends on beside MuJoCo's state.
 
         Shape (3 + bottles + (11 + substances + species) n,), after what is kept where anything can
-        be, and what gas has left where anything is dissolved.
+        be, and `Solutions.state` where anything is dissolved.
         """
         kept = [self.kept.state()] if self._keeps else []
-        gas = [] if self.solutions is None else [self.solutions.given_off.ravel()]
+        solutions = [] if self.solutions is None else [self.solutions.state()]
         return np.concatenate(
             [
                 *kept,
-                *gas,
+                *solutions,
                 [len(self.positions), self.diverged, self.evaporated],
                 list(self.bottles.waiting.values()),
                 self.positions.ravel(),

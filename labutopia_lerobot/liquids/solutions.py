@@ -114,11 +114,18 @@ class Solutions:
         """
         self._dissolving.strew(contents, heights, self._layer, filling.crystals)
 
+    def state(self) -> FloatArray:
+        """Return what has left as gas and, letter by letter, `unreacted`, after its length."""
+        said = "\n".join(self.unreacted).encode()
+        return np.concatenate([self.given_off.ravel(), [len(said)], np.frombuffer(said, np.uint8)])
+
     def restore(self, state: FloatArray) -> FloatArray:
-        """Go back to what had left as gas, as `Liquid.state` begins; return what follows it."""
-        self.empty()
+        """Go back to what `state` returned, which another state follows; return that."""
         gas, rest = np.split(state, [self.given_off.size])
+        said, rest = np.split(rest[1:], [int(rest[0])])
         self.given_off = gas.reshape(self._shape).copy()
+        words = said.astype(np.uint8).tobytes().decode()
+        self.unreacted = tuple(words.split("\n")) if words else ()
         return rest
 
     def react(

@@ -284,12 +284,18 @@ def test_being_carried_stirs_nothing() -> None:
     assert liquid.stirring.min() > 0.3
 
 
-def test_what_a_state_goes_back_to_has_not_been_left_unreacted() -> None:
-    solutions = liquid_of(bench(ACID, BASE)).solutions
+def test_a_state_has_why_something_was_left_unreacted() -> None:
+    simulation = bench(ACID, BASE)
+    solutions = liquid_of(simulation).solutions
     assert solutions is not None
-    solutions.unreacted = ("of another episode",)
-    solutions.restore(np.zeros(solutions.given_off.size))
+    before = simulation.state()
+    solutions.unreacted = said = ("no equilibrium was found", "Größe of a model's answer")
+    after = simulation.state()
+    simulation.restore(before)
     assert solutions.unreacted == ()
+    simulation.restore(after)
+    assert solutions.unreacted == said
+    assert (simulation.state() == after).all()
 
 
 def test_what_waits_in_a_wash_bottle_is_a_solution_too() -> None:
