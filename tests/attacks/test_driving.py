@@ -95,6 +95,7 @@ def into_a_wall(env: LabEnv) -> Actions:
     yield from (moving(env, np.array([0.0, 0.6, 0.0])) for _ in range(25 * CONTROL_HZ))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("play", "outcomes"),
     [

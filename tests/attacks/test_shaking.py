@@ -110,6 +110,7 @@ def test_what_a_person_would_call_a_failure_is_called_by_its_name(
     assert outcome(begun(task, liquid), play, seed)["outcome"] == reported
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("task", "play", "liquid", "last"), UNDONE)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_is_no_shake_is_not_counted(task: str, play: Play, liquid: str, last: str, seed: int):
@@ -129,12 +130,14 @@ def test_a_beaker_in_the_hand_may_not_shove_what_stands_around(seed: int):
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", ["level1/shake", "level2/shake_beaker"])
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_beaker_is_not_shaken_near_the_bench(task: str, seed: int):
     assert outcome(begun(task), low, seed)["outcome"] != "success"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("task", "play", "liquid"), PASSING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_person_would_pass(task: str, play: Play, liquid: str, seed: int):

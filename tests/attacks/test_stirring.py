@@ -188,6 +188,7 @@ PASSING = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("task", "play", "liquid", "reported"), FAILING)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_a_person_would_call_a_failure_is_called_by_its_name(
@@ -196,6 +197,7 @@ def test_what_a_person_would_call_a_failure_is_called_by_its_name(
     assert outcome(begun(task, liquid), play, seed)["outcome"] in reported.split(" or ")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("task", "play", "liquid", "reported"), UNDONE)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_goes_round_too_little_is_not_stirred(

@@ -144,6 +144,7 @@ def test_none_of_it_counts(play: Play, outcomes: set[str], seed: int):
     assert outcome(begun(TASK, "on"), play, seed)["outcome"] in outcomes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize(
     "play", [in_two_portions, slow(without_a_slit)], ids=lambda play: play.__name__

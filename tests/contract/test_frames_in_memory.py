@@ -43,6 +43,7 @@ def test_frames_from_memory_are_those_from_tables(pressed, lerobots_own, episode
     require_equal(of_files, of_memory)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("as_bytes", [True, False])
 @pytest.mark.parametrize("around", [None, {**AROUND, "observation.images.front": [-0.1, 0.0]}])
 def test_pictures_from_memory_are_those_from_videos(filmed, lerobots_own, as_bytes, around) -> None:

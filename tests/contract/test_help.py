@@ -54,6 +54,7 @@ def test_help_of_the_evaluator_explains_every_option_and_lists_the_policies():
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "reported"),
     [(["policy=actt"], "policy=actt is unknown. Did you mean 'act'?"), ([], "Name a policy")],

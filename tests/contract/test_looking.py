@@ -54,6 +54,7 @@ def test_what_cannot_be_shown_is_reported(
     assert reported in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_an_episode_is_written_for_rerun(picked: Path, tmp_path: Path, monkeypatch, capsys) -> None:
     pytest.importorskip("rerun", reason="an extra")
     from rerun.experimental import RrdReader
@@ -67,6 +68,7 @@ def test_an_episode_is_written_for_rerun(picked: Path, tmp_path: Path, monkeypat
     assert any(path.startswith("/fact/") for path in paths)
 
 
+@pytest.mark.slow
 def test_a_dataset_is_drawn_anew_with_the_same_episodes(picked: Path, tmp_path: Path) -> None:
     out = tmp_path / "drawn"
     first, rest = Watch(played=1), Watch()

@@ -84,6 +84,7 @@ def reported_by(program: str, words: str, monkeypatch, capsys) -> list[str]:
     return [lines[first].removeprefix("Error: "), *lines[first + 1 :]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("program", "words", "task"),
     [
@@ -127,6 +128,7 @@ def test_lerobot_eval_ends_with_the_line_too(folder):
     assert f"Error: {TOLD['level1/judged']}" in done.stderr.splitlines()
 
 
+@pytest.mark.slow
 def test_what_was_finished_before_is_kept(monkeypatch, capsys):
     told = reported_by(
         "evaluate",

@@ -66,6 +66,7 @@ def edit(root: Path, picture: str, change: Callable[[Any], Any]) -> None:
             video.add(np.ascontiguousarray(change(frame)))
 
 
+@pytest.mark.slow
 def test_lerobot_reads_what_the_environment_shows(sensed: Path) -> None:
     setting = Setting("level1/pick", split="train", liquid="off", extras=EXTRAS, cameras=("top",))
     shown, _ = LabEnv(
@@ -112,6 +113,7 @@ def test_the_judge_finds_no_fault(sensed: Path) -> None:
     assert verify(sensed) == Verdict([], [])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("picture", ["top_depth", "top_segmentation"])
 def test_a_flipped_picture_is_found(picture: str, spoilt: Path) -> None:
     edit(spoilt, picture, lambda frame: frame[:, ::-1])
@@ -141,6 +143,7 @@ def test_other_forces_and_names_are_found(spoilt: Path) -> None:
     assert any(f'{SEGMENTS} of episode 0 is ["flask"]' in fault for fault in faults)
 
 
+@pytest.mark.slow
 def test_what_lerobot_keeps_of_them_it_keeps_bit_for_bit(sensed: Path, tmp_path: Path) -> None:
     kept = delete_episodes(dataset(sensed), [0], output_dir=tmp_path / "kept", repo_id="local/kept")
     first = read_episodes(sensed)[0]["length"]

@@ -114,6 +114,7 @@ def test_a_leftover_of_a_finished_recording_is_cleaned_away(picked: Path, tmp_pa
     assert not (root / ".recording.discarded").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fixture", ["picked", "stopped"])
 def test_another_recording_is_refused_with_the_difference(
     fixture: str, request: pytest.FixtureRequest

@@ -54,6 +54,7 @@ def test_the_folder_of_a_map_is_no_file(scene, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_generate_writes_specification_mjcf_and_picture_the_same_bytes_twice(scene, tmp_path):
     for folder in ("one", "two"):
         words = ("--family", "weighing_room", "--seed", "4", "--out", str(tmp_path / folder))

@@ -157,6 +157,7 @@ def test_a_closed_vector_starts_again() -> None:
         assert np.array_equal(first["environment_state"], again["environment_state"])
 
 
+@pytest.mark.slow
 def test_workers_load_no_torch_even_where_the_main_program_does(tmp_path: Path) -> None:
     program = tmp_path / "program.py"  # without a guard: workers must not run it again
     program.write_text(

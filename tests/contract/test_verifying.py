@@ -141,6 +141,7 @@ def test_a_frame_dropped_from_the_table_is_found(copied: Path) -> None:
     assert find_problems(copied)
 
 
+@pytest.mark.slow
 def test_videos_that_run_behind_are_found_where_all_pictures_are_compared(copied: Path) -> None:
     edit_video(copied, "front", lambda pictures: [*[pictures[0]] * 8, *pictures[:-8]])
     assert find_problems(copied) == []

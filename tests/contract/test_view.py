@@ -62,6 +62,7 @@ def test_a_failure_is_reported_with_step_phase_substeps_and_what_did_not_hold(tm
     assert "Did not hold at the end, for 'gripped': flask gripped" in done.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "environment", "cure"),
     [

@@ -208,6 +208,7 @@ def test_nothing_is_played_while_nobody_looks(address):
     do(address, do="pause")
 
 
+@pytest.mark.slow
 def test_a_port_in_use_is_one_line_with_the_cure():
     with socket.socket() as taken:
         taken.bind((LOOPBACK, 0))

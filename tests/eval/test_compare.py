@@ -231,6 +231,7 @@ def test_of_runs_that_stop_when_distinguished_no_more_false_alarms_are_printed_t
         assert (fixed <= ALARM).mean() > ALARM + TOLERANCE
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sequential", [False, True])
 def test_over_several_tasks_no_more_runs_have_a_false_alarm_than_stated(sequential: bool) -> None:
     runs, tasks, n = 1500, 4, 60

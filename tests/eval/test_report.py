@@ -50,6 +50,7 @@ def test_an_unfinished_result_is_shown_as_one(tmp_path: Path) -> None:
     assert (tmp_path / "report.html").read_text().startswith("<!doctype html>")
 
 
+@pytest.mark.slow
 def test_an_evaluation_without_a_finished_episode_is_reported_in_one_line(tmp_path: Path) -> None:
     write(tmp_path / "a", finished=False, rows=[])
     line = [sys.executable, str(REPORT), str(tmp_path)]

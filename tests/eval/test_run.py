@@ -61,6 +61,7 @@ def test_evaluating_the_expert_imports_no_torch() -> None:
     subprocess.run([sys.executable, "-c", program], check=True)
 
 
+@pytest.mark.slow
 def test_a_result_holds_rows_summary_provenance_and_films(
     evaluate_program: Program, tmp_path: Path
 ) -> None:

@@ -238,6 +238,7 @@ def test_actions_of_another_robot_are_reported(hundred: dict[str, Any], tmp_path
         list(replayed(read(submitted(hundred, tmp_path)), [0]))
 
 
+@pytest.mark.slow
 def test_a_row_that_says_more_than_its_actions_did_is_found(
     submission: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -89,6 +89,7 @@ def test_they_are_within_the_glass_and_only_foam_lies_on_the_liquid():
     assert 20 < rising < len(seen)
 
 
+@pytest.mark.slow
 def test_a_picture_shows_them_and_neither_depth_nor_segments_do():
     simulation = foaming()
     renderer = ClassicRenderer(

@@ -108,6 +108,7 @@ def test_what_it_takes_in_is_what_the_bulb_displaced_less_what_the_column_stretc
     assert inside(simulation, "pipette") == pytest.approx(drawn(simulation), abs=PARTICLE)
 
 
+@pytest.mark.slow
 def test_raised_from_a_slant_it_drips_what_air_and_rubber_give_way_by(simulation):
     slant = np.radians(75.0)
     take_up(simulation, lean=slant)

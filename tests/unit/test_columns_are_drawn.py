@@ -71,6 +71,7 @@ def blue_rows(simulation: Simulation) -> np.ndarray:
     return np.flatnonzero((seen & blue).any(axis=1))
 
 
+@pytest.mark.slow
 def test_a_camera_sees_its_level_sink(stand):
     simulation = filled(stand, {"burette": Filling(ml=45.0)})
     before = blue_rows(simulation)

@@ -71,6 +71,7 @@ def resting(arm: Arm) -> Arm:
     return arm
 
 
+@pytest.mark.slow
 def test_bang_bang_commands_stay_within_every_limit_at_every_physics_step(arm):
     robot = arm.robot
     points = arm.play(bang_bang(robot, seed=0, steps=1500))

@@ -93,6 +93,7 @@ def test_a_beaker_six_centimetres_off_is_not_where_it_should_be(env):
     assert not np.isfinite(info["substeps"]["7_press/pressed"])
 
 
+@pytest.mark.slow
 def test_a_button_that_does_not_click_starts_nothing(env):
     info = play_on(
         env, SEED, "6_place", lambda skills: [skills[0], replace(skills[1], beyond=-1e-3)]

@@ -56,6 +56,7 @@ def test_a_door_that_is_left_before_its_catch_is_not_closed(env, left_at):
     assert not np.isfinite(info["substeps"]["6_close/latched"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("after", "left", "touched"), [("4_pick", -0.06, "large_beaker"), ("2_pick", -0.05, "oven")]
 )
@@ -83,6 +84,7 @@ def test_the_small_beaker_first_is_out_of_order(env):
     assert not np.isfinite(info["substeps"]["2_pick/gripped"])
 
 
+@pytest.mark.slow
 def test_an_oven_that_is_left_open_dries_nothing(env):
     info = play_on(env, SEED, "5_place", lambda skills: [s for s in skills if isinstance(s, Go)])
     assert info["outcome"] == "running"

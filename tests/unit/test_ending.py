@@ -127,6 +127,7 @@ def terminate(pid: int) -> None:
     os.kill(pid, signal.SIGTERM)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "text",
     [IMPORTING, SWALLOWING, WORKING.format(importing=True), WORKING.format(importing=False)],

@@ -216,6 +216,7 @@ def playing(**environment: str) -> subprocess.CompletedProcess[str]:
     )
 
 
+@pytest.mark.slow
 def test_without_vulkan_it_is_said_what_to_install():
     done = playing(VK_DRIVER_FILES="/nowhere.json", VK_ICD_FILENAMES="/nowhere.json")
     assert done.returncode == 1
@@ -223,6 +224,7 @@ def test_without_vulkan_it_is_said_what_to_install():
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.slow
 @needs_vulkan
 def test_nothing_but_what_a_program_says_is_on_its_output():
     done = playing()

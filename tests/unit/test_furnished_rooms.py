@@ -85,6 +85,7 @@ def sweep(plan: Plan) -> None:
         data.qpos[address] = shut
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FEW)
 def test_nothing_hits_anything_at_rest_or_when_it_is_opened(name):
     sweep(plan_of(name))
@@ -209,6 +210,7 @@ def test_fixed_cameras_see_all_there_is_to_see(plan, view):
     renderer.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", ["level1/pick", "level1/open_drawer"])
 def test_the_expert_moves_in_a_room_bit_by_bit_as_in_the_laboratory(rooms, task):
     """Where nothing is within its reach; what is shares the solver's rounding."""

@@ -26,6 +26,7 @@ def cupboards(number: int) -> Need:
     return Need("tall_cupboard", (number, number), BESIDE, VITAL)
 
 
+@pytest.mark.slow
 def test_the_same_seed_is_the_same_room():
     assert text_of(generate(family("storage"), 3)) == text_of(generate(family("storage"), 3))
     assert generate(family("storage"), 3).pieces != generate(family("storage"), 4).pieces
@@ -69,12 +70,14 @@ def test_every_room_is_the_bytes_that_its_seed_gives(name):
     assert text_of(generate(family(plan.family), plan.seed)) == text_of(plan)
 
 
+@pytest.mark.slow
 def test_what_stands_out_over_a_bench_is_in_the_way_of_the_robot_as_well():
     """Of these, the way in was closed by an oven, and something was out of reach."""
     for name, seed in (("physics", 16), ("teaching", 7), ("analytical", 35)):
         assert faults(generate(family(name), seed)) == []
 
 
+@pytest.mark.slow
 def test_a_shell_in_which_not_all_finds_a_place_is_drawn_anew_unless_its_size_was_said():
     needs, size = cupboards(9), (2.9, 2.9)
     chamber = Chamber("store", (2.9, 4.9), (2.9, 4.9), (needs,), windows=(0, 0))
@@ -151,6 +154,7 @@ def test_the_map_of_the_paper_is_coarse_and_knows_where_the_floor_ends():
     assert (cut.cells[:, -1] == UNDEFINED).all()
 
 
+@pytest.mark.slow
 def test_the_robot_keeps_its_radius_from_all_that_stands():
     occupancy = room_map(ROOM)
     middles = Reach.of(occupancy, ROOM.openings[0]).middles

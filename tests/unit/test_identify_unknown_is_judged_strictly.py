@@ -70,6 +70,7 @@ def test_only_the_one_that_is_asked_for_clouds_however_much_reagent_there_is(env
         assert (solid > 1e-5) == identified(info) == (vessel == right_of(env))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("split", ["id", "ood"])
 def test_in_every_draw_exactly_one_clouds(split: str) -> None:
     env = begun(TASK, split=split)

@@ -158,6 +158,7 @@ def test_what_the_account_does_not_know_is_refused_with_what_it_knows() -> None:
         liquid.take_account().from_in("mug", "lower")
 
 
+@pytest.mark.slow
 def test_only_what_comes_out_of_the_bottle_is_dispensed(monkeypatch: pytest.MonkeyPatch) -> None:
     task = canonical_task(Setting("level1/squeeze"))
     bottle, target = task.start

@@ -92,6 +92,7 @@ def test_another_liquid_first_is_out_of_order(env):
     assert play(env, green)["outcome"] == "struck"
 
 
+@pytest.mark.slow
 def test_the_same_beaker_twice_is_the_wrong_one(env):
     blue = env.workcell.task.skills[:3]
     info = play(env, *blue, *blue)

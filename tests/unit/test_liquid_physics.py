@@ -48,6 +48,7 @@ def test_a_full_cylinder_runs_over_at_once_and_half_a_one_when_its_diagonal_is_l
     assert half == pytest.approx(np.arctan2(inner, 2 * profile.inner_radius(0.1)), abs=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("vessel", "ml"),
     [

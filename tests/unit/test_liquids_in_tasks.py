@@ -172,6 +172,7 @@ def test_a_solver_that_diverges_ends_the_episode_and_reports_no_nonsense(env, po
     assert info["outcome"] == "running"
 
 
+@pytest.mark.slow
 def test_another_substance_weighs_and_flows_otherwise(monkeypatch):
     weights = {}
     for name in (next(iter(DYES)), "mercury", "diethyl ether"):
@@ -194,6 +195,7 @@ def turning(env: LabEnv, vessel) -> float:
     return float(momentum.sum() / (arm**2).sum())
 
 
+@pytest.mark.slow
 def test_a_rod_that_stirs_takes_the_liquid_round_with_it():
     env = LabEnv(Setting("level1/stir", obs="state", particles=300))
     env.reset(seed=2)

@@ -131,6 +131,7 @@ def test_absorbance_is_proportional_to_concentration() -> None:
     assert full.text == f"{full.shown:.3f} A"
 
 
+@pytest.mark.slow
 def test_an_open_lid_and_an_unknown_spectrum_show_dashes() -> None:
     """Of hexacyanidoferrate(III) 1020 l/(mol cm) at 420 nm."""
     simulation = in_beam("potassium hexacyanidoferrate(III)", 1e-3, 420.0)

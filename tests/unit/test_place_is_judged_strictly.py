@@ -37,6 +37,7 @@ def test_the_unspoilt_skill_succeeds(env):
     assert play(env, Place(beaker, OnTop(plate)))["outcome"] == "success"
 
 
+@pytest.mark.slow
 def test_a_beaker_that_stays_in_the_hand_is_not_placed(env):
     beaker, plate = things(env)
 
@@ -49,6 +50,7 @@ def test_a_beaker_that_stays_in_the_hand_is_not_placed(env):
     assert not info["ever_success"]
 
 
+@pytest.mark.slow
 def test_a_hand_that_stays_around_the_beaker_has_not_withdrawn(env):
     beaker, plate = things(env)
     info = play(env, Place(beaker, OnTop(plate), retreat=0.0))
@@ -58,6 +60,7 @@ def test_a_hand_that_stays_around_the_beaker_has_not_withdrawn(env):
     assert not info["ever_success"]
 
 
+@pytest.mark.slow
 def test_a_base_that_overhangs_the_plate_is_not_in_full_contact(env):
     beaker, plate = things(env)
     info = play(env, Place(beaker, Aside(plate, x=0.048)))
@@ -66,6 +69,7 @@ def test_a_base_that_overhangs_the_plate_is_not_in_full_contact(env):
     assert not info["ever_success"]
 
 
+@pytest.mark.slow
 def test_a_beaker_beside_the_plate_is_not_at_the_target(env):
     beaker, plate = things(env)
 
@@ -106,6 +110,7 @@ def test_a_hand_on_the_plate_has_struck_it(env):
     assert info["outcome"] == "struck"
 
 
+@pytest.mark.slow
 def test_a_beaker_carried_nineteen_centimetres_high_is_not_transported():
     env = begun("level2/transport_beaker", liquid="off")
     beaker, plate = things(env)

@@ -63,6 +63,7 @@ def test_in_every_draw_the_right_one_makes_it_and_the_other_does_not(split: str)
     assert len(drawn) == (3 if split == "id" else 2)
 
 
+@pytest.mark.slow
 def test_the_wrong_one_ends_the_episode_and_the_right_one_does_not(env: LabEnv) -> None:
     for poured, outcome in ((right_of, "running"), (wrong_of, "contaminated")):
         env.reset(seed=0, options={"after": "pick"})

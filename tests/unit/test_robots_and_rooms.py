@@ -231,6 +231,7 @@ def test_no_other_module_names_a_robot():
     assert elsewhere == []
 
 
+@pytest.mark.slow
 def test_names_and_limits_are_known_without_mujoco():
     code = (
         "import sys, labutopia_lerobot.robots, labutopia_lerobot.scenes\n"

@@ -129,6 +129,7 @@ def test_a_hand_that_does_not_let_go_has_not_finished(env):
     assert not info["ever_success"]
 
 
+@pytest.mark.slow
 def test_a_hand_that_stays_round_the_bottle_has_not_finished(env):
     bottle, _ = things(env)
     info = play(env, Linger(bottle, amount_ml=21.0))

@@ -59,6 +59,7 @@ def densest(simulation: Simulation) -> float:
     return max(float(model.geom(puff).rgba[3]) for puff in puffs)
 
 
+@pytest.mark.slow
 def test_cold_water_has_none_and_hot_water_the_more_the_hotter():
     cold, warm, hot, boils = (
         densest(s) for s in (water(None), water(60.0), water(80.0), boiling())

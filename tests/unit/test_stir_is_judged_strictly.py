@@ -94,6 +94,7 @@ def test_a_rod_that_stops_half_way_has_not_stirred(env):
     assert info["substeps"]["stirred"] == np.inf
 
 
+@pytest.mark.slow
 def test_a_rod_that_circles_above_the_liquid_is_not_inserted(wet):
     info = play(wet, replace(stir(wet), bottom_gap=0.035))  # 8 mm above where 60 ml stand
     assert info["outcome"] == "running"

@@ -92,6 +92,7 @@ def test_it_empties_in_the_time_that_head_and_bore_say(vessel, ml):
     assert inside(simulation, "beaker") == pytest.approx(ml, rel=0.01)
 
 
+@pytest.mark.slow
 def test_a_shut_cock_leaks_nothing_and_nothing_is_lost():
     simulation = above_a_beaker(BURETTE, Filling(ml=50.0))
     wait(simulation, 5.0)
@@ -110,6 +111,7 @@ def test_a_shut_cock_leaks_nothing_and_nothing_is_lost():
     assert delivered(simulation) == left
 
 
+@pytest.mark.slow
 def test_half_open_gives_the_share_that_the_circles_have_in_common():
     bore = FUNNEL.stopcocks[0].bore
     full, none = bore.opening(OPEN), bore.opening(OPEN - 2 * math.asin(bore.hole / bore.plug))

@@ -1,6 +1,7 @@
 """Turn stopcock: what has run counts, and that the plug is shut; spilled or too much ends it."""
 
 import numpy as np
+import pytest
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.setting import Setting
@@ -21,6 +22,7 @@ def played(seconds_open: float, seconds: float, *, shut: float = 0.0) -> dict:
     return info
 
 
+@pytest.mark.slow
 def test_seven_millilitres_and_a_shut_plug_are_success():
     assert played(8.0, 12.0)["outcome"] == "success"
 
@@ -31,10 +33,12 @@ def test_too_little_is_none():
     assert info["substeps"]["run"] == np.inf
 
 
+@pytest.mark.slow
 def test_too_much_ends_the_episode():
     assert played(30.0, 30.0)["outcome"] == "overshot"
 
 
+@pytest.mark.slow
 def test_a_plug_that_lets_nothing_through_is_not_yet_shut():
     info = played(8.0, 12.0, shut=np.radians(45.0))
     assert info["outcome"] == "running"

@@ -117,6 +117,7 @@ def test_what_stands_around_stands_by_itself_and_fits_beside_the_hand():
             assert piece.footprint_radius < 0.15
 
 
+@pytest.mark.slow
 def test_distractors_find_a_place_beside_an_open_door():
     """The first of them may leave no room for the last: then all begin anew."""
     setting = Setting("level1/close_door", obs="state", split="ood", axes=("layout",))

@@ -110,6 +110,7 @@ def test_an_exported_room_has_ware_that_can_be_taken():
     assert model.joint("acid_free").id != model.joint("acid_closure_free").id
 
 
+@pytest.mark.slow
 def test_what_is_within_reach_can_be_opened_moved_and_read():
     plan = load_plan(CLOSE)
     real = real_names(plan)

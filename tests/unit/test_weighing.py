@@ -59,6 +59,7 @@ def test_it_reads_the_mass_on_its_pan_to_three_of_its_digits(balance):
     assert abs(reading.value - 1e3 * BOAT.mass) < 3 * balance.weighing.resolution
 
 
+@pytest.mark.slow
 def test_poured_water_reads_as_the_account_has_it():
     simulation = on_the_pan(BALANCE, BEAKER, {BEAKER: Filling(ml=50.0)})
     wait(simulation, 5.0)

@@ -98,6 +98,7 @@ def test_liquid_on_a_plate_that_stands_is_spilled():
     assert wait(env, steps=15) == "spilled"
 
 
+@pytest.mark.slow
 def test_liquid_outside_on_glass_clings_in_the_hand_and_is_spilled_where_it_stands():
     env = begun("level1/pour")
     world, liquid = env.workcell.world, env.workcell.simulation.liquid

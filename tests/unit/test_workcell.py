@@ -47,6 +47,7 @@ def test_any_whole_number_is_a_seed():
         env.reset(seed=7.5)
 
 
+@pytest.mark.slow
 def test_an_episode_can_begin_behind_a_step_with_the_liquid_in_place():
     env = begun("level2/pour_liquid")
     _, info = env.reset(seed=3, options={"after": "pour"})
