@@ -142,7 +142,9 @@ class LanguageModel:
         with suppress(OSError, ValueError):
             return read_answer(kept.read_text(encoding="utf-8"), portions, conditions)
         if server is None:
-            raise ModelServerError("no answer is kept, and nobody is asked")
+            raise ModelServerError(
+                "no answer is kept, and nobody is asked (cached_only or HF_HUB_OFFLINE)"
+            )
         deadline = time.monotonic() + self.timeout_s
         said = server.ask(messages, PAPER_SCHEMA, self.timeout_s)
         try:
