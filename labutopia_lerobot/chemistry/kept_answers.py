@@ -178,13 +178,15 @@ def load_answers(reasoner: str) -> KeptAnswers | None:
 
 
 def write(answers: KeptAnswers, file: Path) -> None:
-    """Write answers to a file.
+    """Write answers to a file: a process that is killed leaves it as it was, or the whole of it.
 
     Raises:
         KeptAnswersError: If nothing can be written there.
     """
+    part = file.with_name(f"{file.name}.part")
     try:
-        file.write_text(json.dumps(asdict(answers), indent=1, ensure_ascii=False), encoding="utf-8")
+        part.write_text(json.dumps(asdict(answers), indent=1, ensure_ascii=False), encoding="utf-8")
+        part.replace(file)
     except OSError as error:
         raise KeptAnswersError(f"{file} cannot be written: {error}") from None
 

@@ -73,4 +73,5 @@ def _ask(arguments: argparse.Namespace) -> None:
                 said = [one.stoichiometry for one in answer.reactions] or ["nothing reacts"]
                 line = f"By the rules: {answer.failed}" if answer.failed else "; ".join(said)
                 console.print(printable(f"{' and '.join(compounds)}: {line}"), markup=False)
+    write(kept, arguments.out)  # one compound alone is no question, and its file is wanted
     console.print(f"{len(kept.answers)} answers of {model.model} in {arguments.out}", markup=False)
