@@ -38,8 +38,8 @@ _MARKED = ("liquid", "particles", "reasoner", "robot", "room", "after")
 class Condition:
     """All that decides an episode, beside its seed and the policy. The defaults are published.
 
-    What decides nothing under the rest of a condition is None: particles where no liquid is
-    simulated, the renderer where no picture is drawn.
+    What decides nothing under the rest of a condition is None: particles and reasoner where no
+    liquid is simulated, the renderer where no picture is drawn.
 
     Attributes:
         task: Task id.
@@ -65,7 +65,7 @@ class Condition:
     after: str | None = None
     liquid: str | None = "on"
     particles: int | None = PARTICLES
-    reasoner: str = RULES
+    reasoner: str | None = RULES
     robot: str = OF_THE_LEVEL
     room: str = DEFAULT_ROOM
     obs: str | None = "pixels"
@@ -78,6 +78,7 @@ class Condition:
             # A step played alone begins where the one before it is done, in whatever order.
             "after": self.after if self.step is None else None,
             "particles": self.particles if self.liquid == "on" else None,
+            "reasoner": self.reasoner if self.liquid == "on" else None,
             "renderer": (self.renderer or CLASSIC) if self.obs == "pixels" else None,
         }
         for name, value in canonical.items():
@@ -137,6 +138,6 @@ def differ_in_task_only(conditions: Sequence[Condition]) -> bool:
         for field in fields(Condition)
         if field.name != "task"
     }
-    for name in ("liquid", "particles"):
+    for name in ("liquid", "particles", "reasoner"):
         values[name].discard(None)
     return all(len(distinct) <= 1 for distinct in values.values())

@@ -46,9 +46,9 @@ class Scene:
             named after the thing that it belongs to; shape (ngeom + nflex,).
         contents: What vessels hold at the start.
         particles: In how many particles that is divided.
-        answers: Of a language model, which decide what reacts; None for the rules.
         liquid: How it is drawn, or None where there is none.
         odometry: Where the base believes to be, or None: it is observed where it is.
+        answers: Of a language model, which decide what reacts; None for the rules.
     """
 
     model: mujoco.MjModel
@@ -60,9 +60,9 @@ class Scene:
     group_of_geom: NDArray[np.intp]
     contents: Mapping[Piece, Filling]
     particles: int
-    answers: KeptAnswers | None
     liquid: LiquidDrawing | None
     odometry: Odometry | None = None
+    answers: KeptAnswers | None = None
 
     @property
     def welds(self) -> int:
@@ -119,9 +119,9 @@ def compile_scene(
         group_of_geom,
         contents,
         particles,
-        answers,
         liquid,
         odometry,
+        answers,
     )
 
 

@@ -24,6 +24,7 @@ OTHER = {
     "after": "pick",
     "liquid": "off",
     "particles": 100,
+    "reasoner": "model@01234567",
     "robot": "iiwa",
     "room": "organic_7",
     "obs": "state",
@@ -52,6 +53,7 @@ def test_what_decides_nothing_separates_no_conditions() -> None:
     assert pour(axes=["all", "light"]).condition == pour(axes=["all"]).condition
     assert pour(liquid="off", particles=9).condition == pour(liquid="off").condition
     assert pour(liquid=None, particles=9).condition == pour(liquid=None).condition
+    assert pour(liquid="off", reasoner="m@0").condition == pour(liquid="off").condition
     assert pour(obs="state", renderer="Filament").condition == pour(obs="state").condition
     # Where the order of the steps is drawn, a step alone begins behind another one each time.
     assert pour(step="pour", after="pick").condition == pour(step="pour").condition

@@ -70,7 +70,8 @@ def test_its_card_says_what_it_achieved_to_people_and_to_the_hub(save_checkpoint
     assert result.dataset_name == "LabUtopia level1/pick, state"
     assert result.metric_config == (
         "task=level1/pick split=id axes=[] play=single step=null after=null liquid=null "
-        "particles=null robot=panda room=laboratory obs=state renderer=null episodes=50"
+        "particles=null reasoner=null robot=panda room=laboratory obs=state renderer=null "
+        "episodes=50"
     )
     assert "Not measured." in card(policy_repository(folder, "me/pick", ())).text
 

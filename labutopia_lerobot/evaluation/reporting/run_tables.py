@@ -58,7 +58,8 @@ def _title(entry: ReportEntry, entries: Sequence[ReportEntry]) -> str:
     if played.liquid is None:  # a task without liquid was played with the same options
         filled = (other.condition for other in entries if other.condition.liquid is not None)
         like = next(filled, played)
-        played = replace(played, liquid=like.liquid, particles=like.particles)
+        filled_as = {name: getattr(like, name) for name in ("liquid", "particles", "reasoner")}
+        played = replace(played, **filled_as)
     return f"{entry.policy}, {played.without_task(entry.policy)}"
 
 
