@@ -224,6 +224,8 @@ def require_drivable(start: Mapping[Piece, Start], ground: Ground, room: str) ->
     deep = sum(isinstance(region, OnDeepBench) for region in start.values())
     instruments = sum(region.instrument for region in benches)
     things = max((region.things for region in benches), default=1)
+    from_above = any(region.from_above for region in benches)
+    roomy = ground.benches_for(things, APART, from_above=from_above)
     fixtures = {region.kind for region in start.values() if isinstance(region, OfTheRoom)}
     train, test = rooms_for(start)
     cure = (
@@ -234,7 +236,7 @@ def require_drivable(start: Mapping[Piece, Start], ground: Ground, room: str) ->
         raise NowhereToDriveError(f"room={room!r} has no {kind} that a robot drives up to. {cure}")
     for found, needed, free in (
         (ground.benches, len(benches) + deep, "a free place"),
-        (ground.benches_for(things, APART), int(things > 1), f"free places for {things} things"),
+        (roomy, int(things > 1), f"free places for {things} things"),
         (ground.deep_benches, deep, "into an oven that stands there with its door open"),
         (ground.wide_benches, instruments, "a place free for an instrument"),
     ):

@@ -76,12 +76,13 @@ class Journey:
         here: FloatArray = self._places[0]
         length = straight = 0.0
         skills = [skill for step in steps for skill in step.skills]
-        driven_to = [skill.thing for skill in skills if isinstance(skill, DriveTo)]
-        if not driven_to:
+        drives = [skill for skill in skills if isinstance(skill, DriveTo)]
+        if not drives:
             return math.inf
-        for thing in driven_to:
+        for drive in drives:
             try:
-                self._dock = dock = dock_for(self._world, thing)
+                dock = dock_for(self._world, drive.thing, from_above=drive.from_above)
+                self._dock = dock
                 length += straight + self._way.shortest(here, dock.before).length
             except (BlockedPlaceError, UnreachableGoalError, PhaseError):
                 return math.inf

@@ -46,6 +46,9 @@ FETCH_BASE = MobileBase(
     # 0.119525 m before the column, which is 0.086875 m behind the middle [URDF].
     arm=(0.03265, 0.0, 0.72601),
     ahead=(0.57, 0.82),  # ours: a beaker of 0.25 m further out stays within the reach
+    # Ours: from farther off its arm, the torso being up and the hand pointing down, is straight
+    # before a beaker is 0.25 m above a bench of 0.90 m.
+    above=0.68,
     gap=0.10,  # ours: nearer by, the arm has to fold as far as it can
     door_room=0.35,  # ours: with 0.25 the elbow folds up before the door is wide open
     # Ours: every third ray, a degree apart.

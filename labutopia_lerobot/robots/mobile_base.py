@@ -27,6 +27,7 @@ class MobileBase:
         arm: Where the base of the arm is mounted [m], base frame, facing forward.
         ahead: Least and greatest distance before the base of the arm at which it takes things well
             [m].
+        above: Greatest such distance at which it takes them from above and lifts them well [m].
         gap: Least distance from a bench at which it stands while the arm works there [m].
         door_room: How much farther off than to reach in it stands to open a door [m].
         scanner: Its laser scanner.
@@ -40,6 +41,7 @@ class MobileBase:
     payload: float
     arm: tuple[float, float, float]
     ahead: tuple[float, float]
+    above: float
     gap: float
     door_room: float
     scanner: LaserScanner

@@ -48,6 +48,7 @@ RIDGEBACK = MobileBase(
     # Ours: those of level 1's pick are 0.61 to 0.76, and a beaker of 0.25 m further out stays
     # within the reach of 0.855.
     ahead=(0.45, 0.70),
+    above=0.70,
     gap=0.01,  # ours
     door_room=0.0,  # as the arm on its stand
     # Its standard front one: on the chassis, whose frame is 0.0259 m above the floor [URDF]. Ours:

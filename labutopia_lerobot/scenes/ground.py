@@ -4,7 +4,7 @@ All of it in the frame of a task, in which the room's first work place is where 
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,11 +20,13 @@ class Spot:
         dock: Where the base stands.
         position: Of the thing: x, y, and height above the room's first bench, shape (3,) [m].
         wide: Whether an instrument can stand there: a square of 0.34 m around is level and free.
+        above: Whether the arm reaches it from above, too.
     """
 
     dock: Dock
     position: FloatArray
     wide: bool
+    above: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,26 +75,30 @@ class Ground:
         """Those of them with places for instruments."""
         return tuple(dict.fromkeys(spot.dock.bench for spot in self.spots if spot.wide))
 
-    def benches_for(self, count: int, apart: float) -> tuple[str, ...]:
+    def benches_for(self, count: int, apart: float, *, from_above: bool) -> tuple[str, ...]:
         """Return benches with places for several things.
 
         Args:
             count: How many.
             apart: Least distance of one from another [m].
+            from_above: Whether the arm is to reach them from above.
         """
-        return tuple(bench for bench in self.benches if len(self._spread(bench, apart)) >= count)
-
-    def _spread(self, bench: str, apart: float) -> list[FloatArray]:
-        """Return places on a bench that are apart, from one of its ends to the other."""
-        points = np.array([spot.position[:2] for spot in self.spots if spot.dock.bench == bench])
-        along = points[np.argsort(points @ np.linalg.svd(points - points.mean(axis=0))[2][0])]
-        chosen: list[FloatArray] = []
-        for point in along:
-            if all(math.dist(point, other) >= apart for other in chosen):
-                chosen.append(point)
-        return chosen
+        spots = [spot for spot in self.spots if spot.above or not from_above]
+        benches = dict.fromkeys(spot.dock.bench for spot in spots)
+        return tuple(each for each in benches if len(_spread(spots, each, apart)) >= count)
 
     @property
     def deep_benches(self) -> tuple[str, ...]:
         """Benches with places for what is as large as an oven."""
         return tuple(dict.fromkeys(spot.dock.bench for spot in self.deep))
+
+
+def _spread(spots: Sequence[Spot], bench: str, apart: float) -> list[FloatArray]:
+    """Return places on a bench that are apart, from one of its ends to the other."""
+    points = np.array([spot.position[:2] for spot in spots if spot.dock.bench == bench])
+    along = points[np.argsort(points @ np.linalg.svd(points - points.mean(axis=0))[2][0])]
+    chosen: list[FloatArray] = []
+    for point in along:
+        if all(math.dist(point, other) >= apart for other in chosen):
+            chosen.append(point)
+    return chosen

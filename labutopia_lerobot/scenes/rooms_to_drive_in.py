@@ -24,12 +24,12 @@ _WITH_SINKS = {
     "biology": (0, 1, 3, 4, 7),
     "corridor": (0, 1, 2, 4, 5, 9),
     "glove_box": (0, 2, 3, 4, 5, 6, 7, 8, 9),
-    "organic": (4, 7, 8, 9),
+    "organic": (4, 7, 8),
     "preparation": (0, 2, 3, 4, 5, 6, 7, 8, 9),
     "teaching": (1, 2, 5, 8, 9, 10),
 }
 """Family -> numbers of its rooms in which every robot gets to a sink and to a bench with free
-places for three things, 0.25 m apart; one bench is enough."""
+places for three things to take from above, 0.25 m apart; one bench is enough."""
 
 _SHALLOW = frozenset(
     {"analytical_0", "analytical_2", "analytical_6", "organic_9", "physics_2", "physics_5"}

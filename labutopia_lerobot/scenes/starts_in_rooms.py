@@ -34,10 +34,12 @@ class OnSomeBench:
         instrument: Whether it is an instrument, up to 0.34 m long and wide: it stands where there
             is room for that, its back to the bench, its front to the robot. Things are of any yaw.
         things: How many things there must be room for, this one among them (see `OnTheSameBench`).
+        from_above: Whether the arm is to reach it from above.
     """
 
     instrument: bool = False
     things: int = 1
+    from_above: bool = False
     shuffled: ClassVar[tuple[str, ...]] = ()
 
     @property
@@ -57,10 +59,14 @@ class OnSomeBench:
         """
         taken = {placement.bench for placement in placed.values()}
         spots = () if ground is None else ground.spots
-        spots = tuple(spot for spot in spots if spot.wide or not self.instrument)
+        spots = tuple(
+            spot
+            for spot in spots
+            if (spot.wide or not self.instrument) and (spot.above or not self.from_above)
+        )
         free = list(dict.fromkeys(s.dock.bench for s in spots if s.dock.bench not in taken))
         if self.things > 1 and ground is not None:
-            roomy = ground.benches_for(self.things, APART)
+            roomy = ground.benches_for(self.things, APART, from_above=self.from_above)
             free = [bench for bench in free if bench in roomy]
         if not free:
             raise NowhereToDriveError(
@@ -92,9 +98,11 @@ class OnTheSameBench:
 
     Attributes:
         as_thing: The other thing; it comes earlier in the task's start, with `things` for all.
+        from_above: Whether the arm is to reach it from above.
     """
 
     as_thing: Piece
+    from_above: bool = False
     shuffled: ClassVar[tuple[str, ...]] = ()
     described: ClassVar[str] = "any"
 
@@ -117,6 +125,7 @@ class OnTheSameBench:
             spot.position
             for spot in ground.spots
             if spot.dock.bench == bench
+            and (spot.above or not self.from_above)
             and all(math.dist(spot.position[:2], other) >= APART for other in others)
         ]
         if not there:

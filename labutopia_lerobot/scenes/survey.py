@@ -73,9 +73,9 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
 
     found = [(dock, in_world(dock)) for dock in docks(plan, base, RADIUS)]
     spots = [
-        Spot(there, np.append(turn @ point[:2] + moved, point[2]), wide)
+        Spot(there, np.append(turn @ point[:2] + moved, point[2]), wide, above)
         for dock, there in found
-        for point, wide in _points(plan, base, dock)
+        for point, wide, above in _points(plan, base, dock)
     ]
     occupancy: Occupancy = map_around(plan, place)
     # Where its corners have room, too: it begins with a turn.
@@ -95,18 +95,18 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
         above = np.append(at, piece.height - LABORATORY.bench.height)
         fixtures.setdefault(piece.kind, Fixture(piece.name, dock, above, dock.yaw))
     deep = [
-        Spot(there, np.append(_axes(base, there)[2], height), wide=True)
+        Spot(there, np.append(_axes(base, there)[2], height), wide=True, above=False)
         for dock, there in found
         if (height := _deep(plan, base, dock)) is not None
     ]
     return Ground(floor, tuple(spots), tuple(deep), fixtures, occupancy.middles(starts))
 
 
-def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArray, bool]]:
+def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArray, bool, bool]]:
     """Yield the places for things that a robot at a dock reaches, shape (3,) [m], room frame.
 
     Their heights are those above the bench of the work place. With each comes whether an instrument
-    can stand there.
+    can stand there, and whether the arm reaches it from above.
     """
     solids, own = _solids(plan), _bench(plan, dock.bench)
     ahead, left, arm = _axes(base, dock)
@@ -123,7 +123,8 @@ def _points(plan: Plan, base: MobileBase, dock: Dock) -> Iterator[tuple[FloatArr
                 wide = _level(own, point, _INSTRUMENT) == height and _clear(
                     solids, point - _INSTRUMENT, point + _INSTRUMENT, height
                 )
-                yield np.append(point, height - LABORATORY.bench.height), wide
+                at = np.append(point, height - LABORATORY.bench.height)
+                yield at, wide, along <= base.above
 
 
 def _deep(plan: Plan, base: MobileBase, dock: Dock) -> float | None:

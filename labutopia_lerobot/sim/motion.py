@@ -38,9 +38,9 @@ _NEAR = 2 * _MARGIN
 _GAIN = 0.85 / CONTROL_HZ
 """Share of the distance left that one control period may use up, per second: mink bounds a step by
 `gain * distance / dt`."""
-_OWN_GAIN, _OWN_HORIZON = 0.13 / CONTROL_HZ, 0.15
-"""The same between a robot's arm and its trunk, and the distance below which it acts [m]; ours:
-nothing is to be done there, and a heavy upper arm brakes in good time."""
+_GENTLE_GAIN, _GENTLE_HORIZON = 0.13 / CONTROL_HZ, 0.15
+"""The same of an arm with a trunk, from that and from furniture, and the distance below which it
+acts [m]; ours: nothing is to be done there, and a heavy upper arm brakes in good time."""
 _POSITION, _ORIENTATION = 1.0, 0.3
 """Cost of the hand away from its target [1/m, 1/rad]."""
 _POSTURE = 0.003
@@ -348,10 +348,11 @@ def _clearances(
     obstacles = {name.removeprefix(_OBSTACLE): _geoms_below(model, name) for name in names}
     obstacles[BENCH] = _geoms_below(model, BENCH)
     obstacles |= {name: _high_geoms(model, name) for name in furniture}
+    gentle = {(ARM, name) for name in furniture if robot.trunk}
     return {
-        (mover, obstacle): _apart(model, movers[mover], obstacles[obstacle])
-        for mover, obstacle in itertools.product(movers, obstacles)
-        if mover != obstacle
+        (a, b): _apart(model, movers[a], obstacles[b], gently=(a, b) in gentle)
+        for a, b in itertools.product(movers, obstacles)
+        if a != b
     }
 
 
@@ -368,21 +369,18 @@ def _own_clearance(model: mujoco.MjModel, robot: Robot) -> list[mink.CollisionAv
     bodies = {model.body(name).id for name in robot.trunk}
     collides = [g for g in range(model.ngeom) if model.geom_contype[g]]
     trunk = [g for g in collides if model.geom_bodyid[g] in bodies]
-    return [_apart(model, arm, trunk, _OWN_GAIN, _OWN_HORIZON)]
+    return [_apart(model, arm, trunk, gently=True)]
 
 
 def _apart(
-    model: mujoco.MjModel,
-    movers: list[int],
-    obstacles: list[int],
-    gain: float = _GAIN,
-    horizon: float = _HORIZON,
+    model: mujoco.MjModel, movers: list[int], obstacles: list[int], *, gently: bool
 ) -> mink.CollisionAvoidanceLimit:
-    """Return the distance limit between geoms."""
+    """Return the distance limit between geoms, that of a heavy arm if it acts gently."""
+    horizon = _GENTLE_HORIZON if gently else _HORIZON
     return mink.CollisionAvoidanceLimit(
         model,
         [(movers, obstacles)],
-        gain=gain,
+        gain=_GENTLE_GAIN if gently else _GAIN,
         bound_relaxation=-_RETREAT,
         minimum_distance_from_collisions=_MARGIN,
         collision_detection_distance=horizon,

@@ -39,11 +39,13 @@ class DriveTo:
         carrying: Thing in the hand, if any.
         clearance: Distance that the middle of the base keeps from everything where there is room
             for that [m]; elsewhere it is the paper's.
+        from_above: Whether the thing is to be taken from above.
     """
 
     thing: Thing
     carrying: Thing | None = None
     clearance: float = RADIUS
+    from_above: bool = False
 
     def way(self, world: World) -> Way:
         """Return the way on which it drives from where the base is: a wide one if that leads there.
@@ -61,7 +63,8 @@ class DriveTo:
         return wide
 
     def _ways(self, world: World) -> list[Way]:
-        return [Way.of(world, radius=radius) for radius in dict.fromkeys((self.clearance, RADIUS))]
+        radii = dict.fromkeys((self.clearance, RADIUS))
+        return [Way.of(world, radius=radius, from_above=self.from_above) for radius in radii]
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield stow, leave (if the base stands too near to something to turn) and drive."""

@@ -19,14 +19,17 @@ class Face:
     Attributes:
         thing: What to face.
         carrying: Thing in the hand, if any.
+        from_above: Whether it is to be taken from above.
     """
 
     thing: Thing
     carrying: Thing | None = None
+    from_above: bool = False
 
     def phases(self, world: World) -> Iterator[Phase]:
         """Yield turn and dock."""
-        hand, dock = in_hand(world, self.carrying), dock_for(world, self.thing)
+        hand = in_hand(world, self.carrying)
+        dock = dock_for(world, self.thing, from_above=self.from_above)
         limits = Way.of(world, INWARDS).limits
         yield parking("turn", Parking(base_at(world)[0], dock.yaw, limits), hand)
         if limits.sideways:

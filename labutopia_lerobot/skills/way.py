@@ -45,21 +45,31 @@ class Way:
         planner: Plans over it for the paper's disc.
         footprint: Of the base.
         limits: How fast it is to go.
+        from_above: Whether it goes to where things are taken from above.
     """
 
     occupancy: Occupancy
     planner: PathPlanner
     footprint: FloorRectangle
     limits: DrivingLimits
+    from_above: bool = False
 
     @classmethod
-    def of(cls, world: World, share: float = _SHARE, radius: float = RADIUS) -> "Way":
+    def of(
+        cls,
+        world: World,
+        share: float = _SHARE,
+        radius: float = RADIUS,
+        *,
+        from_above: bool = False,
+    ) -> "Way":
         """Return that of a world.
 
         Args:
             world: Its robot has a base.
             share: Of the base's speeds and accelerations.
             radius: Distance that the middle of the base keeps from everything [m].
+            from_above: Whether it is to go to where things are taken from above.
         """
         floor, wheels = world.floor, wheels_of(world)
         pace = wheels.limits
@@ -74,7 +84,7 @@ class Way:
         standing = [thing for thing in world.in_the_way if not thing.walks]
         occupancy = _with(known, world, standing, 0.0) if standing else known
         planner = PathPlanner.of(occupancy, limits, radius)
-        return cls(occupancy, planner, FloorRectangle(*wheels.size), limits)
+        return cls(occupancy, planner, FloorRectangle(*wheels.size), limits, from_above)
 
     def round(self, world: World, others: Sequence[Obstacle], room: float) -> "Way":
         """Return the way round others where they are now.
@@ -101,7 +111,7 @@ class Way:
             UnreachableGoalError: If no way leads there.
             PhaseError: If the thing is within reach of no place.
         """
-        dock = dock_for(world, thing)
+        dock = dock_for(world, thing, from_above=self.from_above)
         free = self.round(world, around, 2.0 * CLEAR_OF_PEOPLE) if around else self
         path = free.path(base_at(world)[0], self.before(dock))
         return Route(world.time, thing, tuple(around), path, dock)
@@ -164,8 +174,13 @@ def base_at(world: World) -> tuple[FloatArray, float]:
     return base.position_w[:2], math.atan2(base.x_axis[1], base.x_axis[0])
 
 
-def dock_for(world: World, thing: Thing) -> Dock:
+def dock_for(world: World, thing: Thing, *, from_above: bool = False) -> Dock:
     """Return the place at a bench from which the arm reaches a thing best.
+
+    Args:
+        world: Where the thing is.
+        thing: What to reach.
+        from_above: Whether it is to be taken from above.
 
     Raises:
         PhaseError: If there is none: nobody can drive there.
@@ -177,7 +192,8 @@ def dock_for(world: World, thing: Thing) -> Dock:
     if isinstance(thing, ReachedInto):
         best = world.floor.dock_at(point, arm, thing.opening.ahead, reaching_in=True)
     else:
-        best = world.floor.dock_at(point, arm, wheels.ahead)
+        near, far = wheels.ahead
+        best = world.floor.dock_at(point, arm, (near, wheels.above if from_above else far))
     if best is None:
         raise PhaseError(
             f"No place at a bench of the room from which '{thing.name}' is within reach can be "

@@ -35,34 +35,42 @@ LIFT = 0.20
 """Least lift from where a thing stood [m]; ours here: the paper's of levels 1 to 3."""
 
 
-def navigate(to: Thing, *, carrying: Graspable | None = None, clearance: float = RADIUS) -> Step:
+def navigate(
+    to: Thing,
+    *,
+    carrying: Graspable | None = None,
+    clearance: float = RADIUS,
+    from_above: bool = False,
+) -> Step:
     """Navigate: drive to near a thing and halt (paper: "steadily at a position near").
 
     Args:
         to: What to drive to.
         carrying: Thing in the hand, if any.
         clearance: Distance that the expert keeps from everything where it can [m].
+        from_above: Whether it is to be taken from above.
     """
     there = (beside(to, within=NEAR), halted(than=HALTED))
     return Step(
         "navigate",
-        (DriveTo(to, carrying, clearance),),
+        (DriveTo(to, carrying, clearance, from_above),),
         (Substep("arrived", (*there, *_held(carrying))),),
         _touched(carrying),
     )
 
 
-def face(thing: Thing, *, carrying: Graspable | None = None) -> Step:
+def face(thing: Thing, *, carrying: Graspable | None = None, from_above: bool = False) -> Step:
     """Face: turn to a thing and go in to where the arm reaches it (paper: "controlled turn").
 
     Args:
         thing: What to face.
         carrying: Thing in the hand, if any.
+        from_above: Whether it is to be taken from above.
     """
     faced = (facing(thing, within_deg=FACING), halted(than=HALTED), *_held(carrying))
     return Step(
         "face",
-        (Face(thing, carrying),),
+        (Face(thing, carrying, from_above),),
         (Substep("faced", faced), Substep("at_hand", (*faced, at_hand(thing, share=AT_HAND)))),
         _touched(carrying),
     )

@@ -60,6 +60,11 @@ class Wheels(Protocol):
         ...
 
     @property
+    def above(self) -> float:
+        """Greatest such distance at which it takes things from above and lifts them well [m]."""
+        ...
+
+    @property
     def door_room(self) -> float:
         """Distance by which it stands farther off to open a door than to reach in [m]."""
         ...

@@ -15,6 +15,7 @@ from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path_planner import PathPlanner
 from labutopia_lerobot.registry import task_files
+from labutopia_lerobot.robots.fetch_base import FETCH_BASE
 from labutopia_lerobot.robots.ridgeback import RIDGEBACK
 from labutopia_lerobot.scenario import ArmsAloneError, NeedsBaseError, canonical_task, draw_scenario
 from labutopia_lerobot.scenes import NowhereToDriveError, load_room, rooms_to_drive_in
@@ -109,6 +110,20 @@ def test_things_stand_on_benches_of_their_own_and_the_base_where_it_gets_to_all(
             dock = min(docks, key=lambda dock: math.dist(dock.position, there))
             assert math.dist(dock.position, there) < 1.1
             assert planner.plan(start, dock.before).length > 0.5
+
+
+def test_what_is_to_be_taken_from_above_stands_where_the_arm_reaches_it_from_above():
+    base, draws = FETCH_BASE, [np.random.default_rng(seed) for seed in range(60)]
+    ground = load_room("organic_7").ground(base)
+
+    def docks(start: OnSomeBench) -> list[bool]:
+        places = [start.sample(rng, {}, ground) for rng in draws]
+        points = [np.array((place.x, place.y)) for place in places]
+        near = base.ahead[0], base.above
+        return [ground.floor.dock_at(point, base.arm[0], near) is not None for point in points]
+
+    assert all(docks(OnSomeBench(from_above=True)))
+    assert not all(docks(OnSomeBench()))
 
 
 def test_one_has_to_drive_from_one_thing_to_the_other():

@@ -144,6 +144,9 @@ def test_rooms_for_clearing_are_those_with_a_sink_and_a_bench_for_three_things()
         plan = load_plan(name)
         if plan.work_places and any(piece.kind == "laboratory_sink" for piece in plan.pieces):
             grounds = [load_room(name).ground(base) for base in (RIDGEBACK, FETCH_BASE)]
-            if all("laboratory_sink" in g.fixtures and g.benches_for(3, 0.25) for g in grounds):
+            if all(
+                "laboratory_sink" in g.fixtures and g.benches_for(3, 0.25, from_above=True)
+                for g in grounds
+            ):
                 fit.append(name)
     assert sorted(fit) == sorted(name for names in rooms_with_sinks() for name in names)

@@ -54,8 +54,8 @@ def clear_bench() -> Task:
             "medium, large.",
         ),
         start={
-            first: OnSomeBench(things=3),
-            **{beaker: OnTheSameBench(first) for beaker in others},
+            first: OnSomeBench(things=3, from_above=True),
+            **{beaker: OnTheSameBench(first, from_above=True) for beaker in others},
             SINK: OfTheRoom("laboratory_sink"),
         },
         drives=True,
@@ -75,8 +75,8 @@ def clear_bench() -> Task:
 
 def _carry(beaker: Vessel, place: Destination) -> Iterator[Step]:
     """Yield the steps that bring one beaker into the sink; it is grasped from above."""
-    yield driving.navigate(beaker, clearance=CLEARANCE)
-    yield driving.face(beaker)
+    yield driving.navigate(beaker, clearance=CLEARANCE, from_above=True)
+    yield driving.face(beaker, from_above=True)
     pick = driving.pick(beaker, approach="deep")
     yield replace(pick, skills=(*pick.skills, BackOff(beaker)))
     yield driving.navigate(SINK, carrying=beaker, clearance=CLEARANCE)
