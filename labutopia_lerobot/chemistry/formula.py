@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import lru_cache
 from types import MappingProxyType
 
 from labutopia_lerobot.chemistry.atomic_weights import ATOMIC_WEIGHTS
@@ -56,6 +57,7 @@ class Formula:
         return float(self.relative_mass / 1000)
 
 
+@lru_cache(maxsize=4096)  # a few hundred species are asked for again and again
 def parse(text: str) -> Formula:
     """Return the atoms and the charge of a formula.
 

@@ -35,6 +35,16 @@ def test_wilson_intervals_are_the_published_ones(successes, n, low, high):
     assert wilson(successes, n) == pytest.approx((low, high), abs=5e-5)
 
 
+@pytest.mark.parametrize("n", [1, 2, 48, 1000])
+@pytest.mark.parametrize("confidence", [0.9, 0.99])
+def test_wilson_intervals_are_those_of_scipy_and_end_exactly_at_nothing_and_all(n, confidence):
+    for successes in range(n + 1):
+        published = binomtest(successes, n).proportion_ci(confidence, "wilson")
+        found = wilson(successes, n, confidence)
+        assert found == pytest.approx((published.low, published.high), abs=1e-14)
+        assert (found[0] == 0.0, found[1] == 1.0) == (successes == 0, successes == n)
+
+
 @pytest.mark.parametrize(("successes", "n"), [(0, 1), (7, 7), (3, 20), (104, 120), (299, 300)])
 def test_the_ends_of_an_exact_interval_are_the_rates_that_are_just_not_rejected(successes, n):
     low, high = exact(successes, n, confidence=0.9)

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from statistics import median
 
 import numpy as np
-from scipy.special import betaincinv
-from scipy.stats import binomtest, norm, quantile_test
+from scipy.special import betaincinv, ndtri
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.uncertainty.anytime import confidence_sequence
@@ -25,8 +24,21 @@ def wilson(successes: int, n: int, confidence: float = 0.95) -> Interval:
         ValueError: If there are no episodes, or more successes than episodes.
     """
     _require_rate(successes, n)
-    interval = binomtest(successes, n).proportion_ci(confidence, "wilson")
-    return float(interval.low), float(interval.high)
+    rate, z = successes / n, _deviations(confidence)
+    middle, half = (rate + z**2 / (2 * n)) / (1 + z**2 / n), _half_width(rate, n, z)
+    low = 0.0 if successes == 0 else middle - half  # exactly, whatever rounding says
+    return low, 1.0 if successes == n else middle + half
+
+
+def _deviations(confidence: float) -> float:
+    """Return within how many standard deviations a share of a normal distribution lies."""
+    return float(ndtri((1 + confidence) / 2))
+
+
+def _half_width(rate: float, n: int, z: float) -> float:
+    """Return half of the width of the Wilson interval of a rate in so many episodes."""
+    spread: float = (rate * (1 - rate) / n + z**2 / (4 * n**2)) ** 0.5
+    return z * spread / (1 + z**2 / n)
 
 
 def exact(successes: int, n: int, confidence: float = 0.95) -> Interval:
@@ -69,6 +81,8 @@ class Median:
     @classmethod
     def of(cls, values: Sequence[float], confidence: float = 0.95) -> "Median | None":
         """Return the median of values, or None if there are none."""
+        from scipy.stats import quantile_test  # here: it takes half a second
+
         if not values:
             return None
         bounds = quantile_test(values, q=values[0], p=0.5).confidence_interval(confidence)
@@ -95,13 +109,8 @@ def episodes_for(half_width: float, rate: float = 0.5, confidence: float = 0.95)
     Raises:
         PrecisionError: If the half width is impossible, or takes more than a million episodes.
     """
-    z = float(norm.ppf((1 + confidence) / 2))
-
-    def narrow(n: int) -> bool:
-        spread = rate * (1 - rate) / n + z**2 / (4 * n**2)
-        return bool(z * spread**0.5 / (1 + z**2 / n) <= half_width)
-
-    return _fewest(narrow, half_width)
+    z = _deviations(confidence)
+    return _fewest(lambda n: _half_width(rate, n, z) <= half_width, half_width)
 
 
 def anytime_episodes_for(half_width: float, rate: float = 0.5, confidence: float = 0.95) -> int:

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
-from scipy.optimize import brentq
-from scipy.stats import binomtest, norm
+from scipy.special import ndtri
 
 from labutopia_lerobot.evaluation.uncertainty.intervals import Interval
 
@@ -58,12 +57,16 @@ class PairedOutcomes:
 
         Of the episodes in which only one succeeded, each is then a fair coin.
         """
+        from scipy.stats import binomtest  # here: it takes half a second
+
         discordant = self.first + self.second
         return float(binomtest(self.first, discordant).pvalue) if discordant else 1.0
 
     def interval(self, confidence: float = 0.95) -> Interval:
         """Return the confidence interval of the difference (score interval of Tango 1998)."""
-        z, difference = norm.ppf((1 + confidence) / 2), self.difference
+        from scipy.optimize import brentq  # here: likewise
+
+        z, difference = ndtri((1 + confidence) / 2), self.difference
         low = -1.0 if difference == -1.0 else brentq(lambda d: self._score(d) - z, -1.0, difference)
         high = 1.0 if difference == 1.0 else brentq(lambda d: self._score(d) + z, difference, 1.0)
         return float(low), float(high)
