@@ -46,7 +46,7 @@ class RecordingConfig(SettingOptions):
     task: Any = option(
         None, "Task id such as `level1/pick`, the bare name of a task of the level, or a list."
     )
-    level: Any = option(None, "1 to 4, a list of these, or `all`.")
+    level: Any = option(None, "1 to 5, a list of these, or `all`: the paper's tasks.")
     together: bool = option(
         False, "Whether several tasks become one dataset, for which obs=pixels is needed."
     )

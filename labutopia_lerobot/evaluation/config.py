@@ -79,7 +79,7 @@ class EvaluationConfig(SettingOptions):
         default_factory=PolicyConfig, metadata={"help": "Which policy plays."}
     )
     task: Any = option(None, "Task id, the bare name of a task of the level, or a list of these.")
-    level: Any = option(None, "1 to 4, a list of these, or `all`.")
+    level: Any = option(None, "1 to 5, a list of these, or `all`: the paper's tasks.")
     split: Any = option("id", "`id`, `train`, `ood`, or a list.")
     play: str = option(
         SINGLE,

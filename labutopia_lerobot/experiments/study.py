@@ -30,7 +30,7 @@ class StudyConfig(SettingOptions):
 
     policy: Any = option(None, "A recipe of `policies/`, `expert`, `random`, or a list of these.")
     task: Any = option(None, "Task id, the bare name of a task of the level, or a list of these.")
-    level: Any = option(None, "1 to 4, a list of these, or `all`.")
+    level: Any = option(None, "1 to 5, a list of these, or `all`: the paper's tasks.")
     demonstrations: Any = option(
         100, "How many demonstrations are learned from; a list gives a learning curve."
     )

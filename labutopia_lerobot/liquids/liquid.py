@@ -22,7 +22,7 @@ from labutopia_lerobot.liquids.lattice import lattice
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
-from labutopia_lerobot.liquids.surroundings import Surroundings
+from labutopia_lerobot.liquids.surroundings import Carrier, Surroundings
 from labutopia_lerobot.liquids.temperature import capacities
 from labutopia_lerobot.setting import PARTICLES
 from labutopia_lerobot.substances.filling import Dispenser, Fillable, Filling, Intake
@@ -45,7 +45,7 @@ class Liquid:
         vessels: All that can hold it: vessels, bottles that it comes from, pipettes, drains.
         fillings: Everything that is to be filled in: what it is, and how much of it in all.
         particles: Number of particles.
-        robot: Root body of what can carry vessels, if anything.
+        robot: What can carry vessels, if anything.
         answers: Of a language model, which decide what may form; None for the rules.
 
     Attributes:
@@ -71,7 +71,7 @@ class Liquid:
         vessels: Sequence[Fillable | Dispenser | Intake],
         fillings: Sequence[Filling],
         particles: int = PARTICLES,
-        robot: int | None = None,
+        robot: Carrier | None = None,
         answers: KeptAnswers | None = None,
     ) -> None:
         announce_compiling()

@@ -1,6 +1,7 @@
 """Surroundings of a liquid, as MuJoCo has them: vessels by their glass, all else by its shapes."""
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
@@ -28,6 +29,19 @@ _LEANS = 0.996
 """Cosine of the tilt from which on a vessel leans: 5 degrees; ours."""
 
 
+class Carrier(NamedTuple):
+    """The robot: what lies on what it holds is not yet spilled.
+
+    Attributes:
+        root: Its root body.
+        base: That of a base that drives, if it has one: what lies on its deck is spilled, though
+            that moves.
+    """
+
+    root: int
+    base: int | None = None
+
+
 class Surroundings:
     """The walls of a scene, moving with its bodies; their owners are first vessels, then geoms.
 
@@ -35,7 +49,7 @@ class Surroundings:
         model: The compiled scene.
         data: Its state.
         vessels: Everything that can hold liquid.
-        robot: Root body of what can carry things, if anything.
+        robot: What can carry things, if anything.
 
     Attributes:
         glass: The vessels.
@@ -50,15 +64,19 @@ class Surroundings:
         model: mujoco.MjModel,
         data: mujoco.MjData,
         vessels: Sequence[Fillable],
-        robot: int | None = None,
+        robot: Carrier | None = None,
     ) -> None:
         self._data = data
-        self._robot = -1 if robot is None else robot
+        self._robot = -1 if robot is None else robot.root
         self._vessels = np.array([model.body(vessel.name).id for vessel in vessels], dtype=int)
         solid = (model.geom_contype | model.geom_conaffinity) != 0
         self._geoms = np.flatnonzero(solid & ~np.isin(model.geom_bodyid, self._vessels))
         self._bodies = np.concatenate([self._vessels, model.geom_bodyid[self._geoms]])
-        self._moves = model.body_weldid[self._bodies] > 0
+        welded = model.body_weldid[self._bodies]
+        self._moves = welded > 0
+        self._deck = np.zeros(len(welded), dtype=bool)
+        if robot is not None and robot.base is not None:
+            self._deck = welded == model.body_weldid[robot.base]
         self._movable = np.flatnonzero(self._moves)
         self._roots = model.body_rootid[self._bodies]
         self._root_of_geom = model.body_rootid[model.geom_bodyid]
@@ -88,7 +106,10 @@ class Surroundings:
 
     @property
     def standing(self) -> NDArray[np.bool_]:
-        """Mask of the owners that stand, shape (owners,): not touched by the robot, not falling."""
+        """Mask of the owners that stand, shape (owners,): not touched by the robot, not falling.
+
+        The deck of a base that drives counts as such.
+        """
         data = self._data
         geoms = data.contact.geom[(data.contact.geom >= 0).all(axis=1)]  # no flexes
         of_geom = self._root_of_geom[geoms]
@@ -96,7 +117,7 @@ class Surroundings:
         speeds = np.linalg.norm(data.qvel[self._falling_dofs], axis=1)
         carried = np.concatenate([held, self._free[speeds > _FALLS]])
         stands: NDArray[np.bool_] = np.isin(self._roots, [self._robot, *carried], invert=True)
-        stands |= ~self._moves
+        stands |= ~self._moves | self._deck
         return stands
 
     def over_bottoms(self, positions: FloatArray, inside: NDArray[np.int64]) -> FloatArray:

@@ -12,6 +12,7 @@ from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.handling import Handling
 from labutopia_lerobot.liquids.liquid import Liquid
 from labutopia_lerobot.liquids.looks import columns, heaps, looks
+from labutopia_lerobot.liquids.surroundings import Carrier
 from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.set_points import PHYSICS_STEPS, SPAN, set_points
@@ -274,5 +275,7 @@ def _liquid(scene: Scene, data: mujoco.MjData) -> Liquid:
     """Return all that the contents of a scene are, still empty."""
     things = with_mounted(scene.pieces)
     vessels = [thing for thing in things if isinstance(thing, Fillable | Dispenser | Intake)]
-    contents, robot = list(scene.contents.values()), scene.model.body(ROBOT_MOUNT).id
-    return Liquid(scene.model, data, vessels, contents, scene.particles, robot, scene.answers)
+    contents, model, base = list(scene.contents.values()), scene.model, scene.robot.base
+    driven = None if base is None else model.body(base.body).id
+    robot = Carrier(model.body(ROBOT_MOUNT).id, driven)
+    return Liquid(model, data, vessels, contents, scene.particles, robot, scene.answers)

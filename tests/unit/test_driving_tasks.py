@@ -251,3 +251,18 @@ def test_a_way_begins_where_the_base_stopped_short_of_its_room(env):
     on = (dock.before + far * ahead for far in np.arange(0.0, 1.0, 0.01))
     short = next(point for point in on if not way.planner.free(point))
     assert way.path(short, last.before).length > 0.2
+
+
+def test_what_is_poured_onto_the_deck_of_the_robot_is_spilled():
+    env = LabEnv(Setting(TRANSPORT, obs="state", room="organic_7", particles=300))
+    env.reset(seed=0)
+    simulation = env.workcell.simulation
+    base, liquid = env.workcell.world.mobile_base, simulation.liquid
+    x, y = (axis.ravel() for axis in np.meshgrid([-0.3, -0.2, -0.1], [-0.2, 0.0, 0.2]))
+    drops = np.column_stack([x, y, np.full(len(x), 0.45)])  # the deck is 0.31 m high
+    there = base.position_w + drops @ base.rotation_w.T
+    liquid.release(there, np.zeros_like(there), origin=0)
+    still = env.workcell.filter.applied.copy()
+    for _ in range(2 * CONTROL_HZ):
+        env.step(still)
+    assert simulation.account.spilled >= 0.9 * len(drops) * liquid.volume

@@ -82,8 +82,8 @@ def identify_unknown(draw: Draw) -> Task:
         paraphrases=(
             f"Test the three clear solutions with a little {reagent} from the tall beaker, put "
             f"that back, and place the one that turns cloudy, with {content}, on the plate.",
-            f"Which of the three holds {content}? Pour some of the {reagent} into them, and bring "
-            "the one that becomes cloudy to the white plate.",
+            f"Which of the three holds {content}? Pour some of the {reagent} into them, put "
+            "it back, and bring the one that becomes cloudy to the white plate.",
         ),
         start={
             # The hand comes from the left, 0.2 m wide: in a slanting row nothing is in its way.

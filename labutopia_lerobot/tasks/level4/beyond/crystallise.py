@@ -91,7 +91,7 @@ def crystallise(draw: Draw) -> Task:
                 "crystallise",
                 (WaitUntil(formed, at_most_s=250.0),),
                 (Substep("crystallised", (formed,)),),
-                (vessel,),
+                (vessel, heater.button),  # a hand that is free may switch it off now
             ),
             actions.pick(vessel, by=0.10, lift=0.12, support=bath.name).named("take_out"),
             Step(

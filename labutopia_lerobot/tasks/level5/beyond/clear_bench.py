@@ -49,7 +49,8 @@ def clear_bench() -> Task:
             "and stand each on the floor of its basin."
         ),
         paraphrases=(
-            "Bring the beakers to the sink, one by one, the smallest first; stand them in it.",
+            "Bring the beakers to the sink, one by one, from the smallest to the largest; stand "
+            "them in it.",
             "Put all three beakers from the bench into the basin of the sink, upright: small, "
             "medium, large.",
         ),

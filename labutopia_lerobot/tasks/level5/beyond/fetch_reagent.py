@@ -52,10 +52,10 @@ def fetch_reagent() -> Task:
             "carry it to the bench with the target plate, and set it down on the plate."
         ),
         paraphrases=(
-            "Fetch the bottle out of the cupboard and stand it on the white plate on the other "
-            "bench.",
-            "Get the brown reagent bottle from behind the cupboard's door and bring it to the "
-            "plate across the laboratory.",
+            "Open the cupboard wide, fetch the bottle out of it and stand it on the white plate on "
+            "the other bench.",
+            "Get the brown reagent bottle from behind the cupboard's door, which is to stand wide "
+            "open, and bring it to the plate across the laboratory.",
         ),
         start={
             cupboard: OnDeepBench(ahead=(0.865, 0.890), left=(0.045, 0.085), yaw=(-YAW, YAW)),
