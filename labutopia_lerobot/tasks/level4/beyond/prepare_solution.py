@@ -76,15 +76,12 @@ def prepare_solution(draw: Draw) -> Task:
     return Task(
         instruction=f"Prepare {total:g} g of {molar:g} mol/l {salt}: tare the balance, swirl the "
         f"stock beaker until its crystals have dissolved, weigh {share:g} g of this {_STOCK:g} "
-        "mol/l stock into the other beaker, put the stock back, fill up with water, and put that "
-        "back.",
+        "mol/l stock into the other beaker, put it back, add the water, and put that back.",
         paraphrases=(
-            f"Tare the balance. Swirl the {salt} until it is clear: {_STOCK:g} mol/l. Dilute "
-            f"{share:g} g of it to {molar:g} mol/l, {total:g} g, on the balance; return each "
-            "beaker before you take the next.",
-            f"Tare, then make up {total:g} g of {salt}, {molar:g} mol/l: swirl the {_STOCK:g} "
-            f"mol/l stock until it is clear, weigh {share:g} g, put the stock back, add water, and "
-            "put the water back.",
+            f"Tare, swirl the {_STOCK:g} mol/l {salt} until it is clear, dilute {share:g} g to "
+            f"{molar:g} mol/l, {total:g} g. Put each beaker back before you take the next.",
+            f"Make up {total:g} g of {molar:g} mol/l {salt}: tare, swirl the stock clear, weigh "
+            f"{share:g} g, put it back, then add the water, and put that back.",
         ),
         start={
             balance: OnBench((0.28, 0.36), (-0.12, -0.04), (-math.radians(10), math.radians(10))),
