@@ -24,13 +24,13 @@ def wilson(successes: int, n: int, confidence: float = 0.95) -> Interval:
         ValueError: If there are no episodes, or more successes than episodes.
     """
     _require_rate(successes, n)
-    rate, z = successes / n, _deviations(confidence)
+    rate, z = successes / n, deviations(confidence)
     middle, half = (rate + z**2 / (2 * n)) / (1 + z**2 / n), _half_width(rate, n, z)
     low = 0.0 if successes == 0 else middle - half  # exactly, whatever rounding says
     return low, 1.0 if successes == n else middle + half
 
 
-def _deviations(confidence: float) -> float:
+def deviations(confidence: float) -> float:
     """Return within how many standard deviations a share of a normal distribution lies."""
     return float(ndtri((1 + confidence) / 2))
 
@@ -109,7 +109,7 @@ def episodes_for(half_width: float, rate: float = 0.5, confidence: float = 0.95)
     Raises:
         PrecisionError: If the half width is impossible, or takes more than a million episodes.
     """
-    z = _deviations(confidence)
+    z = deviations(confidence)
     return _fewest(lambda n: _half_width(rate, n, z) <= half_width, half_width)
 
 

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
-from scipy.special import ndtri
 
-from labutopia_lerobot.evaluation.uncertainty.intervals import Interval
+from labutopia_lerobot.evaluation.uncertainty.intervals import Interval, deviations
 
 
 @dataclass(frozen=True)
@@ -66,7 +65,7 @@ class PairedOutcomes:
         """Return the confidence interval of the difference (score interval of Tango 1998)."""
         from scipy.optimize import brentq  # here: likewise
 
-        z, difference = ndtri((1 + confidence) / 2), self.difference
+        z, difference = deviations(confidence), self.difference
         low = -1.0 if difference == -1.0 else brentq(lambda d: self._score(d) - z, -1.0, difference)
         high = 1.0 if difference == 1.0 else brentq(lambda d: self._score(d) + z, difference, 1.0)
         return float(low), float(high)

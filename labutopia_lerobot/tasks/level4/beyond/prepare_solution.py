@@ -76,7 +76,7 @@ def prepare_solution(draw: Draw) -> Task:
     return Task(
         instruction=f"Prepare {total:g} g of {molar:g} mol/l {salt}: tare the balance, swirl the "
         f"stock beaker until its crystals have dissolved, weigh {share:g} g of this {_STOCK:g} "
-        "mol/l stock into the other beaker, put it back, add the water, and put that back.",
+        "mol/l stock into the other beaker, put the stock back, add the water, and put that back.",
         paraphrases=(
             f"Tare, swirl the {_STOCK:g} mol/l {salt} until it is clear, dilute {share:g} g to "
             f"{molar:g} mol/l, {total:g} g. Put each beaker back before you take the next.",
