@@ -240,6 +240,13 @@ def test_in_an_aisle_hardly_wider_than_its_disc_it_has_the_room_to_open_a_door()
         assert [outcome(env, seed) for seed in narrow] == ["success"] * len(narrow)
 
 
+@installed
+@pytest.mark.slow
+def test_its_arm_brakes_before_a_wall_cupboard_and_takes_beakers_on_high_benches_from_above():
+    with LabEnv(Setting("level5/clear_bench", obs="state", robot="fetch")) as env:
+        assert [outcome(env, seed) for seed in (100002, 100004)] == ["success"] * 2
+
+
 @pytest.mark.slow
 def test_it_gets_to_two_benches_of_every_room_to_drive_in():
     for names in rooms_to_drive_in():

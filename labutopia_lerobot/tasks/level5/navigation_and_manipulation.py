@@ -21,7 +21,7 @@ def navigation_and_manipulation() -> Task:
         ),
         paraphrases=(
             "Find the beaker in the laboratory, drive up to it, turn to it and lift it by 20 cm.",
-            "Go to the bench with the beaker, halt before it, and raise the beaker 20 cm.",
+            "Go to the bench with the beaker, halt facing it, and raise the beaker 20 cm.",
         ),
         # Paper: robot and beaker "randomly initialized at available positions".
         start={beaker: OnSomeBench()},

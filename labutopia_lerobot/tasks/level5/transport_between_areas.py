@@ -20,12 +20,14 @@ def transport_between_areas() -> Task:
     within = 0.04  # as in level 2, "Transport Beaker"
     return Task(
         instruction=(
-            "Drive to the beaker, pick it up, carry it to the bench with the target plate without "
-            "spilling, and set it down on the plate."
+            "Drive to the beaker, face it, pick it up, carry it to the target plate without "
+            "spilling, face the plate, and set the beaker down on it."
         ),
         paraphrases=(
-            "Fetch the beaker from its bench and stand it on the plate on the other bench.",
-            "Bring the beaker across the laboratory to the white plate; spill nothing on the way.",
+            "Fetch the beaker from its bench and stand it on the plate on the other bench; face "
+            "what you take, and the plate as you come to it.",
+            "Turn to the beaker, bring it across the laboratory, and turn to the white plate to "
+            "stand it there; spill nothing on the way.",
         ),
         start={beaker: OnSomeBench(), plate: OnSomeBench()},
         drives=True,

@@ -78,7 +78,7 @@ def identify_unknown(draw: Draw) -> Task:
     present = actions.place(right, OnTop(plate), within=_PLATE).named("present")
     return Task(
         instruction=f"One of the three beakers in a row holds {content}, which clouds with the "
-        f"{reagent} of the tall beaker. Find it, and set it on the plate.",
+        f"{reagent} of the tall beaker. Find which, put that back, and set it on the plate.",
         paraphrases=(
             f"Test the three clear solutions with a little {reagent} from the tall beaker, put "
             f"that back, and place the one that turns cloudy, with {content}, on the plate.",

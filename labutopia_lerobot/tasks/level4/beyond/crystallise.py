@@ -62,14 +62,14 @@ def crystallise(draw: Draw) -> Task:
     take_off = actions.pick(vessel, by=0.10, lift=0.12, support=heater.name).named("take_off")
     return Task(
         instruction=(
-            f"Dissolve the {_SALT} on the hot plate, let it crystallise in the ice bath, decant at "
-            f"least {_LOW_ML:g} ml of the liquid into the large beaker, and return it to the bath."
+            f"Dissolve the {_SALT} on the hot plate, below 60 C, crystallise it in the ice bath, "
+            f"decant at least {_LOW_ML:g} ml into the large beaker, and return it to the bath."
         ),
         paraphrases=(
-            f"Recrystallise the {_SALT}: heat until all is dissolved, cool the beaker in ice until "
-            "crystals have come back, pour most of the liquid off them, and put it back into ice.",
-            f"Switch the hot plate on until the {_SALT} has gone, cool it in the ice bath, pour "
-            "the mother liquor into the large beaker, not the crystals; then back into the bath.",
+            f"Recrystallise the {_SALT}: heat to 60 C at most to dissolve it, cool it in ice "
+            "until crystals are back, pour most of the liquid off, and put it back into ice.",
+            f"Switch the hot plate on until the {_SALT} has gone, below 60 C; cool it in the bath, "
+            "pour the mother liquor into the large beaker, not the crystals; then back into ice.",
         ),
         start={
             heater: OnBench((0.22, 0.28), (-0.06, 0.00), (-math.radians(5), math.radians(5))),

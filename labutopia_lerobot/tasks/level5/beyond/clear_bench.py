@@ -46,13 +46,13 @@ def clear_bench() -> Task:
     return Task(
         instruction=(
             "Clear the bench: carry the small, then the medium, then the large beaker to the sink, "
-            "and stand each on the floor of its basin."
+            "and stand each on the floor of its basin. Face each beaker, and the sink."
         ),
         paraphrases=(
             "Bring the beakers to the sink, one by one, from the smallest to the largest; stand "
-            "them in it.",
+            "them in it. Turn to each before you take it, and to the sink before you set it down.",
             "Put all three beakers from the bench into the basin of the sink, upright: small, "
-            "medium, large.",
+            "medium, large; face what you take, and the sink as you come to it.",
         ),
         start={
             first: OnSomeBench(things=3, from_above=True),

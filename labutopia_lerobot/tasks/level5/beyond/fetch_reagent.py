@@ -48,14 +48,14 @@ def fetch_reagent() -> Task:
     )
     return Task(
         instruction=(
-            "Drive to the cupboard, open its door wide, take the brown bottle from the shelf, "
-            "carry it to the bench with the target plate, and set it down on the plate."
+            "Drive to the cupboard, face it, open its door wide, take the brown bottle from the "
+            "shelf, carry it to the target plate, face the plate, and set the bottle down on it."
         ),
         paraphrases=(
-            "Open the cupboard wide, fetch the bottle out of it and stand it on the white plate on "
-            "the other bench.",
-            "Get the brown reagent bottle from behind the cupboard's door, which is to stand wide "
-            "open, and bring it to the plate across the laboratory.",
+            "Facing the cupboard, open it wide and fetch the bottle out of it; then, facing the "
+            "white plate on the other bench, stand it there.",
+            "Turn to the cupboard, get the brown reagent bottle from behind its door, which is to "
+            "stand wide open, bring it across the laboratory, turn to the plate and set it down.",
         ),
         start={
             cupboard: OnDeepBench(ahead=(0.865, 0.890), left=(0.045, 0.085), yaw=(-YAW, YAW)),

@@ -15,9 +15,9 @@ def navigate() -> Task:
     """Return the task."""
     beaker = glassware("beaker", "250 ml")
     return Task(
-        instruction="Drive to the beaker, and halt before it where the arm could take it.",
+        instruction="Drive to the beaker, face it, and halt where the arm could take it.",
         paraphrases=(
-            "Go to the bench on which the beaker stands and stop in front of it.",
+            "Go to the bench on which the beaker stands and stop in front of it, turned to it.",
             "Find the beaker in the laboratory and drive up to it, facing it; do not touch it.",
         ),
         start={beaker: OnSomeBench()},

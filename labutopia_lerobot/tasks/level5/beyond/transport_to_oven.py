@@ -24,13 +24,14 @@ def transport_to_oven() -> Task:
     beaker, oven = glassware("beaker", "250 ml"), replace(OVEN, ajar=AJAR)
     return Task(
         instruction=(
-            "Drive to the beaker, pick it up, carry it to the drying oven on the other bench "
-            "without spilling, and set it down inside, on the right of the shelf."
+            "Drive to the beaker, face it, pick it up, carry it to the drying oven without "
+            "spilling, face the oven, and set the beaker down inside, on the right of the shelf."
         ),
         paraphrases=(
-            "Fetch the beaker and put it into the open drying oven, on the right of its shelf.",
-            "Bring the beaker across the laboratory to the oven and stand it on the shelf, to the "
-            "right; spill nothing and touch nothing with it.",
+            "Fetch the beaker, facing it as you take it, then face the open drying oven and put "
+            "the beaker into it, on the right of its shelf.",
+            "Turn to the beaker, bring it across the laboratory, turn to the oven and stand it on "
+            "the shelf, to the right; spill nothing and touch nothing with it.",
         ),
         start={
             beaker: OnSomeBench(),

@@ -19,13 +19,14 @@ def weigh_across_rooms() -> Task:
     within = 0.05  # as in level 2, "Weigh Beaker"
     return Task(
         instruction=(
-            "Drive to the beaker, pick it up, carry it to the balance on the other bench, and "
-            "weigh it: set it on the pan and let go."
+            "Drive to the beaker, face it, pick it up, carry it to the balance on the other bench, "
+            "face the balance, and weigh the beaker: set it on the pan and let go."
         ),
         paraphrases=(
-            "Fetch the beaker, drive to the balance with it and find out what it weighs.",
-            "Bring the beaker across the laboratory to the balance, and stand it on the pan until "
-            "the reading settles.",
+            "Fetch the beaker, drive to the balance with it and find out what it weighs; face "
+            "what you take, and the balance as you come to it.",
+            "Turn to the beaker, bring it across the laboratory, turn to the balance, and stand it "
+            "on the pan until the reading settles.",
         ),
         start={beaker: OnSomeBench(), balance: OnSomeBench(instrument=True)},
         drives=True,
