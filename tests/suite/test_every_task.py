@@ -1,5 +1,7 @@
 """What must hold for every registered task; a new task adds no test code."""
 
+import re
+
 import mujoco
 import numpy as np
 import pytest
@@ -7,7 +9,9 @@ import pytest
 from labutopia_lerobot.checks import CHECKS, Check
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.registry import require_task, task_files
+from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.scenes.views import FIXED_CAMERAS
+from labutopia_lerobot.setting import Setting
 
 
 @pytest.mark.parametrize("check", CHECKS, ids=[check.__name__ for check in CHECKS])
@@ -18,6 +22,14 @@ def test_it_is_so_that(env: LabEnv, check: Check):
 def test_files_are_short():
     for task_id in task_files():
         assert len(require_task(task_id).read_text().splitlines()) <= 120, task_id
+
+
+def test_where_a_robot_is_to_face_something_every_wording_says_so():
+    for task_id in task_files():
+        task = canonical_task(Setting(task_id))
+        if any(fact.name.startswith("base facing") for fact in task.facts.values()):
+            for wording in (task.instruction, *task.paraphrases):
+                assert re.search(r"\b(face|facing|turn to|turned to)\b", wording.lower()), wording
 
 
 def test_both_fixed_cameras_show_the_vessels_that_are_picked_and_one_of_them_all_else(env: LabEnv):
