@@ -9,6 +9,7 @@ import types
 import typing
 from collections.abc import Mapping
 from dataclasses import MISSING, fields, is_dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any, Literal, NotRequired
 
@@ -127,9 +128,9 @@ def checked(kind: Any, said: Any, where: str, refusal: type[UserError]) -> Any:
     """
     if isinstance(kind, typing.TypeAliasType):
         kind = kind.__value__
-    origin, arguments = typing.get_origin(kind), typing.get_args(kind)
-    if kind is Any:
+    if kind is Any or type(said) is kind:
         return said
+    origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if kind is None or kind is types.NoneType:
         if said is None:
             return None
@@ -157,18 +158,21 @@ def checked(kind: Any, said: Any, where: str, refusal: type[UserError]) -> Any:
         for one in arguments:
             if _fits(one, said):
                 return checked(one, said, where, refusal)
-    elif kind is float:
-        if isinstance(said, int | float) and not isinstance(said, bool):
-            return _float(said, where, refusal)
-    elif isinstance(kind, type) and type(said) is kind:
-        return said
+    elif kind is float and isinstance(said, int) and not isinstance(said, bool):
+        return _float(said, where, refusal)
     raise refusal(f"{where}: {_shown(said)} should be {_wanted(kind)}")
+
+
+@cache
+def types_of(kind: Any) -> dict[str, Any]:
+    """Return field -> type of a dataclass or `TypedDict`; to resolve them takes long."""
+    return typing.get_type_hints(kind)
 
 
 def _dataclass(kind: type, said: Any, where: str, refusal: type[UserError]) -> Any:
     if not isinstance(said, Mapping):
         raise refusal(f"{where}: {_shown(said)} should be {_wanted(kind)}")
-    hints = typing.get_type_hints(kind)
+    hints = types_of(kind)
     known = {field.name: field for field in fields(kind)}
     for key in said:
         if key not in known:
@@ -185,7 +189,7 @@ def _typed_dict(kind: Any, said: Any, where: str, refusal: type[UserError]) -> d
     for key in sorted(kind.__required_keys__):
         if key not in said:
             raise refusal(f"{where}: '{key}' is missing")
-    hints = typing.get_type_hints(kind)
+    hints = types_of(kind)
     return {
         key: checked(hints[key], value, f"{where}.{key}", refusal) if key in hints else value
         for key, value in said.items()
@@ -208,7 +212,7 @@ def _fits(kind: Any, said: Any) -> bool:
     return said is None if plain in (None, types.NoneType) else type(said) is plain
 
 
-def _float(said: float, where: str, refusal: type[UserError]) -> float:
+def _float(said: int, where: str, refusal: type[UserError]) -> float:
     try:
         return float(said)
     except OverflowError:

@@ -6,6 +6,7 @@ What is not there is "not measured" on the page. What one found out by looking a
 """
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
@@ -172,6 +173,7 @@ def readme() -> str:
     return "\n".join([before + BEGIN.rstrip(), *lines, END + after])
 
 
+@cache
 def measured(*experiments: str, learned: bool = True) -> Measured:
     """Return what is kept of the learned policies of experiments, or of the others."""
     chosen = (parse([f"experiment={each}"]) for each in experiments)

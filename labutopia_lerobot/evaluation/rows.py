@@ -6,13 +6,13 @@ from dataclasses import MISSING, asdict, dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
 from statistics import fmean
-from typing import Any, get_type_hints
+from typing import Any
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.evaluation.condition import Condition
 from labutopia_lerobot.evaluation.uncertainty.anytime import confidence_sequence
 from labutopia_lerobot.evaluation.uncertainty.intervals import Interval, exact, wilson
-from labutopia_lerobot.foreign_files import checked
+from labutopia_lerobot.foreign_files import checked, types_of
 from labutopia_lerobot.scenario.draw import Value
 from labutopia_lerobot.setting import (
     CLASSIC,
@@ -188,10 +188,10 @@ def from_columns[Kind](kind: type[Kind], columns: Mapping[str, Any], file: Path)
             f"{file} lacks the columns {', '.join(missing)}: it is no result of `eval/run.py`, or "
             "of a version too old. Make it anew"
         )
-    hints = get_type_hints(kind)
+    types = types_of(kind)  # type: ignore[arg-type]  # mypy does not know that classes hash
     return kind(
         **{
-            c.name: checked(hints[c.name], columns[c.name], f"{file}, {c.name}", refusal)
+            c.name: checked(types[c.name], columns[c.name], f"{file}, {c.name}", refusal)
             for c in known
             if c.name in columns
         }

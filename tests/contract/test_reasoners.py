@@ -30,6 +30,16 @@ from typed_commands import typed
 
 TASK = "level2/neutralise"
 NOTHING = json.dumps({"reactions": []})
+LIFT_BASE = """
+from dataclasses import replace
+from labutopia_lerobot.tasks.level2.beyond.neutralise import neutralise
+
+def lift_base(draw):
+    task = neutralise(draw)
+    pick, *_ = task.steps
+    return replace(task, steps=(pick,), goal=pick.substeps[-1].when, time_limit_s=10.0)
+"""
+"""The beginning of that task, which takes seconds."""
 
 type Command = Callable[..., tuple[int, str, str]]
 
@@ -42,6 +52,15 @@ def ask(
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr("huggingface_hub.constants.HF_HUB_OFFLINE", False)
     return typed("labutopia-chem", chem.main, monkeypatch, capsys)
+
+
+@pytest.fixture(scope="module")
+def lift_base(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """Words that name the short task."""
+    folder = tmp_path_factory.mktemp("tasks")
+    (folder / "level1").mkdir()
+    (folder / "level1" / "lift_base.py").write_text(LIFT_BASE)
+    return ["task=level1/lift_base", f"tasks_dir={folder}", "obs=state", "particles=100"]
 
 
 @pytest.fixture(scope="module")
@@ -79,8 +98,8 @@ def test_every_question_of_a_task_is_asked_once_and_no_other_model_s_answers_are
     assert "holds answers of m, not of n" in " ".join(why.split())
 
 
-def test_an_episode_and_its_row_say_who_decided(file: Path) -> None:
-    config = evaluated([TASK, "policy=still", "obs=state", f"reasoner={file}", "particles=100"])
+def test_an_episode_and_its_row_say_who_decided(file: Path, lift_base: list[str]) -> None:
+    config = evaluated([*lift_base, "policy=still", f"reasoner={file}"])
     (job,) = make_jobs(config)
     label = reasoner_label(str(file))
     assert job.condition.reasoner == label
@@ -93,21 +112,23 @@ def test_an_episode_and_its_row_say_who_decided(file: Path) -> None:
 
 def test_a_dataset_is_verified_with_the_file_and_not_published(
     file: Path,
+    lift_base: list[str],
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    words = ["obs=state", "episodes=1", "particles=100", f"reasoner={file}"]
-    root = recording(tmp_path / "dataset", f"task={TASK}", *words)
+    words = [*lift_base, "episodes=1", f"reasoner={file}"]
+    root = recording(tmp_path / "dataset", *words)
     label = reasoner_label(str(file))
     assert read_recording(root)["config"]["reasoner"] == label
     monkeypatch.setattr(kept_answers, "_read", {})
     kept_answers._label.cache_clear()
-    typed_line(monkeypatch, "labutopia-verify", str(root), "--workers", "1")
+    verifying = ["labutopia-verify", str(root), "--workers", "1", lift_base[1]]
+    typed_line(monkeypatch, *verifying)
     with pytest.raises(SystemExit, match="1"):
         verify.main()
     assert "--reasoner FILE.json" in " ".join(capsys.readouterr().out.split())
-    typed_line(monkeypatch, "labutopia-verify", str(root), "--workers", "1", f"reasoner={file}")
+    typed_line(monkeypatch, *verifying, f"reasoner={file}")
     verify.main()
     assert "is intact" in capsys.readouterr().out
     typed_line(monkeypatch, "labutopia-publish", str(root), "repo_id=me/it", "dry_run=true")
