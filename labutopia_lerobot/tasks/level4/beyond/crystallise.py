@@ -112,7 +112,7 @@ def crystallise(draw: Draw) -> Task:
             **failures.handling(vessel, spill=0.03, into=other),
             **failures.burning(),
             "struck": struck(other),
-            "boiled": hotter(vessel, than_c=80.0),
+            "overheated": hotter(vessel, than_c=80.0),
         },
         needs_liquid=True,
         time_limit_s=420.0,  # ours
