@@ -16,8 +16,11 @@ REACH = 1.0
 
 @predicate("base within {within:g} m of {thing}")
 def beside(world: World, thing: Thing, *, within: float) -> bool:
-    """Middle of the base is, horizontally, within a distance [m] of the thing (`reached_at`)."""
-    return _way(world, thing)[0] < within
+    """Middle of the base is, horizontally, within a distance [m] of the thing (`reached_at`).
+
+    No wall is between them.
+    """
+    return _way(world, thing)[0] < within and not _walled_off(world, thing)
 
 
 @beside.measure
@@ -32,8 +35,11 @@ def _nearness(world: World, thing: Thing, *, within: float) -> float:
 
 @predicate("{thing} within {share:g} of the arm's reach")
 def at_hand(world: World, thing: Thing, *, share: float) -> bool:
-    """Base is so near to the thing that, faced, it is within a share of the reach of its arm."""
-    return _way(world, thing)[0] < _reached(world, share)
+    """Base is so near to the thing that, faced, it is within a share of the reach of its arm.
+
+    No wall is between them.
+    """
+    return _way(world, thing)[0] < _reached(world, share) and not _walled_off(world, thing)
 
 
 @at_hand.measure
@@ -107,3 +113,11 @@ def _way(world: World, thing: Thing) -> tuple[float, float]:
         return math.inf, math.pi
     x, y, _ = base.inverse().position_w + base.inverse().rotation_w @ reached_at(world, thing)
     return math.hypot(x, y), math.atan2(y, x)
+
+
+def _walled_off(world: World, thing: Thing) -> bool:
+    """Return whether a wall of the room is between the middle of the base and a thing."""
+    base = world.mobile_base
+    if base is None:
+        return False
+    return world.floor.wall_between(base.position_w[:2], reached_at(world, thing)[:2])

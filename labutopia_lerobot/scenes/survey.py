@@ -16,7 +16,7 @@ from labutopia_lerobot.scenes.laboratory import LABORATORY
 from labutopia_lerobot.scenes.plan import Placed, Plan
 from labutopia_lerobot.scenes.room_map import frame_around, map_around
 from labutopia_lerobot.scenes.space.boxes import Boxes, joined
-from labutopia_lerobot.scenes.space.claims import claims_of_piece
+from labutopia_lerobot.scenes.space.claims import claims_of_piece, walls_inside
 from labutopia_lerobot.scenes.space.ware_room import box_of
 from labutopia_lerobot.scenes.within_reach import PREFIX
 from labutopia_lerobot.world import BENCH, Dock, FloatArray, Floor
@@ -80,12 +80,14 @@ def surveyed(plan: Plan, base: MobileBase) -> Ground:
     occupancy: Occupancy = map_around(plan, place)
     # Where its corners have room, too: it begins with a turn.
     starts = largest_part(occupancy.passable(RADIUS)) & occupancy.passable(base.radius)
+    corners = np.stack([corner[:, :2] @ turn.T + moved for corner in walls_inside(plan)])
     floor = Floor(
         occupancy.cells,
         occupancy.origin,
         occupancy.resolution,
         tuple(there for _, there in found),
         tuple(in_world(dock) for dock in fixture_docks(plan, base, CLEARANCE)),
+        np.stack([corners.min(axis=0), corners.max(axis=0)], axis=1),
     )
     fixtures: dict[str, Fixture] = {}
     pieces = {f"{PREFIX}{piece.name}": piece for piece in plan.pieces}

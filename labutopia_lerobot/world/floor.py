@@ -1,7 +1,7 @@
 """What a robot that drives knows of a room beforehand."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,8 @@ from labutopia_lerobot.world.pose import FloatArray
 
 ASIDE = 0.15
 """Greatest distance of a thing to the side of straight ahead of an arm [m]; ours."""
+_TINY = 1e-12
+"""Stands for no distance at all [m]: one may divide by it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +41,8 @@ class Floor:
         resolution: Width of a cell [m].
         docks: Places at benches.
         fixture_docks: Places before what belongs to the room and is reached into, such as a sink.
+        walls: Least and greatest corners of what of the walls inside the room no arm reaches
+            through, shape (n, 2, 2) [m].
     """
 
     cells: NDArray[np.int8]
@@ -46,6 +50,14 @@ class Floor:
     resolution: float
     docks: tuple[Dock, ...]
     fixture_docks: tuple[Dock, ...] = ()
+    walls: FloatArray = field(default_factory=lambda: np.zeros((0, 2, 2)))
+
+    def wall_between(self, one: FloatArray, other: FloatArray) -> bool:
+        """Return whether a wall is on the straight way between two points, shape (2,) [m]."""
+        way = np.where(other == one, _TINY, other - one)
+        along = (self.walls - one) / way
+        enters, leaves = along.min(axis=1).max(axis=1), along.max(axis=1).min(axis=1)
+        return bool(((enters < leaves) & (enters < 1.0) & (leaves > 0.0)).any())
 
     def dock_at(
         self,

@@ -2,6 +2,7 @@
 
 import math
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -14,6 +15,7 @@ from labutopia_lerobot.layout import OnSomeBench, sample_base, sample_layout
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path_planner import PathPlanner
+from labutopia_lerobot.predicates import at_hand, beside
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.robots.fetch_base import FETCH_BASE
 from labutopia_lerobot.robots.ridgeback import RIDGEBACK
@@ -23,6 +25,7 @@ from labutopia_lerobot.scenes.ground import Ground
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.way import Way, base_at, dock_for
+from labutopia_lerobot.tasks.driving import AT_HAND, NEAR
 from labutopia_lerobot.world import BENCH, CONTROL_HZ
 
 PICK, TRANSPORT = "level5/navigation_and_manipulation", "level5/transport_between_areas"
@@ -89,6 +92,29 @@ def test_the_rooms_to_drive_in_are_those_with_two_benches():
         if load_plan(name).work_places and len(load_room(name).ground(RIDGEBACK).benches) >= 2
     ]
     assert sorted(fit) == sorted((*rooms_to_drive_in()[0], *rooms_to_drive_in()[1]))
+
+
+def test_what_is_behind_a_wall_is_neither_near_nor_at_hand():
+    env = LabEnv(Setting("level5/navigate", obs="state", room="corridor_2"))
+    env.reset(seed=0)
+    world, (beaker,) = env.workcell.world, env.workcell.task.start
+    simulation, (x, y) = env.workcell.simulation, world.pose(beaker).position_w[:2]
+    for south, is_there in ((1.0, True), (-1.0, False)):  # half a metre to the north is a wall
+        simulation.data.joint("base_x").qpos += x - base_at(world)[0][0]
+        simulation.data.joint("base_y").qpos += y - south - base_at(world)[0][1]
+        mujoco.mj_forward(simulation.scene.model, simulation.data)
+        assert at_hand(beaker, share=AT_HAND).holds(world) == is_there
+        assert beside(beaker, within=NEAR).holds(world) == is_there
+    env.close()
+
+
+@pytest.mark.slow
+def test_no_wall_is_between_a_dock_and_what_is_reached_from_there():
+    for name in rooms_to_drive_in()[1]:
+        ground = load_room(name).ground(RIDGEBACK)
+        for spot in ground.spots:
+            for at in (spot.dock.position, spot.dock.before):
+                assert not ground.floor.wall_between(at, spot.position[:2]), name
 
 
 def test_things_stand_on_benches_of_their_own_and_the_base_where_it_gets_to_all(ground):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from labutopia_lerobot.scenes.plan import WALL_THICKNESS, Opening, Placed, Plan, Wall, WorkPlace
-from labutopia_lerobot.scenes.space.boxes import Boxes, boxes
+from labutopia_lerobot.scenes.space.boxes import Boxes, boxes, joined
 from labutopia_lerobot.scenes.space.extent import extent
 
 _DOUBLE = 1.25
@@ -97,6 +97,14 @@ def _before(opening: Opening, start: float, end: float, ceiling: float) -> Boxes
     half, top = opening.width / 2, min(opening.sill + opening.height, ceiling)
     spans = ((-end, -start), (-half, half), (opening.sill + 0.01, top))
     return boxes(spans).placed(opening.heading).moved(np.array([opening.x, opening.y, 0.0]))
+
+
+def walls_inside(plan: Plan) -> Boxes:
+    """Return what of the walls inside a room stands on the floor; of openings, doors alone."""
+    doors = tuple(opening for opening in plan.openings if opening.kind == "door")
+    walls = joined(*(masonry(wall, doors, plan.size[2]) for wall in plan.walls))
+    standing = walls.low[:, 2] == 0.0
+    return Boxes(walls.low[standing], walls.high[standing])
 
 
 def masonry(wall: Wall, openings: tuple[Opening, ...], ceiling: float) -> Boxes:
