@@ -11,6 +11,15 @@ from labutopia_lerobot.setting import Setting
 from recordings import FILM, PICK, recording
 
 
+@pytest.hookimpl(tryfirst=True)  # before those of a file are kept together (tests/conftest.py)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Keep files that look at the recording with pictures in one process, which makes it once."""
+    looking = {item.path for item in items if "filmed" in getattr(item, "fixturenames", ())}
+    for item in items:
+        if item.path in looking and item.path.parent == Path(__file__).parent:
+            item.add_marker(pytest.mark.xdist_group("filmed"))
+
+
 @pytest.fixture(scope="session")
 def solution() -> list[NDArray[np.float32]]:
     """What the expert commands in the episode of seed 0 of `level1/pick`, until it succeeds."""

@@ -8,6 +8,14 @@ import pytest
 from recordings import recording
 
 
+@pytest.hookimpl(tryfirst=True)  # before those of a file are kept together (tests/conftest.py)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Keep all tests here in one process: it starts one server that forks (`programs`)."""
+    for item in items:
+        if item.path.parent == Path(__file__).parent:
+            item.add_marker(pytest.mark.xdist_group("hostile"))
+
+
 @pytest.fixture(scope="session")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A dataset of one episode without pictures."""
