@@ -53,6 +53,8 @@ FETCH_BASE = MobileBase(
     door_room=0.35,  # ours: with 0.25 the elbow folds up before the door is wide open
     # Ours: every third ray, a degree apart.
     scanner=LaserScanner((0.235, 0.0, 0.2878), 220.0, 221, 0.05, 25.0),  # [URDF] [TIM]
+    # Measured at `FETCH.stowed`: hand, wrist, forearm and elbow, and 2 cm around them.
+    folded=((0.288, 0.555), (-0.085, 0.385), (1.075, 1.565)),
 )
 
 FETCH_DIFFERENTIAL_BASE = replace(

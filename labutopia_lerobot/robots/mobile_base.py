@@ -31,6 +31,8 @@ class MobileBase:
         gap: Least distance from a bench at which it stands while the arm works there [m].
         door_room: How much farther off than to reach in it stands to open a door [m].
         scanner: Its laser scanner.
+        folded: What the stowed arm takes before the footprint, as spans of x, y and z [m], base
+            frame; None if it stays over it.
     """
 
     elements: tuple[Element, Element, Element]
@@ -45,6 +47,7 @@ class MobileBase:
     gap: float
     door_room: float
     scanner: LaserScanner
+    folded: tuple[tuple[float, float], ...] | None = None
 
     @property
     def radius(self) -> float:

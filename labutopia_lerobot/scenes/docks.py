@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import cache
 from itertools import product
 
 import numpy as np
@@ -15,7 +16,10 @@ from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, PathPla
 from labutopia_lerobot.robots.mobile_base import MobileBase
 from labutopia_lerobot.scenes.plan import Placed, Plan
 from labutopia_lerobot.scenes.room_map import room_map
+from labutopia_lerobot.scenes.space.boxes import Boxes, joined
+from labutopia_lerobot.scenes.space.claims import claims_of_piece
 from labutopia_lerobot.scenes.space.extent import extent
+from labutopia_lerobot.scenes.space.ware_room import box_of
 from labutopia_lerobot.world import Dock, FloatArray, ReachedInto
 
 _WIDEST, _LOWEST, _HIGHEST = 0.6, 0.6, 1.0
@@ -74,6 +78,8 @@ def _reachable(
     planner = PathPlanner.of(occupancy, base.limits, radius)
     largest = largest_part(occupancy.passable(radius))
     for piece, position, yaw in candidates:
+        if base.folded and _met(plan, piece, base.folded, position, yaw):
+            continue
         try:
             before = approach_to(planner, occupancy, footprint, position, yaw)
         except BlockedPlaceError:
@@ -81,6 +87,33 @@ def _reachable(
         row, column = occupancy.cell(*before)
         if largest[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].any():
             yield Dock(piece.name, position, yaw, before)
+
+
+def _met(
+    plan: Plan,
+    piece: Placed,
+    folded: tuple[tuple[float, float], ...],
+    position: FloatArray,
+    yaw: float,
+) -> bool:
+    """Return whether the arm that a base before a piece has folded would be in what stands there.
+
+    Of what is reached into, which is a single box here, it may be above.
+    """
+    c, s = math.cos(yaw), math.sin(yaw)
+    turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    corners = turn @ folded + np.append(position, 0.0)[:, None]
+    arm = Boxes(corners.min(axis=1)[None], corners.max(axis=1)[None])
+    reached_into = piece.name if isinstance(instrument(piece.kind), ReachedInto) else None
+    return _standing(plan, reached_into).meet(arm)
+
+
+@cache
+def _standing(plan: Plan, without: str | None) -> Boxes:
+    """Return all that stands in a room, its doors shut, but for a piece [m], room frame."""
+    claims = (claim for piece in plan.pieces for claim in claims_of_piece(piece))
+    solids = (claim.room for claim in claims if not claim.what and claim.owner != without)
+    return joined(*solids, *(box_of(ware) for ware in plan.ware))
 
 
 def _before_fixtures(plan: Plan, base: MobileBase) -> Iterator[tuple[Placed, FloatArray, float]]:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from importlib.metadata import PackageNotFoundError, version
+from itertools import product
 
 import mujoco
 import numpy as np
@@ -23,6 +24,7 @@ from labutopia_lerobot.scenes import LABORATORY, load_room, rooms_to_drive_in
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.way import base_at
 from labutopia_lerobot.tasks.driving import AT_HAND
+from labutopia_lerobot.world import FloatArray
 
 
 def has_meshes() -> bool:
@@ -238,6 +240,39 @@ def test_in_an_aisle_hardly_wider_than_its_disc_it_has_the_room_to_open_a_door()
     narrow = (100012, 100023, 100036)  # where its disc could back off by 0.30 m at most
     with LabEnv(Setting("level5/fetch_reagent", obs="state", robot="fetch")) as env:
         assert [outcome(env, seed) for seed in narrow] == ["success"] * len(narrow)
+
+
+@installed
+def test_before_its_footprint_the_stowed_arm_is_where_docks_keep_clear_of_things(model):
+    data, spans = posed(model, FETCH.stowed), np.array(FETCH_BASE.folded)
+    reaching = 0
+    for geom in np.flatnonzero(model.geom_contype | model.geom_conaffinity):
+        points = corners_of(model, geom)
+        points = points @ data.geom_xmat[geom].reshape(3, 3).T + data.geom_xpos[geom]
+        before = points[points[:, 0] > FETCH_BASE.size[0] / 2]
+        if len(before):
+            reaching += 1
+            assert (before > spans[:, 0]).all(), model.geom(geom).name
+            assert (before < spans[:, 1]).all(), model.geom(geom).name
+    assert reaching >= 5
+
+
+def corners_of(model: mujoco.MjModel, geom: int) -> FloatArray:
+    """Return the corners of a mesh, or of the box around a geom, in its frame, shape (n, 3)."""
+    mesh = model.geom_dataid[geom]
+    if mesh >= 0:
+        first = model.mesh_vertadr[mesh]
+        corners: FloatArray = model.mesh_vert[first : first + model.mesh_vertnum[mesh]]
+        return corners
+    middle, half = model.geom_aabb[geom].reshape(2, 3)
+    return middle + half * np.array(list(product((-1, 1), repeat=3)))
+
+
+@installed
+@pytest.mark.slow
+def test_its_folded_hand_meets_no_tripod_on_the_bench_that_it_docks_at():
+    with LabEnv(Setting("level5/navigation_and_manipulation", obs="state", robot="fetch")) as env:
+        assert outcome(env, 100107) == "success"
 
 
 @installed
