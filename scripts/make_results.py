@@ -41,6 +41,7 @@ make results-cpu                                                 # everything th
 labutopia-experiment experiment=results_cpu only=level1/pick     # one task of the tables
 labutopia-experiment experiment=controls                         # what one thing changes
 labutopia-experiment experiment=expert_elsewhere                 # every axis, another arm, rooms
+labutopia-experiment experiment=other_robots                     # robots that drive, people in the way
 make results-gpu                                                 # the paper's settings, on one GPU
 labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU without a network
 ```
@@ -86,7 +87,8 @@ def content() -> str:
     state += "is measured." if len(kept.results) < 2 else "are measured."
     tables = [*kept.tables(), *measured("controls").controls()]
     shown = "\n".join(map(as_markdown, [*tables, beside_the_paper()]))
-    parts = (FINDINGS.read_text(), shown, _with_pictures(), as_markdown(elsewhere()))
+    of_the_expert = map(as_markdown, (elsewhere(), other_robots()))
+    parts = (FINDINGS.read_text(), shown, _with_pictures(), *of_the_expert)
     return _HEAD.format(state=state) + "\n".join(parts)
 
 
@@ -142,6 +144,17 @@ def elsewhere() -> Table:
         "Every axis of the task varied; another arm; ten episodes in each of ten furnished rooms."
     )
     return Table("The expert elsewhere", ("Task", *places), tuple(lines), note)
+
+
+def other_robots() -> Table:
+    """Return the expert's successes with other robots than a task's own, or in their way."""
+    note = (
+        "Successes of episodes, per cent, 95 % interval (Wilson): `experiment=other_robots`. Fetch's "
+        "meshes are an extra, `fetch`. `dynamic`: a left stool or somebody who walks is "
+        "[in the way](navigation.md#in-the-way)."
+    )
+    table = measured("other_robots", learned=False).by_task()
+    return replace(table, title="The expert with other robots", note=note)
 
 
 def _together(rates: list[Rate]) -> Cell:

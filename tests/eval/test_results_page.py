@@ -10,6 +10,7 @@ import make_results
 from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.evaluation.reporting.paper import PaperNumber
 from labutopia_lerobot.evaluation.reporting.table import Rate
+from labutopia_lerobot.setting import OF_THE_LEVEL
 
 from .written_rows import keep, written
 
@@ -66,7 +67,8 @@ def test_the_papers_numbers_stand_beside_what_is_measured_here():
 
 
 def test_every_kept_result_is_of_the_evaluation_that_it_stands_for():
-    for kept in map(make_results.measured, ("results_cpu", "controls", "small_pictures")):
+    learned = map(make_results.measured, ("results_cpu", "controls", "small_pictures"))
+    for kept in (*learned, make_results.measured("other_robots", learned=False)):
         for evaluation, result in kept.results.items():
             assert len(result.rows) == evaluation.episodes, result.place
             shift = evaluation.shift
@@ -74,7 +76,9 @@ def test_every_kept_result_is_of_the_evaluation_that_it_stands_for():
                 (shift.split, shift.axes)
             }, result.place
             steps = {made["step"] for made in result.provenance["checkpoints"].values()}
-            assert steps == {evaluation.at or evaluation.trainings[0].steps}, result.place
+            assert steps == {evaluation.at or t.steps for t in evaluation.trainings}, result.place
+            robot = dict(evaluation.options).get("robot", OF_THE_LEVEL)
+            assert result.provenance["config"].get("robot", OF_THE_LEVEL) == robot, result.place
 
 
 def test_paths_of_an_experiment_are_kept_as_if_it_were_at_the_default_place(tmp_path, monkeypatch):

@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 import expert_rows
+import make_results
 from labutopia_lerobot.evaluation.condition import EXPERT
 from labutopia_lerobot.evaluation.jobs import EvaluationJob
 from labutopia_lerobot.evaluation.policies import ExpertPolicy
@@ -29,6 +30,11 @@ def _tasks() -> list[Any]:
     ]
 
 
+def _others() -> list[Any]:
+    """Return the evaluations of `experiment=other_robots` that are measured."""
+    return [*make_results.measured("other_robots", learned=False).results]
+
+
 @pytest.mark.parametrize("task", _tasks())
 def test_a_committed_row_played_again_is_the_same_row(task):
     assert_played_again(expert_rows.read(expert_rows.RESULTS)[task][0])
@@ -40,8 +46,15 @@ def test_a_committed_row_of_ood_played_again_is_the_same_row(task):
     assert_played_again(expert_rows.read(expert_rows.RESULTS, expert_rows.OOD)[task][0])
 
 
-def assert_played_again(committed: Row) -> None:
-    setting = Setting(committed.task, split=committed.split, obs="state")
+@pytest.mark.slow
+@pytest.mark.parametrize("evaluation", _others(), ids=lambda evaluation: evaluation.name)
+def test_a_committed_row_of_another_robot_played_again_is_the_same_row(evaluation):
+    row = make_results.measured("other_robots", learned=False).results[evaluation].rows[0]
+    assert_played_again(row, axes=evaluation.shift.axes, **dict(evaluation.options))
+
+
+def assert_played_again(committed: Row, **options: Any) -> None:
+    setting = Setting(committed.task, split=committed.split, obs="state", **options)
     job = EvaluationJob(setting, EXPERT, ExpertPolicy)
     again = replace(play(job, committed.seed).row, facts={}, history={})
     expected, actual = asdict(committed), asdict(again)
