@@ -14,6 +14,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind, picture_names
+from labutopia_lerobot.places import WhereItStood
 from labutopia_lerobot.predicates.openables import Bar
 from labutopia_lerobot.robots import Robot, load_robot
 from labutopia_lerobot.robots.mobile_base import MobileBase
@@ -22,6 +23,7 @@ from labutopia_lerobot.setting import (
     DRIFT,
     FORCES,
     HANDLES,
+    HOMES,
     LEVELS,
     READINGS,
     ROBOT_NAMES,
@@ -248,6 +250,7 @@ class ObservedPiece:
         piece: The piece.
         joints: Names of its hinges and slides.
         parts: Names of the frames of its parts whose places are observed.
+        put_back: Whether it is observed where it stood, since the task wants it back there.
         sizes: Of what stands by itself and is grasped, as `SIZE_NAMES` has them [m]; else none.
         levels: Vessels whose levels are observed: itself, or what is mounted on it; else none.
         solutions: Those of which it is observed what is dissolved in them.
@@ -256,6 +259,7 @@ class ObservedPiece:
     piece: Thing
     joints: tuple[str, ...]
     parts: tuple[str, ...]
+    put_back: bool
     sizes: tuple[float, ...]
     levels: tuple[Fillable, ...]
     solutions: tuple[Fillable, ...]
@@ -272,17 +276,29 @@ def observed_pieces(task: Task, hidden: Collection[str] = ()) -> tuple[ObservedP
     taken = {thing.name: thing for step in task.steps for thing in step.touches}
     bars = [name for name, thing in taken.items() if isinstance(thing, Bar)]
     handles = [] if HANDLES in hidden else bars
+    put_back = set() if HOMES in hidden else _put_back(task)
     return tuple(
         ObservedPiece(
             piece,
             piece.joints,
             (*region.shuffled, *(name for name in handles if name.startswith(f"{piece.name}_"))),
+            put_back=piece.name in put_back,
             sizes=() if SIZES in hidden else _sizes(piece),
             levels=_vessels(piece) if task.contents and LEVELS not in hidden else (),
             solutions=_vessels(piece) if reacts and SOLUTIONS not in hidden else (),
         )
         for piece, region in task.start.items()
     )
+
+
+def _put_back(task: Task) -> set[str]:
+    """Return the names of what a task wants back where it stood: no later frame shows where."""
+    about = (
+        each
+        for positional, named in (fact.arguments for fact in task.watched)
+        for each in (*positional, *named.values())
+    )
+    return {each.thing.name for each in about if isinstance(each, WhereItStood)}
 
 
 def _vessels(piece: Thing) -> tuple[Fillable, ...]:
@@ -304,8 +320,8 @@ def environment_state_names(task: Task, hidden: Collection[str] = ()) -> tuple[s
     there: the continuous representation of rotations (Zhou et al. 2019, "On the Continuity of
     Rotation Representations in Neural Networks"), since quaternions jump. Then the position of each
     of its hinges [rad] and slides [m], the place [m] of each of its parts that is shuffled and of
-    each handle that a step takes, and the sizes [m] of what stands by itself and is grasped: a task
-    may draw it of many kinds.
+    each handle that a step takes, where it stood [m] if it is to be put back there, and the sizes
+    [m] of what stands by itself and is grasped: a task may draw it of many kinds.
     Where there is liquid: how deep it would be in each vessel [m], were that upright. Where
     something is dissolved: what `Solution.observed` has of each.
 
@@ -320,6 +336,7 @@ def environment_state_names(task: Task, hidden: Collection[str] = ()) -> tuple[s
             *(f"{one.piece.name}.{part}" for part in _POSE_NAMES),
             *one.joints,
             *(f"{part}.{axis}" for part in one.parts for axis in "xyz"),
+            *(f"{one.piece.name}.home.{axis}" for axis in "xyz" if one.put_back),
             *(f"{one.piece.name}.{size}" for size in SIZE_NAMES if one.sizes),
             *(f"{vessel.name}.fill" for vessel in one.levels),
             *(f"{vessel.name}.{part}" for vessel in one.solutions for part in SOLUTION_NAMES),
@@ -343,6 +360,8 @@ def environment_state(pieces: tuple[ObservedPiece, ...], world: World) -> NDArra
         numbers += [world.joint(name) for name in one.joints]
         for name in one.parts:
             numbers += (to_base @ world.frame(name)).position_w.tolist()
+        if one.put_back:
+            numbers += (to_base @ world.stood(one.piece)).position_w.tolist()
         numbers += one.sizes
         if world.liquid is not None:
             inside = world.liquid.inside

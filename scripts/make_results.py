@@ -41,7 +41,7 @@ make results-cpu                                                 # everything th
 labutopia-experiment experiment=results_cpu only=level1/pick     # one task of the tables
 labutopia-experiment experiment=controls                         # what one thing changes
 labutopia-experiment experiment=expert_elsewhere                 # every axis, another arm, rooms
-labutopia-experiment experiment=other_robots                     # robots that drive, people in the way
+labutopia-experiment experiment=other_robots                     # robots that drive, and in their way
 make results-gpu                                                 # the paper's settings, on one GPU
 labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU without a network
 ```
@@ -149,8 +149,8 @@ def elsewhere() -> Table:
 def other_robots() -> Table:
     """Return the expert's successes with other robots than a task's own, or in their way."""
     note = (
-        "Successes of episodes, per cent, 95 % interval (Wilson): `experiment=other_robots`. Fetch's "
-        "meshes are an extra, `fetch`. `dynamic`: a left stool or somebody who walks is "
+        "Successes of episodes, per cent, 95 % interval (Wilson): `experiment=other_robots`. "
+        "Fetch's meshes are an extra, `fetch`. `dynamic`: a left stool or somebody who walks is "
         "[in the way](navigation.md#in-the-way)."
     )
     table = measured("other_robots", learned=False).by_task()
