@@ -41,7 +41,7 @@ make results-cpu                                                 # everything th
 labutopia-experiment experiment=results_cpu only=level1/pick     # one task of the tables
 labutopia-experiment experiment=controls                         # what one thing changes
 labutopia-experiment experiment=expert_elsewhere                 # every axis, another arm, rooms
-labutopia-experiment experiment=other_robots                     # robots that drive, and in their way
+labutopia-experiment experiment=other_robots                     # robots that drive, people about
 make results-gpu                                                 # the paper's settings, on one GPU
 labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU without a network
 ```
