@@ -56,6 +56,8 @@ _DEPTH_PATH = "images."
 
 _POSE_NAMES = ("x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz")
 
+HOME_NAMES = ("home.x", "home.y", "home.z")
+
 SIZE_NAMES = ("height", "footprint_radius", "grip_height", "grip_width")
 
 
@@ -336,7 +338,7 @@ def environment_state_names(task: Task, hidden: Collection[str] = ()) -> tuple[s
             *(f"{one.piece.name}.{part}" for part in _POSE_NAMES),
             *one.joints,
             *(f"{part}.{axis}" for part in one.parts for axis in "xyz"),
-            *(f"{one.piece.name}.home.{axis}" for axis in "xyz" if one.put_back),
+            *(f"{one.piece.name}.{home}" for home in HOME_NAMES if one.put_back),
             *(f"{one.piece.name}.{size}" for size in SIZE_NAMES if one.sizes),
             *(f"{vessel.name}.fill" for vessel in one.levels),
             *(f"{vessel.name}.{part}" for vessel in one.solutions for part in SOLUTION_NAMES),

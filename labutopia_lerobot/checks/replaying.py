@@ -7,7 +7,7 @@ import numpy as np
 from labutopia_lerobot.checks.playing import expert, play, random_walk, still
 from labutopia_lerobot.checks.require import require
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import SIZE_NAMES, environment_state_names
+from labutopia_lerobot.features import HOME_NAMES, SIZE_NAMES, environment_state_names
 from labutopia_lerobot.world import SOLUTION_NAMES, FloatArray
 
 
@@ -64,8 +64,8 @@ def observations_are_in_space_own_their_memory_and_vary(env: LabEnv) -> None:
 def _of_moved_things(env: LabEnv, states: FloatArray) -> list[int]:
     """Return which elements of `environment_state` belong to things that move by a millimetre.
 
-    Without their sizes, and what is about their contents, which stay as they are where nothing is
-    poured in. Before a robot that drives all moves: of that what it handles.
+    Without where they stood, their sizes, and what is about their contents, which stay as they are
+    where nothing is poured in. Before a robot that drives all moves: of that what it handles.
     """
     names = environment_state_names(env.workcell.task, env.setting.hidden)
     moves = dict(zip(names, np.ptp(states, axis=0) > 1e-3, strict=True))
@@ -73,7 +73,7 @@ def _of_moved_things(env: LabEnv, states: FloatArray) -> list[int]:
     handled = {thing.name for step in task.steps for thing in step.touches}
     things = [piece.name for piece in task.start if not task.drives or piece.name in handled]
     moved = tuple(f"{name}." for name in things if any(moves[f"{name}.{axis}"] for axis in "xyz"))
-    still = tuple(f".{name}" for name in ("fill", *SIZE_NAMES, *SOLUTION_NAMES))
+    still = tuple(f".{name}" for name in ("fill", *HOME_NAMES, *SIZE_NAMES, *SOLUTION_NAMES))
     return [
         index
         for index, name in enumerate(names)
