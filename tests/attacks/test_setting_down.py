@@ -65,7 +65,7 @@ def slam(env: LabEnv) -> Actions:
     """Set a beaker down at one metre per second."""
     yield from until_phase(env, "place/lower")
     arm = Arm(env)
-    yield from arm.go(arm.pose.moved(z=-0.13), speed=1.0)
+    yield from arm.go(arm.pose.moved(z=-0.03 - gap_of(env)), speed=1.0)
 
 
 def lean_on_it(env: LabEnv) -> Actions:
