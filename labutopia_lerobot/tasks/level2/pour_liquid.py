@@ -41,8 +41,7 @@ def pour_from(vessel: Vessel) -> Task:
         steps=(
             actions.pick(vessel, also=(upright(vessel, within_deg=10),)),  # original: 30 deg
             actions.pour(vessel, target),
-            # Lower, its foot would leave the large beaker 4 mm above the rim.
-            actions.place(vessel, home, within=within, hover=0.25),
+            actions.put_back(vessel, home, within=within),
         ),
         goal=actions.left_standing(vessel, home, within=within),
         contents={vessel: Filling(ml=100)},  # ours: a good third of what it holds

@@ -42,14 +42,14 @@ def clean_beaker() -> Task:
                 (dirty,),
                 actions.pick(full, by=actions.OFF_THE_BENCH).named("1_pick"),
                 actions.pour(full, dirty).named("2_pour"),
-                actions.place(full, home, within=within).named("3_place"),
+                actions.put_back(full, home, within=within).named("3_place"),
             ),
             *failures.sparing(
                 (full,),
                 actions.pick(dirty, by=actions.OFF_THE_BENCH).named("4_pick"),
                 actions.shake(dirty, middle).named("5_shake"),
                 actions.pour(dirty, waste, share=rinsed, of=full).named("6_pour"),
-                actions.place(dirty, dirty_home, within=within).named("7_place"),
+                actions.put_back(dirty, dirty_home, within=within).named("7_place"),
             ),
         ),
         goal=(

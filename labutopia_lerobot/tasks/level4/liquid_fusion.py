@@ -43,8 +43,7 @@ def liquid_fusion() -> Task:
             (other for other in sources if other is not vessel),
             actions.pick(vessel, by=actions.OFF_THE_BENCH).named(f"{first}_pick"),
             actions.pour(vessel, mixture).named(f"{first + 1}_pour"),
-            # As high as it was lifted: the lip of the large beaker is in the way.
-            actions.place(vessel, home, within=within, hover=0.25).named(f"{first + 2}_place"),
+            actions.put_back(vessel, home, within=within).named(f"{first + 2}_place"),
         )
 
     return Task(
