@@ -23,12 +23,17 @@ _PACE = (0.4, 0.7)
 _REST = (0.5, 3.0)
 """Least and greatest time at either end [s]; ours."""
 _SEES = 0.65
-"""Distance ahead at which a person stops for what is in the way [m]; ours: a step."""
+"""Distance ahead at which a person stops for what is in the way [m], not beyond where the way ends;
+ours: a step."""
 _PATIENCE = 2.0
 """Time after which one who has stopped turns round [s]; ours."""
-_EYES = ((0.20, -0.22), (0.20, 0.0), (0.20, 0.22), (0.95, -0.22), (0.95, 0.0), (0.95, 0.22))
+_EYES = tuple(
+    (height, left)
+    for height in (0.20, 0.95, 1.15, 1.40)
+    for left in (-0.24, -0.16, -0.08, 0.0, 0.08, 0.16, 0.24)
+)
 """Height above the floor and distance to the left of the rays in which one looks ahead [m]: a base,
-and what a robot carries."""
+what a robot carries, and an arm that it has folded high, whose hand is 0.1 m wide."""
 _STALL, _GAIN = 200.0, 1500.0
 """Greatest force [N] and force per difference of speed [N s/m] of the legs; ours."""
 
@@ -65,20 +70,21 @@ class Walk(Process):
         memory, period = apparatus.memory(self), apparatus.period
         pace, rest, towards, rests, stopped = memory
         place, speed = apparatus.joint(self.motor.joint), 0.0
+        left = WAY - place if towards > 0.0 else place
         if rests > 0.0:
             memory[3] = rests - period
-        elif (WAY - place if towards > 0.0 else place) < 0.1:
+        elif left < 0.1:
             memory[2:] = (-towards, rest, 0.0)
         elif stopped > _PATIENCE:
             memory[2:] = (-towards, 0.0, 0.0)
-        elif self._sees_something(apparatus, towards):
+        elif self._sees_something(apparatus, towards, min(left, _SEES)):
             memory[4] = stopped + period
         else:
             speed, memory[4] = pace * towards, 0.0
         self.motor.command(apparatus, speed)
 
-    def _sees_something(self, apparatus: Apparatus, towards: float) -> bool:
-        """Return whether anything is within a step ahead."""
+    def _sees_something(self, apparatus: Apparatus, towards: float, within: float) -> bool:
+        """Return whether anything is so near ahead [m]."""
         model, data = apparatus.model, apparatus.data
         body = model.body(self.person).id
         turn, middle = data.xmat[body].reshape(3, 3), data.xpos[body]
@@ -86,7 +92,7 @@ class Walk(Process):
         for height, left in _EYES:
             eye = middle + turn @ (0.0, left, height)
             away = mujoco.mj_ray(model, data, eye, ahead, None, 1, body, hit)
-            if 0.0 <= away < RADIUS + _SEES:
+            if 0.0 <= away < RADIUS + within:
                 return True
         return False
 

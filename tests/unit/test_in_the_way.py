@@ -10,8 +10,9 @@ from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import OnSomeBench, Placement, sample_base, sample_layout
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.path_planner import PathPlanner
-from labutopia_lerobot.robots import RIDGEBACK_PANDA
+from labutopia_lerobot.robots import FETCH, RIDGEBACK_PANDA
 from labutopia_lerobot.robots.ridgeback import RIDGEBACK
+from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenario import draw_scenario
 from labutopia_lerobot.scenario.in_the_way import SETS, place_in_the_way
 from labutopia_lerobot.scenes import LABORATORY, load_room
@@ -22,7 +23,7 @@ from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
-from labutopia_lerobot.world import CONTROL_HZ
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray
 
 TASK = "level5/navigate"
 FLOOR = -LABORATORY.bench.height
@@ -33,12 +34,14 @@ def ground() -> Ground:
     return load_room("organic_7").ground(RIDGEBACK)
 
 
-def walking(x: float, towards: float) -> tuple[Simulation, SimulatedWorld, PasserBy]:
+def walking(
+    x: float, towards: float, robot: Robot = RIDGEBACK_PANDA, base_pose: FloatArray | None = None
+) -> tuple[Simulation, SimulatedWorld, PasserBy]:
     """Return somebody who begins to walk 1.9 m to the right of a base, from an x, at a yaw."""
     person = PasserBy("passer_by")
-    simulation = Simulation(compile_scene([person], RIDGEBACK_PANDA, LABORATORY, VESSEL_VIEW))
+    simulation = Simulation(compile_scene([person], robot, LABORATORY, VESSEL_VIEW))
     place = Placement(x, -1.9, towards, FLOOR)
-    simulation.reset({person: place}, rng=np.random.default_rng(3))
+    simulation.reset({person: place}, rng=np.random.default_rng(3), base_pose=base_pose)
     return simulation, SimulatedWorld(simulation), person
 
 
@@ -106,6 +109,26 @@ def test_a_person_stops_before_a_base_and_turns_round():
     assert side - 1.0 < max(places) + RADIUS < side - 0.2
     assert min(places[int(np.argmax(places)) :]) < max(places) - 0.3
     assert not touched
+
+
+def test_a_person_stops_before_an_arm_that_is_folded_beyond_the_base():
+    base = np.array([-0.5, 0.0, math.pi])  # its front at -0.78 m, the hand at -0.97 m
+    simulation, world, person = walking(-1.12, math.pi / 2, FETCH, base)
+    touched = set()
+    for _ in range(20 * CONTROL_HZ):
+        simulation.step(simulation.command)
+        touched |= world.touched_by(person.name)
+    assert not touched
+
+
+def test_a_person_does_not_stop_for_what_is_beyond_the_end_of_its_way():
+    base = np.array([-0.7, 0.1 + RADIUS + 0.4 + RIDGEBACK.size[1] / 2, 0.0])
+    simulation, world, person = walking(-0.7, math.pi / 2, base_pose=base)
+    places = []
+    for _ in range(10 * CONTROL_HZ):
+        simulation.step(simulation.command)
+        places.append(world.pose(person).position_w[1])
+    assert max(places) == pytest.approx(-1.9 + WAY, abs=0.12)
 
 
 def test_nobody_is_in_the_way_unless_asked_for():
