@@ -11,7 +11,12 @@ from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.registry import is_beyond_paper, task_files
 from make_docs import failure_table, metres, start_table, task_table
 
-CHANGED_SINCE = {"level2/pour_liquid", "level3/pour_liquid", "level4/clean_beaker"}
+CHANGED_SINCE = {
+    "level2/pour_liquid",
+    "level3/pour_liquid",
+    "level3/pour_sizes",
+    "level4/clean_beaker",
+}
 """Tasks of levels 1 to 4 that the expert plays otherwise since the last sweep of all of them."""
 
 CONFIG = {"episodes": 3, "seed": 100_000, "robot": "default", "room": "laboratory"}
