@@ -2,7 +2,7 @@
 
 Tasks that the paper does not have lie in `beyond` below their level: `level1/beyond/squeeze.py` is
 `level1/squeeze`. They have ids as all others, but `level=1` means the tasks of the paper, and in
-listings they come after those.
+listings they come after those. So it is with the tasks of other folders.
 
 There is nothing to register. A folder that holds `level1` ... `level5` is a task folder: the one in
 this package, those that installed distributions name under the entry point `labutopia.tasks` (a
@@ -55,7 +55,7 @@ def task_files(tasks_dir: str | Path | None = None) -> dict[str, Path]:
                     f"Task '{task_id}' exists twice: {files[task_id]} and {path}. Rename one."
                 )
             files[task_id] = path
-    return dict(sorted(files.items(), key=lambda item: (item[1].parent.name == BEYOND, item[0])))
+    return dict(sorted(files.items(), key=lambda item: (not _of_paper(item[1]), item[0])))
 
 
 def is_beyond_paper(task_id: str, tasks_dir: str | Path | None = None) -> bool:
@@ -64,7 +64,11 @@ def is_beyond_paper(task_id: str, tasks_dir: str | Path | None = None) -> bool:
     Raises:
         UnknownTaskError: If there is no such task.
     """
-    return require_task(task_id, tasks_dir).parent.name == BEYOND
+    return not _of_paper(require_task(task_id, tasks_dir))
+
+
+def _of_paper(file: Path) -> bool:
+    return file.parent.parent == PACKAGED
 
 
 def tasks_of_levels(levels: Iterable[int], tasks_dir: str | Path | None = None) -> list[str]:
@@ -75,7 +79,7 @@ def tasks_of_levels(levels: Iterable[int], tasks_dir: str | Path | None = None) 
     """
     chosen: list[str] = []
     files = task_files(tasks_dir)
-    known = [task_id for task_id, path in files.items() if path.parent.name != BEYOND]
+    known = [task_id for task_id, path in files.items() if _of_paper(path)]
     for level in levels:
         of_level = [task_id for task_id in known if task_id.startswith(f"level{level}/")]
         if not of_level:

@@ -2,6 +2,7 @@
 
 import json
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,7 +10,7 @@ from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.grammar import OptionParser
 from labutopia_lerobot.cli.printing_tables import print_tables
 from labutopia_lerobot.evaluation.compare import compare, comparison_table
-from labutopia_lerobot.evaluation.load_results import load_results
+from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
 from labutopia_lerobot.evaluation.reporting.table import FORMATS
 
 
@@ -33,13 +34,19 @@ def main() -> None:
         json.dump(content, sys.stdout, indent=1)
         sys.stdout.write("\n")
         return
-    names, note = (places[0].name, places[1].name), ""
+    names = (_played(first), _played(second))
     if names[0] == names[1]:
-        names = (str(places[0]), str(places[1]))
-        if arguments.tables != "csv":  # whose heads may be long
-            names, note = ("A", "B"), f"A: {names[0]}, B: {names[1]}. "
+        names = (places[0].name, places[1].name)
+    if names[0] == names[1]:  # heads of a CSV file may be long
+        names = (str(places[0]), str(places[1])) if arguments.tables == "csv" else ("A", "B")
     table = comparison_table(comparisons, names)
-    print_tables([replace(table, note=note + table.note)], arguments.tables)
+    which = f"{names[0]}: {places[0]}, {names[1]}: {places[1]}. "
+    print_tables([replace(table, note=which + table.note)], arguments.tables)
+
+
+def _played(results: Sequence[LoadedResult]) -> str:
+    """Return the policies that were played."""
+    return ", ".join(dict.fromkeys(row.policy for result in results for row in result.rows))
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ from omegaconf.errors import OmegaConfBaseException
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
-from labutopia_lerobot.cli.grammar import ABOUT, overrides, types_of
+from labutopia_lerobot.cli.grammar import ABOUT, overrides, types_of, why_refused
 from labutopia_lerobot.cli.option_list import option_list
 from labutopia_lerobot.evaluation.config import (
     EvaluationConfig,
@@ -66,8 +66,7 @@ def parse(words: Sequence[str]) -> EvaluationConfig:
             composed = compose("eval", [*_policy(chosen), *chosen])
         config = OmegaConf.to_object(composed)
     except (HydraException, OmegaConfBaseException) as error:
-        reason = str(error.__cause__ or error).strip().splitlines()[0]
-        raise EvaluationOptionError(f"{reason} (in: {' '.join(words)})") from None
+        raise EvaluationOptionError(f"{why_refused(error)} (in: {' '.join(words)})") from None
     assert isinstance(config, EvaluationConfig)
     return config
 

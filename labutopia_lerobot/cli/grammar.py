@@ -121,6 +121,13 @@ def overrides(
     return [f"{name}={_hydra(name, given[name], options, wrong)}" for name in given]
 
 
+def why_refused(error: Exception) -> str:
+    """Return in a line why Hydra took no command line, with the option that it is about."""
+    cause = error.__cause__ or error
+    option, reason = getattr(cause, "full_key", None), str(cause).strip().splitlines()[0]
+    return f"{option}: {reason}" if option else reason
+
+
 def _unknown(word: str, name: str, options: Mapping[str, Any]) -> str:
     near = difflib.get_close_matches(name, options, n=1)
     hint = f" Did you mean '{near[0]}='?" if near else ""

@@ -34,6 +34,14 @@ def main() -> None:
         arguments.policy, arguments.dataset, arguments.epochs, arguments.batch_size, arguments.out
     )
     Console(soft_wrap=True, highlight=False).print(shlex.join(command), markup=False)
+    out = next(word.partition("=")[2] for word in command if word.startswith("--output_dir="))
+    if Path(out).exists():
+        kept = f"{out}/checkpoints/last/pretrained_model/train_config.json"
+        note = (
+            f"{out} is there already, and lerobot-train begins nothing there. Choose another "
+            f"--out, or go on: lerobot-train --config_path={shlex.quote(kept)} --resume=true"
+        )
+        Console(stderr=True, soft_wrap=True, highlight=False).print(note, markup=False)
 
 
 if __name__ == "__main__":

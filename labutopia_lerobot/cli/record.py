@@ -11,7 +11,7 @@ from omegaconf.errors import OmegaConfBaseException
 from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
-from labutopia_lerobot.cli.grammar import ABOUT, overrides, types_of
+from labutopia_lerobot.cli.grammar import ABOUT, overrides, types_of, why_refused
 from labutopia_lerobot.cli.option_list import option_list
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
@@ -72,8 +72,7 @@ def parse(words: Sequence[str]) -> RecordingConfig:
             )
         config = OmegaConf.to_object(composed)
     except (HydraException, OmegaConfBaseException) as error:
-        reason = str(error.__cause__ or error).strip().splitlines()[0]
-        raise OverrideError(f"{reason} (in: {' '.join(words)})") from None
+        raise OverrideError(f"{why_refused(error)} (in: {' '.join(words)})") from None
     assert isinstance(config, RecordingConfig)
     return config
 

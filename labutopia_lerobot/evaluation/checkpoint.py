@@ -12,6 +12,7 @@ from typing import Any
 
 from safetensors import SafetensorError, safe_open
 
+from labutopia_lerobot.datasets.description import INFO, RECORDING
 from labutopia_lerobot.evaluation.checkpoint_security import (
     CONFIG,
     PREPROCESSOR,
@@ -178,11 +179,18 @@ def _shapes(folder: Path, config: dict[str, Any], kind: str) -> dict[str, tuple[
 def _require_size(folder: Path, key: str, shape: tuple[int, ...] | None, size: int) -> None:
     if shape != (size,):
         trained = "none" if shape is None else f"one of shape {shape}"
+        cure = "the hidden= of its dataset" if key == _PRIVILEGED else "the robot= of its dataset"
         raise CheckpointError(
             f"{folder} does not fit: `{key}` has {size} elements in this task, and it was trained "
-            f"with {trained}. Train it on a dataset that labutopia-record made of this task, and "
-            "choose the hidden= of that dataset"
+            f"with {trained}{_of(folder)}. Choose {cure}, or train it on a dataset that "
+            "labutopia-record made of this task"
         )
+
+
+def _of(folder: Path) -> str:
+    """Return of which tasks the dataset of a checkpoint was, if anybody knows."""
+    tasks = trained_on(folder)
+    return f", on {' and '.join(tasks)}" if tasks else ""
 
 
 def _require_names(folder: Path, task: str, names: tuple[str, ...]) -> None:
@@ -251,7 +259,6 @@ def _picture_size(folder: Path, pictures: Mapping[str, tuple[int, ...]]) -> tupl
 
 
 _TRAINING = "train_config.json"
-_INFO = "meta/info.json"
 
 
 def element_names(folder: Path, key: str) -> tuple[Path, tuple[str, ...]] | None:
@@ -264,18 +271,38 @@ def element_names(folder: Path, key: str) -> tuple[Path, tuple[str, ...]] | None
         folder: LeRobot's `pretrained_model` folder.
         key: Key of the vector, such as `observation.environment_state`.
     """
-    dataset = _read(folder / _TRAINING).get("dataset")
-    if not isinstance(dataset, dict) or not isinstance(dataset.get("repo_id"), str):
+    root = _dataset(folder)
+    if root is None:
         return None
-    root = _home() / dataset["repo_id"]
-    if isinstance(dataset.get("root"), str) and dataset["root"]:
-        root = Path(dataset["root"])
-    features = _read(root / _INFO).get("features")
+    features = _read(root / INFO).get("features")
     feature = features.get(key) if isinstance(features, dict) else None
     names = feature.get("names") if isinstance(feature, dict) else None
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         return None
     return root, tuple(names)
+
+
+def trained_on(folder: Path) -> tuple[str, ...]:
+    """Return the tasks of the dataset that a checkpoint was trained on; empty if nobody knows them.
+
+    Args:
+        folder: LeRobot's `pretrained_model` folder.
+    """
+    root = _dataset(folder)
+    recorded = {} if root is None else _read(root / RECORDING).get("config")
+    tasks = recorded.get("task") if isinstance(recorded, dict) else None
+    named = tasks if isinstance(tasks, list) else [tasks]
+    return tuple(task for task in named if isinstance(task, str))
+
+
+def _dataset(folder: Path) -> Path | None:
+    """Return where the dataset of a checkpoint's training lay, or None if it does not say."""
+    dataset = _read(folder / _TRAINING).get("dataset")
+    if not isinstance(dataset, dict) or not isinstance(dataset.get("repo_id"), str):
+        return None
+    if isinstance(dataset.get("root"), str) and dataset["root"]:
+        return Path(dataset["root"])
+    return _home() / str(dataset["repo_id"])
 
 
 def keys_with_statistics(states: Iterable[Path]) -> set[str]:

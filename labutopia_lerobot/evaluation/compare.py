@@ -274,7 +274,8 @@ def explanation(comparisons: Iterable[Comparison]) -> str:
     kinds = {each.sequential for each in comparisons}
     return " ".join(
         [
-            "Common episodes only. Rates in per cent, differences in percentage points.",
+            "Common episodes only. Rates in per cent; differences, the first less the second, in "
+            "percentage points.",
             *[_FIXED] * (False in kinds),
             *[_SEQUENTIAL] * (True in kinds),
             "Holm: adjusted for the number of conditions.",

@@ -14,6 +14,7 @@ from huggingface_hub.errors import (
     RevisionNotFoundError,
 )
 
+from labutopia_lerobot.errors import did_you_mean
 from labutopia_lerobot.evaluation.checkpoint_security import (
     ADAPTER,
     CONFIG,
@@ -97,20 +98,33 @@ def _nothing_there(
     other = "a dataset" if (path / "meta" / "info.json").is_file() else other
     below = Path("outputs/train") / (policy or "act") if other else path
     dataset, out = f"outputs/datasets/{named}", shlex.quote(str(below / place))
-    if (shipped("policies") / str(policy) / f"{recipe}.json").is_file():
-        epochs = "" if obs == "state" else _EPOCHS.get(str(policy), "")
-        training = f"$(labutopia-recipe {policy} {dataset}{epochs} --out {out})"
+    kind = policy or "act"
+    if (shipped("policies") / kind / f"{recipe}.json").is_file():
+        epochs = "" if obs == "state" else _EPOCHS.get(kind, "")
+        training = f"$(labutopia-recipe {kind} {dataset}{epochs} --out {out})"
     else:
         training = (
-            f"lerobot-train --policy.type={policy or 'act'} "
+            f"lerobot-train --policy.type={kind} --policy.push_to_hub=false "
             f"--dataset.repo_id=local/{named.rpartition('/')[2]} "
             f"--dataset.root={dataset} --output_dir={out}"
         )
     lacks = f"is {other}" if other else f"holds no {looked}"
+    if not path.exists():
+        lacks = "does not exist"
+    near = _near(path)
+    meant = f"{near.strip()} Or m" if near else "M"
     return (
         f"No checkpoint for {task_id}{only} at policy.path={path}, which {lacks}. "
-        f"Make one:\n  labutopia-record task={task_id}{only}{recorded}\n  {training}"
+        f"{meant}ake one:\n  labutopia-record task={task_id}{only}{recorded}\n  {training}"
     )
+
+
+def _near(path: Path) -> str:
+    """Return a question to the nearest of the folders beside where a path ends, or nothing."""
+    missing = next((each for each in (path, *path.parents) if each.parent.is_dir()), path)
+    if path.exists() or not missing.parent.is_dir():
+        return ""
+    return did_you_mean(missing.name, [each.name for each in missing.parent.iterdir()], cutoff=0.7)
 
 
 def checkpoint_files(folder: Path) -> tuple[str, ...]:

@@ -1,10 +1,11 @@
 """Jobs of an evaluation: one per task, split and way of playing."""
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 
 from labutopia_lerobot.chemistry.kept_answers import reasoner_label
-from labutopia_lerobot.evaluation.checkpoint import Checkpoint, open_checkpoint
+from labutopia_lerobot.evaluation.checkpoint import Checkpoint, open_checkpoint, trained_on
 from labutopia_lerobot.evaluation.condition import SINGLE, STAGED, Condition
 from labutopia_lerobot.evaluation.config import (
     EvaluationConfig,
@@ -18,6 +19,7 @@ from labutopia_lerobot.evaluation.policies import (
     reference_of_step,
 )
 from labutopia_lerobot.evaluation.remote.remote_policy import REMOTE, open_server
+from labutopia_lerobot.features import observation_features
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.scenes import room_label
 from labutopia_lerobot.setting import Setting, setting_of
@@ -66,14 +68,29 @@ def make_jobs(config: EvaluationConfig) -> list[EvaluationJob]:
         CheckpointError: If a checkpoint is missing, or cannot play its task.
         EvaluationOptionError: If options contradict each other.
         TaskError: If a task does not have the step that is to be played.
+        UnknownOptionError: If a task does not have what is to be observed, or hidden.
         UnknownTaskError: If no task is named, or one that does not exist.
     """
-    return [
+    jobs = [
         _staged(config, task, split) if play == STAGED else _single(config, task, split)
         for task in config.tasks
         for split in config.splits
         for play in config.plays
     ]
+    for job in jobs:
+        observation_features(job.setting, partial(canonical_task, job.setting))
+    return jobs
+
+
+def trained_elsewhere(jobs: Iterable[EvaluationJob]) -> Iterator[str]:
+    """Yield a sentence for each job whose policy was trained on other tasks than it plays."""
+    for job in jobs:
+        tasks = (
+            trained_on(job.make_policy.folder) if isinstance(job.make_policy, Checkpoint) else ()
+        )
+        played = job.setting.task
+        if tasks and played.rpartition("/")[2] not in {task.rpartition("/")[2] for task in tasks}:
+            yield f"{played}: the policy was trained on {' and '.join(tasks)}"
 
 
 def _single(config: EvaluationConfig, task: str, split: str) -> EvaluationJob:

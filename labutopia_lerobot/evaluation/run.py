@@ -11,7 +11,7 @@ from rich.progress import TaskID, track
 
 from labutopia_lerobot.evaluation.condition import SINGLE, Condition
 from labutopia_lerobot.evaluation.config import EvaluationConfig
-from labutopia_lerobot.evaluation.jobs import EvaluationJob, make_jobs
+from labutopia_lerobot.evaluation.jobs import EvaluationJob, make_jobs, trained_elsewhere
 from labutopia_lerobot.evaluation.load_results import LoadedResult
 from labutopia_lerobot.evaluation.origin import full_provenance, origin
 from labutopia_lerobot.evaluation.reporting.report_entry import report_entries
@@ -50,6 +50,8 @@ def run(config: EvaluationConfig, console: Console) -> Path | None:
         console.print(TextTable(cost_table(config.episodes_for, settings)))
         return None
     jobs = make_jobs(config)
+    for note in dict.fromkeys(trained_elsewhere(jobs)):
+        console.print(note, soft_wrap=True, markup=False, highlight=False)
     if config.videos:
         require_camera(jobs[0].setting.renderer)
     seeds = range(config.seed, config.seed + config.episodes)

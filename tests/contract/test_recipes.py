@@ -8,6 +8,7 @@ import pytest
 from lerobot.configs.train import TrainPipelineConfig
 from pyarrow import parquet
 
+from labutopia_lerobot.cli import recipe
 from labutopia_lerobot.datasets.dataset_folder import NoDatasetError, dataset_folder
 from labutopia_lerobot.experiments.recipe import RecipeError, trained_frames, training_command
 from labutopia_lerobot.runtime.shipped import shipped
@@ -79,6 +80,20 @@ def test_the_folder_of_a_training_is_that_of_the_task_wherever_the_dataset_lies(
         file.write_text(json.dumps({"config": recorded}))
         command = training_command("act", moved, None, None, None)
         assert option(command, "output_dir") == f"outputs/train/act/{place}"
+
+
+def test_of_a_training_that_is_there_already_it_says_how_to_go_on_beside_the_command(
+    dataset: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    out = tmp_path / "trained"
+    monkeypatch.setattr("sys.argv", ["labutopia-recipe", "act", str(dataset), "--out", str(out)])
+    recipe.main()
+    assert capsys.readouterr().err == ""
+    out.mkdir()
+    recipe.main()
+    said = capsys.readouterr()
+    assert said.out.startswith("lerobot-train ")
+    assert f"go on: lerobot-train --config_path={out}/checkpoints/last/" in said.err
 
 
 def test_the_folder_above_datasets_is_reported_with_those_in_it(dataset: Path) -> None:

@@ -12,7 +12,13 @@ from labutopia_lerobot import registry
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.gymnasium_ids import register_tasks
-from labutopia_lerobot.registry import UnknownTaskError, task_files
+from labutopia_lerobot.registry import (
+    UnknownTaskError,
+    choose_tasks,
+    is_beyond_paper,
+    task_files,
+    tasks_of_levels,
+)
 from labutopia_lerobot.scenario.task_function import task_function
 from labutopia_lerobot.setting import Setting
 
@@ -32,6 +38,12 @@ def tasks_dir(tmp_path: Path) -> Path:
 
 def test_a_task_file_in_a_folder_of_ones_own_is_found_beside_the_others(tasks_dir):
     assert set(task_files(tasks_dir)) - set(task_files()) == {"level1/raise_flask"}
+
+
+def test_it_is_none_of_the_papers_which_a_level_means(tasks_dir):
+    assert is_beyond_paper("level1/raise_flask", tasks_dir)
+    assert tasks_of_levels([1], tasks_dir) == tasks_of_levels([1])
+    assert choose_tasks("raise_flask", 1, tasks_dir) == ["level1/raise_flask"]
 
 
 def test_its_expert_succeeds_in_the_environment(tasks_dir):

@@ -10,7 +10,7 @@ from torch.nn import Module
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.evaluation.checkpoint import CheckpointError, open_checkpoint
 from labutopia_lerobot.evaluation.find_checkpoint import find_checkpoint
-from labutopia_lerobot.evaluation.jobs import EvaluationJob
+from labutopia_lerobot.evaluation.jobs import EvaluationJob, trained_elsewhere
 from labutopia_lerobot.evaluation.learned_policy import LearnedPolicy, UnusableWeightsError
 from labutopia_lerobot.evaluation.policies import Action
 from labutopia_lerobot.evaluation.rollout import play
@@ -60,7 +60,7 @@ def test_a_folder_may_hold_one_policy_per_task(save_checkpoint: Saver, tmp_path:
 @pytest.mark.parametrize(
     ("features", "message"),
     [
-        ({"action": 7}, "`action` has 8 elements"),
+        ({"action": 7}, r"`action` has 8 elements.* Choose the robot= of its dataset"),
         ({"state": 6}, "`observation.state` has 8 elements"),
         ({"privileged": 12}, "`observation.environment_state` has 13 elements"),
         ({"cameras": ("side",)}, "observation.images.side.*observation.images.front"),
@@ -228,9 +228,38 @@ def test_what_a_training_did_not_see_must_be_hidden_from_it_again(save_checkpoin
     blind = replace(SETTING, hidden=("sizes",))
     names = environment_state_names(canonical_task(SETTING), blind.hidden)
     folder = save_checkpoint(privileged=len(names))
-    with pytest.raises(CheckpointError, match="choose the hidden= of that dataset"):
+    with pytest.raises(CheckpointError, match="Choose the hidden= of its dataset"):
         open_checkpoint(folder, "act", SETTING)
     assert open_checkpoint(folder, "act", blind).setting.hidden == ("sizes",)
+
+
+def test_a_policy_of_another_task_says_so_where_its_recording_is_there(
+    save_checkpoint: Saver, tmp_path: Path
+) -> None:
+    folder, root = save_checkpoint(), tmp_path / "dataset"
+    dataset = {"repo_id": "local/place", "root": str(root)}
+    (folder / "train_config.json").write_text(json.dumps({"dataset": dataset}))
+    job = EvaluationJob(SETTING, "act", open_checkpoint(folder, "act", SETTING))
+    assert list(trained_elsewhere([job])) == []  # nobody knows
+    (root / "meta").mkdir(parents=True)
+    for recorded, said in (("level1/place", 1), (TASK, 0), (["level1/place", TASK], 0)):
+        (root / "meta" / "labutopia.json").write_text(json.dumps({"config": {"task": recorded}}))
+        notes = list(trained_elsewhere([job]))
+        assert notes == [f"{TASK}: the policy was trained on level1/place"] * said
+
+
+def test_a_misspelt_path_asks_for_its_neighbour_and_a_recipe_trains_what_is_missing(
+    save_checkpoint: Saver,
+) -> None:
+    given = save_checkpoint().parents[2].with_name("traind")
+    with pytest.raises(
+        CheckpointError, match=r"does not exist\. Did you mean 'trained'\?"
+    ) as raised:
+        find_checkpoint(str(given), None, TASK, None)
+    assert "$(labutopia-recipe act outputs/datasets/level1/pick --epochs 200" in str(raised.value)
+    with pytest.raises(CheckpointError, match=r"does not exist\. Make one") as raised:
+        find_checkpoint("outputs/nothing/like/it", "tdmpc", TASK, None)
+    assert "--policy.type=tdmpc --policy.push_to_hub=false " in str(raised.value)
 
 
 def test_a_dataset_is_no_checkpoint_and_nothing_is_trained_into_it(tmp_path: Path) -> None:

@@ -258,8 +258,21 @@ def test_the_program_says_p_values_as_json_and_a_table(tmp_path: Path) -> None:
     assert reported[0]["condition"]["room"] == "laboratory"
 
 
+def test_results_are_called_by_their_policies_and_the_note_says_where_they_lie(
+    tmp_path: Path,
+) -> None:
+    kept = [(tmp_path / "05-38-46", BETTER), (tmp_path / "05-39-07", WORSE)]
+    folders = [str(keep(folder, rows)) for folder, rows in kept]
+    line = [sys.executable, str(COMPARE), *folders, "tables=markdown"]
+    done = subprocess.run(line, capture_output=True, text=True, check=True)
+    assert "| act | diffusion | difference, points |" in done.stdout
+    assert f"act: {folders[0]}, diffusion: {folders[1]}." in done.stdout
+    assert "the first less the second" in done.stdout
+
+
 def test_folders_of_one_name_are_distinguished_without_breaking_their_paths(tmp_path: Path) -> None:
-    kept = [(tmp_path / "a" / "long" / "run", BETTER), (tmp_path / "b" / "long" / "run", WORSE)]
+    of_act = [replace(row, policy="act") for row in WORSE]
+    kept = [(tmp_path / "a" / "long" / "run", BETTER), (tmp_path / "b" / "long" / "run", of_act)]
     folders = [str(keep(folder, rows)) for folder, rows in kept]
     line = [sys.executable, str(COMPARE), *folders, "tables=markdown"]
     done = subprocess.run(line, capture_output=True, text=True, check=True)

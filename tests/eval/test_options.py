@@ -15,6 +15,7 @@ from labutopia_lerobot.evaluation.jobs import make_jobs
 from labutopia_lerobot.evaluation.run import LiveProgress
 from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.runtime import bars
+from labutopia_lerobot.setting import UnknownOptionError
 
 from .test_statistics import row
 
@@ -48,6 +49,18 @@ def test_tasks_are_named_one_by_one_too_each_is_played_once() -> None:
     assert parse(["task=[pick,level1/pick]", "level=1", "policy=expert"]).tasks == ["level1/pick"]
     with pytest.raises(UnknownTaskError, match="level1/pik"):
         _ = parse(["task=[level1/pick,level1/pik]", "policy=expert"]).tasks
+
+
+@pytest.mark.parametrize("word", ["episodes=3.5", "seed=abc"])
+def test_a_value_of_the_wrong_type_is_said_with_its_option(word: str) -> None:
+    option = word.partition("=")[0]
+    with pytest.raises(EvaluationOptionError, match=rf"^{option}: Value '.*' of type"):
+        parse(["task=level1/pick", "policy=expert", word])
+
+
+def test_what_a_task_does_not_have_is_refused_before_anything_is_played() -> None:
+    with pytest.raises(UnknownOptionError, match=r"hidden=\[handles\]: .* has none"):
+        make_jobs(parse(["task=level1/press", "policy=expert", "obs=state", "hidden=[handles]"]))
 
 
 @pytest.fixture
