@@ -56,6 +56,19 @@ def test_a_tall_vessel_and_the_hand_turn_a_centimetre_above_the_rim(task, seed):
     assert nearest(env, seed, ("pour/",), "vessel", "hand") > 0.010
 
 
+def test_a_flask_is_not_poured_from_so_high_that_its_jet_misses_the_mouth():
+    env = begun("level3/pour_liquid")
+    env.reset(seed=100_019)
+    expert, over = env.expert(), False
+    expert.start()
+    while not over:
+        _, _, terminated, truncated, info = env.step(expert.act())
+        over = terminated or truncated
+    assert env.task.startswith("Lift the 500 ml conical flask")
+    assert info["outcome"] == "success"
+    assert info["ml_spilled"] < 1.0
+
+
 def test_a_beaker_that_is_put_back_leaves_nine_millimetres_above_the_rim():
     env = begun("level2/pour_liquid", liquid="off")
     assert nearest(env, 100_000, ("place/",), "beaker") > 0.009
