@@ -21,8 +21,8 @@ _LOW = 0.10
 """Height up to which a vessel is poured from at full speed [m]."""
 _SPARE = 0.015
 """How much higher a taller one is kept [m]; ours: as it leans, its base and the hand would pass
-the other rim 5 and 4 mm above it, and policies that have learned that strike it. The lip of one that
-tapers, whose hand is further up, is not: from 15 mm higher 4 ml of 100 shoot beyond the rim."""
+the other rim 5 and 4 mm above it, and policies that have learned that strike it. The lip of one
+that tapers, whose hand is further up, stays: from 15 mm higher 4 ml of 100 miss the mouth."""
 _LEAN = math.radians(60.0)
 """Angle to which a taller one leans first [rad]: less than a third full, none runs over there."""
 
