@@ -134,7 +134,8 @@ def _dose(
 ) -> tuple[Compound, float, float]:
     """Return the compound, its amount [mol] and the volume of liquid that it brings [m^3]."""
     if compound.formula == "H2O":
-        volume = portion.volume or (portion.amount or 0.0) / WATER_PER_VOLUME
+        amount = portion.amount
+        volume = portion.volume if amount is None else amount / WATER_PER_VOLUME
         return compound, volume * WATER_PER_VOLUME, volume
     amount = portion.amount
     if amount is None:

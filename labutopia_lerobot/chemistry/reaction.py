@@ -16,7 +16,8 @@ class Reactant:
     Attributes:
         compound: Name, formula, synonym or id, as a person writes it.
         amount: Amount of substance [mol]; None for ``Conditions.concentration * volume``.
-        volume: Volume of the solution that brings it [m^3]; 0 for a pure solid or gas.
+        volume: Volume of the solution that brings it [m^3]; 0 for a pure solid or gas. Of water
+            that has an amount it follows from that.
     """
 
     compound: str

@@ -24,7 +24,7 @@ from labutopia_lerobot.evaluation.config import (
     EvaluationOptionError,
     PolicyConfig,
 )
-from labutopia_lerobot.evaluation.result_folder import RESULT, ROWS, OccupiedFolderError
+from labutopia_lerobot.evaluation.result_folder import ROWS, OccupiedFolderError
 from labutopia_lerobot.evaluation.run import run
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.runtime.shipped import shipped
@@ -41,8 +41,6 @@ def main() -> None:
     try:
         run(config, Console())
     except KeyboardInterrupt as interrupt:
-        if (Path(config.out) / RESULT).exists():
-            raise  # only films are missing
         raise type(interrupt)(f"Go on: {_same_command(config.out)}") from None
     except Exception as error:
         if (Path(config.out) / ROWS).exists() and not isinstance(error, OccupiedFolderError):

@@ -193,6 +193,6 @@ def _summary(env: LabEnv, seed: int, index: int, demonstration: Demonstration) -
         volumes={name: value for name, value in info.items() if name.startswith("ml_")},
         instruction=env.task,
         paraphrases=played.paraphrases,
-        privileged=environment_state_names(played),
+        privileged=environment_state_names(played, env.setting.hidden),
         routes=demonstration.routes,
     )

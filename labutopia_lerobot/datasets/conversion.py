@@ -60,7 +60,9 @@ def convert(source: Path, out: Path, repo_id: str, instruction: str | None = Non
                     _add(writer, episode, Path(place), episode.instruction or instruction or "")
                     episodes += 1
         writer.finish()
-        (root / CONVERSION).write_text(json.dumps(_conversion_record(files), indent=2) + "\n")
+        (root / CONVERSION).write_text(
+            json.dumps(_conversion_record(source, files), indent=2) + "\n"
+        )
         root.rename(out)
     return episodes
 
@@ -122,10 +124,11 @@ def _add(
     shutil.rmtree(folder)
 
 
-def _conversion_record(files: Sequence[Path]) -> dict[str, Any]:
+def _conversion_record(source: Path, files: Sequence[Path]) -> dict[str, Any]:
+    above = source if source.is_dir() else source.parent
     return {
         "source": "LabUtopia, original collectors",
-        "files": {file.name: sha256(file) for file in files},
+        "files": {file.relative_to(above).as_posix(): sha256(file) for file in files},
         "licence": "CC-BY-NC-4.0",
         "replayable": False,
         "action": (

@@ -107,6 +107,11 @@ def _config(root: Path, out: Path, chosen: dict[str, Any]) -> RecordingConfig:
         )
     known = {option.name for option in fields(RecordingConfig)}
     recorded = {name: v for name, v in recording["config"].items() if name in known}
+    if recorded.get("hidden"):
+        raise UserError(
+            f"{root} was recorded with hidden={list(recorded['hidden'])}, and beside pictures the "
+            "whole privileged state is kept: record it anew, with obs=pixels and the same seed="
+        )
     numbers = set(NUMBERS) & set(recorded.get("extras", ()))  # are in the tables, or are not
     missing = sorted(set(NUMBERS) & set(chosen.get("extras", ())) - numbers)
     if missing:

@@ -65,12 +65,12 @@ def run(config: EvaluationConfig, console: Console) -> Path | None:
         episodes = _play(config, jobs, folder, monitor)
         rows = [episode.row for episode in episodes]
         summaries = summarise(rows, sequential=config.until is not None)
-        file = folder.finish(rows, summaries, full_provenance(began, config, rows))
         result = LoadedResult(folder.path, True, tuple(rows), {"config": config.chosen})
         for table in run_tables(report_entries([result]), level_means=config.level is not None):
             console.print(TextTable(table))
             console.print()
-        _film(config, episodes, folder)
+        _film(config, episodes, folder)  # before it is finished: what is not can be gone on with
+        file = folder.finish(rows, summaries, full_provenance(began, config, rows))
     console.print(f"Wrote {file}", soft_wrap=True, markup=False, highlight=False)
     return file
 

@@ -108,6 +108,7 @@ def _leave_to(kit: Path, trainings: Sequence[TrainingPart], records: PartRecords
     fill_kit(left, kit)
     fetch_wheels(kit / "wheels")
     for training in left:
+        _cleared(training, records, True)  # what comes back is not what other inputs had made
         records.keep(training, _begun(training))
 
 

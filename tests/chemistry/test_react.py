@@ -24,6 +24,11 @@ def test_copper_sulfate_and_barium_chloride_give_a_white_solid_in_a_blue_solutio
     assert outcome.amounts.turbid
 
 
+def test_water_may_be_named_by_its_amount() -> None:
+    outcome = react([Reactant("water", amount=1.0), Reactant("sodium chloride", 0.01, 0.0)])
+    assert outcome.amounts.volume == pytest.approx(18.07e-6, rel=0.02)
+
+
 def test_strong_acid_and_base_give_the_heat_of_neutralization() -> None:
     portions = [Reactant("hydrochloric acid", 0.1), Reactant("sodium hydroxide", 0.1)]
     outcome = react(portions)

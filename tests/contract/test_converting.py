@@ -1,6 +1,7 @@
 """The original's HDF5 episodes, made to their description, become a dataset of ours."""
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -83,6 +84,17 @@ def test_it_is_intact_not_replayable_and_marked(original: Path, tmp_path: Path) 
     assert reported["licence"] == "CC-BY-NC-4.0"
     assert reported["replayable"] is False
     assert reported["files"].keys() == {"episode_0000.h5", "episode_0001.h5"}
+
+
+def test_files_of_equal_names_in_several_folders_are_all_in_the_record(
+    original: Path, tmp_path: Path
+) -> None:
+    for run in ("first", "second"):
+        shutil.copytree(original, tmp_path / "runs" / run)
+    convert(tmp_path / "runs", tmp_path / "out", "local/original")
+    reported = json.loads((tmp_path / "out" / CONVERSION).read_text())
+    assert len(reported["files"]) == 4
+    assert "second/episode_0001.h5" in reported["files"]
 
 
 def test_a_merged_file_holds_an_episode_per_group(tmp_path: Path) -> None:

@@ -182,3 +182,13 @@ def test_lerobots_environment_offers_policies_what_its_datasets_do(sensed: Path)
         assert batch[key].shape[1:] == item[key].shape, key
         assert batch[key].dtype == item[key].dtype == torch.float32
     assert float(batch[DEPTH].median()) == pytest.approx(float(item[DEPTH].median()), rel=0.05)
+
+
+def test_what_is_hidden_is_not_named_and_no_picture_is_drawn_beside_it(tmp_path: Path) -> None:
+    words = ["task=level1/pick", "obs=state", "hidden=[sizes]", "episodes=1"]
+    root = recording(tmp_path / "blind", *words)
+    row = read_episodes(root)[0]
+    stored = dataset(root)[0]["observation.environment_state"]
+    assert len(json.loads(row["labutopia/privileged"])) == len(stored)
+    with pytest.raises(UserError, match=r"recorded with hidden=\['sizes'\].*record it anew"):
+        render(root, tmp_path / "drawn", Watch())

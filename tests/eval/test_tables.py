@@ -222,6 +222,14 @@ def test_a_table_in_csv_has_every_number_by_itself() -> None:
     assert (second["act n"], second["mm off place low"]) == ("", "")
 
 
+def test_in_csv_a_number_of_the_paper_stands_below_the_heads_of_ours() -> None:
+    rate = Rate(8, 10, wilson(8, 10))
+    table = Table("Steps", ("SP", "1 pick"), ((rate, rate), (PaperNumber(75.0, 120), "none")), "")
+    heads, ours, paper = csv.reader(io.StringIO(as_csv(table)))
+    assert len(heads) == len(ours) == len(paper) == 10
+    assert paper == ["", "120", "75.0", "", "", "none", "", "", "", ""]
+
+
 def test_a_table_in_markdown_has_a_line_per_line() -> None:
     lines = as_markdown(TABLE).splitlines()
     assert "| level1/pick | 8/10 80.0 [49, 94] | 75.0 | 1.5 [1, 2] |" in lines

@@ -13,11 +13,19 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
+from labutopia_lerobot.cli.experiment import parse as parse_experiment
+from labutopia_lerobot.experiments import runner
 from labutopia_lerobot.experiments.child_process import last_words, run_child
 from labutopia_lerobot.experiments.measured import missing_table
 from labutopia_lerobot.experiments.part_record import PartRecords
 from labutopia_lerobot.experiments.parts.experiment_part import digest_of, log_of
-from labutopia_lerobot.experiments.requirements import OutdatedPartsError, require_not_outdated
+from labutopia_lerobot.experiments.parts.recording_part import VerificationPart
+from labutopia_lerobot.experiments.planning import parts_of
+from labutopia_lerobot.experiments.requirements import (
+    OutdatedPartsError,
+    outdated,
+    require_not_outdated,
+)
 from labutopia_lerobot.experiments.runner import do_parts
 
 ROOT = Path(__file__).parents[2]
@@ -191,3 +199,26 @@ def test_what_a_program_took_is_measured(tmp_path):
     assert ended.done_before == 0.0
     assert 0.0 <= ended.startup_s < ended.seconds
     assert last_words(log).startswith("Error: x")
+
+
+def test_what_is_left_to_a_kit_is_not_taken_from_what_other_inputs_have_made(tmp_path, monkeypatch):
+    for name in ("fill_kit", "fetch_wheels"):
+        monkeypatch.setattr(runner, name, lambda *args: None)
+    first, records = Written(tmp_path, "first"), PartRecords(tmp_path)
+    done(first)
+    changed = replace(first, source="b", word="other")
+    runner._leave_to(tmp_path / "kit", [changed], records)
+    assert not changed.finished()  # nothing that could be taken for what comes back
+    assert outdated(changed, records) == ""
+
+
+def test_a_verification_is_judged_by_its_last_line_whatever_an_earlier_one_said(tmp_path):
+    words = ["level1/press", "obs=state", "policy=mlp", f"out={tmp_path}"]
+    parts = parts_of(parse_experiment(words))
+    (verification,) = (part for part in parts if isinstance(part, VerificationPart))
+    failed = "Error: no space left\non the disk\n"
+    verdict = "Verifying it ...\n0:00\nDATASET is intact: 2 episodes, 40 frames, 0 cameras\n\n"
+    verification.place.parent.mkdir(parents=True)
+    for log, finished in [(failed, False), (failed + verdict, True), (verdict + failed, False)]:
+        verification.place.write_text(log)
+        assert verification.finished() is finished

@@ -286,7 +286,9 @@ def as_csv(table: Table) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     kinds = [
-        next((type(line[i]) for line in table.lines if line[i] is not None), str)
+        max(
+            (type(line[i]) for line in table.lines if line[i] is not None), key=_widest, default=str
+        )
         for i in range(len(table.head))
     ]
     columns = list(zip(table.head, kinds, strict=True))
@@ -296,7 +298,7 @@ def as_csv(table: Table) -> str:
     for line in table.lines:
         values: list[object] = []
         for cell, kind in zip(line, kinds, strict=True):
-            values += [""] * len(_PARTS[kind]) if cell is None else _values(cell)
+            values += _in_columns(cell, _PARTS[kind])
         writer.writerow(values)
     return out.getvalue()
 
@@ -338,6 +340,21 @@ _PARTS: dict[type, tuple[str, ...]] = {
     Median: ("median", "low", "high", "n"),
 }
 """Kind of cell -> what its columns of comma-separated values are called."""
+
+
+def _widest(kind: type) -> int:
+    return len(_PARTS[kind])
+
+
+def _in_columns(cell: Cell, parts: Sequence[str]) -> list[object]:
+    """Return the values of a cell below the heads of its column, which another kind may have."""
+    if cell is None:
+        return [""] * len(parts)
+    own, values = _PARTS[type(cell)], _values(cell)
+    if own == ("",):  # words
+        return [*values, *[""] * (len(parts) - 1)]
+    given = dict(zip(own, values, strict=True))
+    return [given.get(part, given.get(f"inferred {part}", "")) for part in parts]
 
 
 def _values(cell: Cell) -> Sequence[object]:

@@ -11,7 +11,6 @@ from labutopia_lerobot.datasets.description import RECORDING, read_recording
 from labutopia_lerobot.datasets.disk_space import needed_bytes
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import unfinished
-from labutopia_lerobot.experiments.child_process import last_words
 from labutopia_lerobot.experiments.parts.experiment_part import (
     ExperimentPart,
     digest_of,
@@ -256,7 +255,9 @@ class VerificationPart:
 
     def finished(self) -> bool:
         """Return whether the log ends with a verdict, and that is no fault."""
-        return self.place.is_file() and any(word in last_words(self.place) for word in _VERDICTS)
+        said = self.place.read_text(errors="replace") if self.place.is_file() else ""
+        last = ["", *filter(str.strip, said.splitlines())][-1]  # an earlier try may have failed
+        return any(word in last for word in _VERDICTS)
 
     def digest(self) -> str:
         """Return nothing: nothing is made of a verdict."""
