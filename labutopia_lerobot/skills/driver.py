@@ -18,6 +18,9 @@ _AHEAD, _STEP = 1.6, 0.1
 in half of that."""
 _SOON = (0.0, 0.5, 1.0, 1.5)
 """Times at which one reckons where a person is, who walks straight on [s]; ours."""
+_NEARER = 0.05
+"""How much nearer to a person than it is a base may come [m]; ours: a cell of the map. A way round
+that is planned beside a person keeps that distance but for a cell, and has to be driven."""
 _PATIENCE = 4.0
 """Time after which one who waits looks for a way round [s]; ours: people turn round after two."""
 
@@ -68,7 +71,7 @@ class Driver:
         away = np.hypot(*(points[:, None] - places).transpose(2, 0, 1)).min(axis=1)
         least = RADIUS + other.footprint_radius + CLEAR_OF_PEOPLE
         near = np.hypot(*(base_at(world)[0] - here))
-        met = far[away < min(least, near - 0.01)]
+        met = far[away < min(least, near - _NEARER)]
         return max(0.0, float(met[0]) - _STEP) if len(met) else math.inf
 
     def _go_round(self, world: World, walking: list[Obstacle]) -> None:

@@ -159,6 +159,18 @@ def test_the_expert_gets_past_them_and_touches_none(split):
     assert near > 0.7  # the base is 0.62 m wide where it is widest, a person 0.25 m
 
 
+def test_the_expert_goes_on_from_beside_one_who_waits_for_it():
+    task = "level5/navigation_and_manipulation"
+    with LabEnv(Setting(task, obs="state", robot="fetch", axes=("dynamic",))) as env:
+        env.reset(seed=100026)  # both stood for ever, 0.96 m apart
+        expert, over = env.expert(), False
+        expert.start()
+        while not over:
+            _, _, terminated, truncated, info = env.step(expert.act())
+            over = terminated or truncated
+    assert info["outcome"] == "success"
+
+
 @pytest.mark.parametrize("split", ["id", "ood"])
 def test_who_drives_into_them_has_collided(split):
     setting = Setting(TASK, obs="state", split=split, axes=("dynamic",), room="organic_7")
