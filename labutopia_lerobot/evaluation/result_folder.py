@@ -159,7 +159,7 @@ def claim(path: Path, origin: dict[str, Any]) -> Iterator[ResultFolder]:
     with locked(path, "out", OccupiedFolderError):
         begun = (path / ORIGIN).exists()
         if (path / RESULT).exists() or ((path / ROWS).exists() and not begun):
-            raise OccupiedFolderError(f"out={path} already holds a result. Choose another out=")
+            raise OccupiedFolderError(_finished(path, origin))
         if begun:
             _refuse_other(path, origin)
         else:
@@ -235,6 +235,16 @@ def _drop_half_a_line(file: Path) -> None:
     with file.open("a+b") as rows:
         rows.seek(0)
         rows.truncate(rows.read().rfind(b"\n") + 1)
+
+
+def _finished(path: Path, origin: dict[str, Any]) -> str:
+    """Return what to say of a folder with a result, which something else may have made."""
+    begun = (path / ORIGIN).exists()
+    made_by = read_json_object(path / ORIGIN, UnreadableResultError) if begun else origin
+    different = differences(made_by, origin)
+    other = ["Another evaluation made it:", *different] if different else []
+    read = f"Read it with labutopia-report {path}, or choose another out="
+    return "\n".join([f"out={path} already holds a result.", *other, read])
 
 
 def _refuse_other(path: Path, origin: dict[str, Any]) -> None:

@@ -99,6 +99,7 @@ def test_a_result_holds_rows_summary_provenance_and_films(
     again = evaluate_program("task=level1/pick", "policy=expert", "out=out")
     assert again.returncode == 2
     assert "already holds a result" in again.stderr
+    assert "config.episodes: 2 there, 100 here" in " ".join(again.stderr.split())
 
 
 @pytest.mark.slow
