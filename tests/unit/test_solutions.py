@@ -319,7 +319,10 @@ def test_copper_and_iodide_come_to_an_end_whatever_their_ratio(share: float) -> 
     copper, iodide = (inventory.filled(one, 1e-6) for one in parts)
     after, why = inventory.settled(share * copper + (1.0 - share) * iodide, 1e-6, 293.15)
     assert why == ""
-    assert inventory.amounts(after)["I2(aq)"] > 0.0
+    mol = inventory.amounts(after)
+    iodine = sum(mol.get(key, 0.0) for key in ("I2(aq)", "I2(s)", "I3^-(aq)"))
+    assert iodine == pytest.approx(1e-4 * min(share / 2.0, (1.0 - share) / 4.0), rel=0.01)
+    assert mol["CuI(s)"] == pytest.approx(2.0 * iodine, rel=0.01)
 
 
 def test_what_is_in_no_vessel_keeps_what_it_holds() -> None:

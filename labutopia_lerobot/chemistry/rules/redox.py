@@ -230,7 +230,7 @@ def _potential(
     decade = _NERNST * temperature / couple.electrons
     basic = couple.coefficients.get(HYDROXIDE, 0)
     potential = couple.record.potential - decade * (protons * ph - 14.0 * basic)
-    potential += decade * _free(couple.oxidised, settled) - decade * _free(couple.reduced, settled)
+    potential -= decade * sum(n * _free(key, settled) for key, n in couple.coefficients.items())
     return potential - (_ESCAPE_VOLTAGE if couple.record.least.get("Cl^-") else 0.0)
 
 
@@ -244,11 +244,11 @@ def _plenty(
 
 
 def _free(key: str, settled: Mapping[str, float]) -> float:
-    """Return the decimal logarithm of the part of a metal ion that nothing holds."""
+    """Return the decimal logarithm of the part of an ion that nothing holds."""
     one = network().species.get(key)
-    if one is None or one.phase != "aq" or not one.is_component or one.composition.charge <= 0:
+    if one is None or one.phase != "aq" or not one.is_component or one.composition.charge == 0:
         return 0.0
     whole_amount = available(settled, key)
-    if key == PROTON or whole_amount <= 0:
+    if key in (PROTON, HYDROXIDE) or whole_amount <= 0:
         return 0.0
     return math.log10(max(settled.get(key, 0.0) / whole_amount, 1e-40))
