@@ -18,7 +18,7 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.grammar import ABOUT, overrides, types_of, why_refused
-from labutopia_lerobot.cli.option_list import option_list
+from labutopia_lerobot.cli.option_list import option_list, task_list
 from labutopia_lerobot.evaluation.config import (
     EvaluationConfig,
     EvaluationOptionError,
@@ -26,7 +26,6 @@ from labutopia_lerobot.evaluation.config import (
 )
 from labutopia_lerobot.evaluation.result_folder import ROWS, OccupiedFolderError
 from labutopia_lerobot.evaluation.run import run
-from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.runtime.shipped import shipped
 
 
@@ -122,7 +121,7 @@ def _help() -> str:
         f"{ABOUT}\nWith their defaults:\n"
         f"{option_list(EvaluationConfig, but=('policy',))}\n"
         f"{option_list(PolicyConfig, prefix='policy.')}\n\n"
-        f"Tasks: {', '.join(task_files())}"
+        f"{task_list()}"
     )
 
 

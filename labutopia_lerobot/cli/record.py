@@ -12,14 +12,13 @@ from rich.console import Console
 
 from labutopia_lerobot.cli.clear_errors import clear_errors
 from labutopia_lerobot.cli.grammar import ABOUT, overrides, types_of, why_refused
-from labutopia_lerobot.cli.option_list import option_list
+from labutopia_lerobot.cli.option_list import option_list, task_list
 from labutopia_lerobot.cli.recording_bars import RecordingBars
 from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recorder import record
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.recording_folder import FinishedError
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.registry import task_files
 
 
 class OverrideError(UserError):
@@ -29,11 +28,11 @@ class OverrideError(UserError):
 @clear_errors
 def main() -> None:
     """Record what the command line asks for."""
-    console = Console(stderr=True, highlight=False, soft_wrap=True)
     arguments = sys.argv[1:]
     if {"-h", "--help"} & set(arguments):
-        console.print(_help(), markup=False)
+        Console(highlight=False, soft_wrap=True).print(_help(), markup=False)
         return
+    console = Console(stderr=True, highlight=False, soft_wrap=True)
     datasets = list(parse(arguments).datasets())
     for dataset in datasets:
         dataset.check()
@@ -67,8 +66,8 @@ def parse(words: Sequence[str]) -> RecordingConfig:
             composed = compose("record", chosen)
         if composed.task is None and composed.level is None:
             raise OverrideError(
-                "Name a task, such as task=level1/pick, or a level, such as level=1. Tasks: "
-                + ", ".join(task_files())
+                "Name a task, such as task=level1/pick, or a level, such as level=1.\n"
+                + task_list()
             )
         config = OmegaConf.to_object(composed)
     except (HydraException, OmegaConfBaseException) as error:
@@ -85,7 +84,7 @@ def _help() -> str:
         "recording that was interrupted goes on when the same command is given again; one that is\n"
         "finished is extended by the same command with more episodes.\n\n"
         f"{ABOUT}\nWith their defaults:\n{option_list(RecordingConfig)}\n\n"
-        f"Tasks: {', '.join(task_files())}"
+        f"{task_list()}"
     )
 
 

@@ -19,6 +19,7 @@ from labutopia_lerobot.datasets.candidate import Candidate
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.evaluation.config import EvaluationConfig, PolicyConfig
 from labutopia_lerobot.experiments.experiment import ExperimentConfig
+from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.runtime import bars
 from labutopia_lerobot.setting import option_help
 
@@ -32,8 +33,8 @@ def evaluate(*arguments: str) -> "subprocess.CompletedProcess[str]":
 
 def entries(text: str) -> dict[str, str]:
     """Return the options that a help lists, each with its explanation."""
-    found = re.findall(r"^  ([\w.]+)=\S*\s+(\S.*)$", text, re.MULTILINE)
-    return dict(found)
+    found = re.findall(r"^  ([\w.]+)=\S*\s+(\S.*(?:\n {24}\S.*)*)$", text, re.MULTILINE)
+    return {name: " ".join(explained.split()) for name, explained in found}
 
 
 def test_help_of_the_evaluator_explains_every_option_and_lists_the_policies():
@@ -70,10 +71,20 @@ def test_a_policy_that_is_none_is_reported_with_the_choices(arguments, reported)
 def test_help_of_the_recorder_explains_every_option(monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["labutopia-record", "--help"])
     record.main()
-    listed = entries(capsys.readouterr().err)
-    assert listed == {
+    shown = capsys.readouterr().out
+    assert entries(shown) == {
         option.name: option_help(RecordingConfig)[option.name] for option in fields(RecordingConfig)
     }
+    assert max(map(len, shown.splitlines())) <= 90
+
+
+def test_help_of_the_recorder_lists_every_task_by_its_level(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["labutopia-record", "--help"])
+    record.main()
+    shown = " ".join(capsys.readouterr().out.partition("Tasks of the paper:")[2].split())
+    listed = re.findall(r"(level\d)/ (.*?)(?= level\d/| Tasks|$)", shown)
+    tasks = [f"{level}/{name}" for level, names in listed for name in names.split(", ")]
+    assert tasks == list(task_files())
 
 
 def test_help_of_the_experiments_explains_every_option(monkeypatch, capsys):
