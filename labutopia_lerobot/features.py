@@ -294,13 +294,15 @@ def observed_pieces(task: Task, hidden: Collection[str] = ()) -> tuple[ObservedP
 
 
 def _put_back(task: Task) -> set[str]:
-    """Return the names of what a task wants back where it stood: no later frame shows where."""
-    about = (
-        each
-        for positional, named in (fact.arguments for fact in task.watched)
-        for each in (*positional, *named.values())
-    )
-    return {each.thing.name for each in about if isinstance(each, WhereItStood)}
+    """Return the names of what steps put back where it stood: no later frame shows where."""
+    # What the hand may take in its stead is among them: which of them it is would else be seen.
+    return {
+        thing.name
+        for step in task.steps
+        for fact in (fact for substep in step.substeps for fact in substep.facts)
+        if any(isinstance(each, WhereItStood) for each in fact.about)
+        for thing in step.touches
+    }
 
 
 def _vessels(piece: Thing) -> tuple[Fillable, ...]:

@@ -13,8 +13,9 @@ import numpy as np
 from labutopia_lerobot.checks.playing import expert, start
 from labutopia_lerobot.checks.require import CheckFailed, require
 from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.registry import task_files
-from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenario import canonical_task, draw_scenario
 from labutopia_lerobot.setting import Setting
 
 _GENERATORS: dict[ModuleType, str] = {
@@ -78,6 +79,18 @@ def two_seeds_give_two_scenes(env: LabEnv) -> None:
     require(not same, "seeds 0 and 1 give the same scene: nothing is drawn")
 
 
+def elements_of_the_state_have_the_same_names_whatever_is_drawn(env: LabEnv) -> None:
+    """What a policy has learned of an element is true of it in every episode.
+
+    Names that change with the draw also give away what was drawn.
+    """
+    known = environment_state_names(canonical_task(env.setting), env.setting.hidden)
+    for seed in range(12):
+        drawn = environment_state_names(draw_scenario(env.setting, seed).task, env.setting.hidden)
+        other = sorted(set(known) ^ set(drawn)) or "their order"
+        require(drawn == known, f"the state of seed {seed} has other names: {other}")
+
+
 def training_and_evaluation_splits_share_no_scene(env: LabEnv) -> None:
     """Five seeds give five scenes in each split, and none of them twice."""
     needed = canonical_task(env.setting).needs_liquid
@@ -119,6 +132,7 @@ CHECKS = (
     the_model_has_the_three_cameras_and_no_welds,
     the_instruction_is_unique,
     two_seeds_give_two_scenes,
+    elements_of_the_state_have_the_same_names_whatever_is_drawn,
     training_and_evaluation_splits_share_no_scene,
     global_random_generators_are_never_used,
     no_contact_is_deep_at_the_start,

@@ -87,6 +87,31 @@ def proceed(
     return settled, steps
 
 
+def too_slow(settled: Mapping[str, float], vessel: ReactionVessel) -> str:
+    """Return the equation of a reaction that goes on for minutes or more, or nothing.
+
+    Args:
+        settled: Amounts by key at equilibrium [mol].
+        vessel: Where they are, in water.
+    """
+    for step in known.steps(
+        settled,
+        temperature=vessel.temperature,
+        ph=ph_of(settled, vessel.volume),
+        catalysts=_present(settled, vessel),
+    ):
+        if step.slow:
+            done = _done(_in_solution(step, settled), settled, vessel.forms)
+            if done is not None:
+                return done.written()
+    return ""
+
+
+def _present(settled: Mapping[str, float], vessel: ReactionVessel) -> frozenset[str]:
+    """Return the formulas of what may be a catalyst."""
+    return vessel.catalysts | {key.removesuffix("(aq)") for key in settled}
+
+
 def _join(changes: list[Change], one: Change) -> None:
     """Add a reaction to the list, or its extent to the same reaction that is there."""
     for index, other in enumerate(changes):
@@ -126,7 +151,7 @@ def _first_step(
             done = _done(step, state, vessel.forms)
             if done is not None:
                 return done
-    present = vessel.catalysts | {key.removesuffix("(aq)") for key in settled}
+    present = _present(settled, vessel)
     pool = settled if vessel.is_wet else state
     for step in known.steps(pool, temperature=vessel.temperature, ph=ph, catalysts=present):
         if step.slow and not vessel.slow:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.chemistry.compound import Compound
-from labutopia_lerobot.chemistry.course import ReactionVessel, proceed
+from labutopia_lerobot.chemistry.course import ReactionVessel, proceed, too_slow
 from labutopia_lerobot.chemistry.equation import Composition, composition
 from labutopia_lerobot.chemistry.equilibrium import NoEquilibriumError
 from labutopia_lerobot.chemistry.names import resolve
@@ -158,7 +158,7 @@ class Inventory:
     def settled(self, row: Floats, volume: float, temperature: float) -> tuple[Floats, str]:
         """Return what becomes of amounts when they have mixed, gases among it.
 
-        Slow reactions do not happen. What the rules cannot work out stays as it is.
+        Slow reactions do not happen, see `too_slow`. What the rules cannot work out stays as it is.
 
         Args:
             row: Shape (species,) [mol]; never negative.
@@ -185,6 +185,22 @@ class Inventory:
         trace = _TRACE * row[self.dissolved].sum()
         still = (np.abs(after - row) <= _AT_REST * row + trace).all()
         return (content if still else after.tobytes()), ""
+
+    def too_slow(self, row: Floats, volume: float, temperature: float) -> str:
+        """Return the equation of a reaction of what has settled that takes minutes, or nothing.
+
+        Args:
+            row: As `settled` returned it, shape (species,) [mol].
+            volume: In which it is [m^3].
+            temperature: [K].
+        """
+        if not self._any_slow:
+            return ""
+        return too_slow(self.amounts(row), ReactionVessel(volume, temperature, forms=self._forms))
+
+    @cached_property
+    def _any_slow(self) -> bool:
+        return known.any_slow(frozenset(self.species))
 
     @cached_property
     def _places(self) -> dict[str, int]:

@@ -81,8 +81,19 @@ class Palette:
         seen = colour.encoded(own * self._light(around[None], 0.5 * _THICK)[0])
         return np.append(seen, np.exp(-self._away(around[None])[0, 0] * 0.01 * _THICK))
 
+    def settled(self, amounts: NDArray[np.float64], around: NDArray[np.float64]) -> Floats:
+        """Return how a layer of solids on a bottom looks in a solution, shape (4,): as `lying`.
+
+        Args:
+            amounts: Of each species on the bottom, shape (species,), not all 0 [mol/m^2].
+            around: Amounts of the solution around it, shape (species,) [mol/m^3].
+        """
+        look = self.lying(amounts, around)
+        look[3] *= -np.expm1(-self._away(amounts[None])[0, 0])
+        return look
+
     def _away(self, amounts: NDArray[np.float64]) -> Floats:
-        """Return what solids scatter out of the way, shape (n, 1) [1/m]."""
+        """Return what solids scatter out of the way, shape (n, 1) [1/m]; of a layer, in all."""
         return np.asarray((amounts * self._solid @ self._scattering)[:, None])
 
     def _light(self, amounts: NDArray[np.float64], centimetres: float) -> Floats:

@@ -209,7 +209,7 @@ class Handling(LiquidHandling):
         liquid = self._liquid
         if liquid.solutions is not None:
             heights = liquid.positions[:, 2]
-            beds = liquid.over_bottoms() if liquid.solutions.has_crystals else heights
+            beds = liquid.over_bottoms() if liquid.solutions.crystals.any() else heights
             liquid.solutions.react(
                 liquid.what,
                 heights,

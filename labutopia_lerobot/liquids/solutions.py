@@ -219,9 +219,11 @@ class Solutions:
         return own + share * (end - own)
 
     def _noted(self, mean: FloatArray, temperature: float) -> FloatArray:
-        """Return what becomes of a particle, as `_settled`, and note why not."""
+        """Return what becomes of a particle, as `_settled`; note why not, or not yet."""
         goal, why = self._settled(mean, temperature)
         self._note(why)
+        if equation := self.inventory.too_slow(goal, self._particle, temperature):
+            self._note(f"too slow to happen here: {equation}")
         return goal
 
     def _note(self, why: str) -> None:
@@ -279,26 +281,36 @@ class Solutions:
         return goal + crystals, why
 
     @property
-    def has_crystals(self) -> bool:
-        """Whether crystals have been filled in anywhere."""
-        return bool(self._dissolving.columns.any())
+    def crystals(self) -> NDArray[np.bool_]:
+        """Which species have been filled in as crystals, shape (species,)."""
+        return self._dissolving.columns
+
+    @property
+    def precipitates(self) -> NDArray[np.bool_]:
+        """Which species are solids that only precipitate, shape (species,)."""
+        return self._floats & ~self._dissolving.columns
 
     def lying(
-        self, contents: FloatArray, heights: FloatArray, inside: NDArray[np.int64]
+        self,
+        of: NDArray[np.bool_],
+        contents: FloatArray,
+        heights: FloatArray,
+        inside: NDArray[np.int64],
     ) -> FloatArray:
-        """Return the crystals that lie on bottoms, by particles, shape (n, species) [mol].
+        """Return what lies on bottoms, by particles, shape (n, species) [mol].
 
         Args:
+            of: Which solids, shape (species,).
             contents: Amounts of each species that particles hold, shape (n, species) [mol].
             heights: Of the particles, shape (n,) [m].
             inside: Which vessel each is in, shape (n,); -1 none.
         """
         lying = np.zeros_like(contents)
-        if self.has_crystals:
+        if of.any():
             for vessel in np.unique(inside[inside >= 0]).tolist():
                 held = np.flatnonzero(inside == vessel)
                 lowest = held[heights[held] < heights[held].min() + self._layer]
-                lying[lowest] = np.where(self._dissolving.columns, contents[lowest], 0.0)
+                lying[lowest] = np.where(of, contents[lowest], 0.0)
         return lying
 
     def heap(self, lying: FloatArray, contents: FloatArray) -> tuple[float, FloatArray]:
@@ -310,6 +322,17 @@ class Solutions:
         """
         amounts, around = lying.sum(axis=0), (contents - lying).mean(axis=0) / self._particle
         return self._dissolving.heaped(amounts), self._palette.lying(amounts, around)
+
+    def sediment(self, lying: FloatArray, contents: FloatArray, area: float) -> FloatArray:
+        """Return colour and opacity, shape (4,), of what has settled in a vessel.
+
+        Args:
+            lying: As of `heap`.
+            contents: As of `heap`.
+            area: Of its bottom [m^2].
+        """
+        around = (contents - lying).mean(axis=0) / self._particle
+        return self._palette.settled(lying.sum(axis=0) / area, around)
 
     def looks(self, contents: FloatArray) -> FloatArray:
         """Return colour and opacity of particles, shape (n, 4), each in [0, 1]."""

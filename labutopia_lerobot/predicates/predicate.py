@@ -52,6 +52,12 @@ class Predicate:
     explain: Callable[..., str] | None = field(default=None, compare=False)
     approach: Callable[..., float] | None = field(default=None, compare=False)
 
+    @property
+    def about(self) -> tuple[object, ...]:
+        """Everything among its arguments, without their names."""
+        positional, named = self.arguments
+        return (*positional, *named.values())
+
     def holds(self, world: World) -> bool:
         """Return the answer for a world."""
         positional, named = self.arguments

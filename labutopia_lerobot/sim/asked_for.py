@@ -41,8 +41,7 @@ def _readings_in(value: object) -> Iterator[str]:
     if isinstance(value, Process):
         yield value.name
     elif isinstance(value, Predicate):
-        positional, named = value.arguments
-        yield from _readings_in((*positional, *named.values()))
+        yield from _readings_in(value.about)
     elif isinstance(value, tuple):
         for part in value:
             yield from _readings_in(part)

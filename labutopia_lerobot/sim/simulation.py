@@ -11,7 +11,7 @@ from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.liquids.drawing.surface import VesselPose
 from labutopia_lerobot.liquids.handling import Handling
 from labutopia_lerobot.liquids.liquid import Liquid
-from labutopia_lerobot.liquids.looks import columns, heaps, looks
+from labutopia_lerobot.liquids.looks import columns, heaps, looks, sediments
 from labutopia_lerobot.liquids.surroundings import Carrier
 from labutopia_lerobot.processes import Apparatus
 from labutopia_lerobot.robots.drives import Drives
@@ -235,6 +235,7 @@ class Simulation:
                 looks(liquid, tints, heaped=True),
                 columns(liquid, vessels, tints),
                 heaps(liquid, vessels),
+                sediments(liquid, vessels),
             )
 
     def draw_particles(self, scene: mujoco.MjvScene) -> None:

@@ -40,7 +40,7 @@ def require_possible_solutions[Present: Thing](
         ImpossibleFillingError: Something does not dissolve, or not as much of it, or falls out as
             cold as it is; another solvent than water is in the scene; crystals are more than the
             liquid covers, or where none can lie; solutions of two vessels, or a part of one and
-            the other, are dangerous together or boil.
+            the other, are dangerous together or boil; all of them are dangerous together.
     """
     if any(filling.reacts for filling in contents.values()):
         _require_possible(task, tuple(contents.items()))
@@ -79,6 +79,15 @@ def _require_possible(task: str, held: tuple[tuple[Thing, Filling], ...]) -> Non
             volumes = {first: one}
             volumes[second] = volumes.get(second, 0.0) + other
             _require(task, both, volumes, "Take one of them out of the task, or dilute both")
+    whole: dict[Filling, float] = {}
+    for filling in contents.values():
+        whole[filling] = whole.get(filling, 0.0) + filling.volume
+    try:
+        _refuse_danger(whole)
+    except ChemistryError as error:
+        raise ImpossibleFillingError(
+            f"{task}, all of its vessels together: {error}. Take one of them out of the task"
+        ) from error
 
 
 def _require_on_the_bottom(task: str, vessel: Thing, filling: Filling) -> None:
@@ -109,10 +118,13 @@ def _require(
         raise ImpossibleFillingError(f"{task}, {names}: {error}. {cure}") from error
 
 
-def _faults(volumes: Mapping[Filling, float]) -> Iterator[str]:
-    """Yield what is wrong with solutions that are poured together, by their volumes [m^3]."""
+def _refuse_danger(volumes: Mapping[Filling, float]) -> dict[str, float]:
+    """Return what solutions that are poured together hold, by their volumes [m^3], in mol by key.
+
+    Raises:
+        ChemistryError: They are dangerous together.
+    """
     solutes: dict[Solute | Crystals, None] = {}
-    total = sum(volumes.values())
     amounts: dict[str, float] = {}
     for filling, volume in volumes.items():
         solutes |= dict.fromkeys(filling.dissolved) | dict.fromkeys(filling.crystals)
@@ -121,8 +133,14 @@ def _faults(volumes: Mapping[Filling, float]) -> Iterator[str]:
         for one in filling.crystals:
             grains = one.mol * volume / filling.volume
             amounts[one.species] = amounts.get(one.species, 0.0) + grains
-    vessel = ReactionVessel(total, _ROOM, slow=False)
+    vessel = ReactionVessel(sum(volumes.values()), _ROOM, slow=False)
     refuse(charge_of([solute.compound for solute in solutes], amounts, vessel))
+    return amounts
+
+
+def _faults(volumes: Mapping[Filling, float]) -> Iterator[str]:
+    """Yield what is wrong with solutions that are poured together, by their volumes [m^3]."""
+    total, amounts = sum(volumes.values()), _refuse_danger(volumes)
     solids = [one.species for filling in volumes for one in filling.crystals]
     inventory = Inventory.of([filling.dissolved for filling in volumes], solids)
     before = inventory.row(amounts)

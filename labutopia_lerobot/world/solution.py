@@ -38,7 +38,10 @@ class Solution:
 
     @property
     def numbers(self) -> dict[str, float]:
-        """What `info` has of it: ml, pH, degrees C, solids and gas [mol], how mixed it is."""
+        """What `info` has of it: ml, pH, degrees C, solids and gas [mol], how mixed it is.
+
+        Then each dissolved species [mol/l], and each solid and gas [mol], such as `mol_AgCl(s)`.
+        """
         return {
             "ml": round(1e6 * self.volume, 6),
             "ph": self.ph,
@@ -46,6 +49,8 @@ class Solution:
             "mol_solid": sum(self.solids.values()),
             "mol_gas": sum(self.gas.values()),
             "mixed": self.mixed,
+            **{f"molar_{key}": 1e-3 * value for key, value in self.concentrations.items()},
+            **{f"mol_{key}": mol for key, mol in [*self.solids.items(), *self.gas.items()]},
         }
 
     @property

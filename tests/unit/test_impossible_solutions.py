@@ -4,6 +4,7 @@ import pytest
 
 from labutopia_lerobot.chemistry.crystals import Crystals
 from labutopia_lerobot.chemistry.inventory import Solute
+from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.handling.burette_stand import BuretteStand
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenario import canonical_task, draw_scenario
@@ -47,6 +48,16 @@ def test_the_error_names_task_vessel_and_cure(giver: Filling, taker: Filling, sa
     message = str(raised.value)
     assert message.startswith("level2/mine")
     assert any(cure in message for cure in ("Dissolve less", "Take one of them", "Fill it with"))
+
+
+def test_what_is_dangerous_only_when_three_vessels_meet_is_refused() -> None:
+    contents = {
+        GIVER: solution("acetone", 1.0),
+        TAKER: solution("hydrogen peroxide", 3.0),
+        glassware("beaker", "250 ml", "third"): solution("sulfuric acid", 1.0),
+    }
+    with pytest.raises(ImpossibleFillingError, match=r"all of its vessels .*peroxides of acetone"):
+        require_possible_solutions("level2/mine", contents)
 
 
 def test_a_solution_that_falls_out_as_cold_as_it_is_is_refused() -> None:

@@ -325,6 +325,30 @@ def test_copper_and_iodide_come_to_an_end_whatever_their_ratio(share: float) -> 
     assert mol["CuI(s)"] == pytest.approx(2.0 * iodine, rel=0.01)
 
 
+def test_a_slow_reaction_does_not_happen_and_is_named_once() -> None:
+    ester = Filling(50.0, dissolved=(Solute("ethyl acetate", 0.1),))
+    simulation = bench(ester, BASE)
+    bring(simulation, GIVER.name, TAKER.name, 40.0)
+    solutions = liquid_of(simulation).solutions
+    assert solutions is not None
+    equation = "CH3COOC2H5 + OH^- -> CH3COO^- + C2H5OH"
+    assert solutions.unreacted == (f"too slow to happen here: {equation}",)
+    here = world(simulation).solution(TAKER)
+    assert here is not None
+    assert here.concentrations["CH3COOC2H5(aq)"] == pytest.approx(1e3 * 0.1 * 40 / 90, rel=0.02)
+
+
+def test_its_numbers_have_every_species() -> None:
+    simulation = bench(BARIUM, COPPER)
+    bring(simulation, GIVER.name, TAKER.name, 40.0)
+    here = world(simulation).solution(TAKER)
+    assert here is not None
+    assert here.numbers["molar_Cu^2+(aq)"] == pytest.approx(0.06, rel=0.05)
+    assert (
+        here.numbers["mol_BaSO4(s)"] == here.numbers["mol_solid"] == pytest.approx(4e-3, rel=0.02)
+    )
+
+
 def test_what_is_in_no_vessel_keeps_what_it_holds() -> None:
     simulation = bench(ACID, BASE)
     liquid = liquid_of(simulation)

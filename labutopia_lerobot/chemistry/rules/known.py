@@ -97,6 +97,11 @@ def products(species: frozenset[str]) -> set[str]:
     }
 
 
+def any_slow(species: frozenset[str]) -> bool:
+    """Return whether a slow reaction of some species in water is known."""
+    return any(one.record.slow and not one.record.dry for one in _of_what_is_there(species))
+
+
 @lru_cache(maxsize=4096)
 def _of_what_is_there(species: frozenset[str]) -> tuple[_Parsed, ...]:
     """Return the reactions that use up none but some species."""

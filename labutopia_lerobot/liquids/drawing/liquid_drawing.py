@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.drawing.column import Column, column_surface
 from labutopia_lerobot.liquids.drawing.heap import Heap, heap_colors, heap_surface
+from labutopia_lerobot.liquids.drawing.sediment import Sediment, sediment_surface
 from labutopia_lerobot.liquids.drawing.surface import (
     LiquidSurface,
     VesselPose,
@@ -129,6 +130,7 @@ class LiquidDrawing:
         colors: NDArray[np.float64] | None = None,
         columns: Sequence[Column] = (),
         heaps: Sequence[Heap] = (),
+        sediments: Sequence[Sediment] = (),
     ) -> LiquidSurface:
         """Find the surface that the next pictures show, and return it.
 
@@ -140,6 +142,7 @@ class LiquidDrawing:
                 if not said.
             columns: What stands in narrow tubes.
             heaps: Crystals that lie on bottoms; only where particles have colours of their own.
+            sediments: What has settled on bottoms; likewise.
 
         Raises:
             RuntimeError: There are more particles than `add_to` was given.
@@ -148,7 +151,9 @@ class LiquidDrawing:
         loose = len(surface.quads)
         # What is drawn last is seen through all that was drawn before.
         standing = [column_surface(column) for column in columns]
-        surface = together([surface, *standing, *(heap_surface(heap) for heap in heaps)])
+        settled = [sediment_surface(sediment) for sediment in sediments]
+        lying = [heap_surface(heap) for heap in heaps]
+        surface = together([surface, *standing, *settled, *lying])
         if len(surface.quads) > self._capacity:
             raise RuntimeError(
                 f"The surface of {len(positions_w)} particles of {self.name} has "
@@ -158,13 +163,14 @@ class LiquidDrawing:
         self._normals = surface.normals_w[surface.quads.ravel()]
         if self._textured:
             middles = surface.vertices_w[surface.quads[:loose]].mean(axis=1)
+            plain = [*(one.color for one in columns), *(one.color for one in sediments)]
             colors = self._colors(len(positions_w), colors)
             texels = np.vstack(
                 [
                     colors_at(middles, positions_w, colors, REACH * self.spacing),
                     *(
-                        np.tile(column.color, (len(one.quads), 1))
-                        for column, one in zip(columns, standing, strict=True)
+                        np.tile(color, (len(one.quads), 1))
+                        for color, one in zip(plain, [*standing, *settled], strict=True)
                     ),
                     *(heap_colors(heap) for heap in heaps),
                 ]
