@@ -62,17 +62,14 @@ def crystallise(draw: Draw) -> Task:
     take_off = actions.pick(vessel, by=0.10, lift=0.12, support=heater.name).named("take_off")
     return Task(
         instruction=(
-            f"Dissolve the {_SALT} on the hot plate, take it off before its glass is at 60 C, "
-            f"crystallise it in the ice bath, decant at least {_LOW_ML:g} ml into the large "
-            "beaker, and return it to the bath."
+            f"Dissolve the {_SALT} on the hot plate, take it off before the glass is at 60 C, "
+            f"crystallise it in ice, decant {_LOW_ML:g} ml into the large beaker and put it back."
         ),
         paraphrases=(
             f"Recrystallise the {_SALT}: heat until it has dissolved, the glass to 60 C at most, "
-            "cool it in ice until crystals are back, pour most of the liquid off, and put it back "
-            "into ice.",
-            f"Switch the hot plate on until the {_SALT} has gone, and take it off at once: glass "
-            "of 60 C burns. Cool it in the bath, pour the mother liquor into the large beaker, "
-            "not the crystals; then back into ice.",
+            "cool it in ice until crystals are back, pour most of the liquid off, and put it back.",
+            f"Heat until the {_SALT} has gone, and take it off at once: glass of 60 C burns. Cool "
+            "it in the bath, pour the mother liquor off, not the crystals; then back into ice.",
         ),
         start={
             heater: OnBench((0.22, 0.28), (-0.06, 0.00), (-math.radians(5), math.radians(5))),
