@@ -63,7 +63,7 @@ def assert_played_again(committed: Row, **options: Any) -> None:
             del expected[column], actual[column]
     if expected["driving"]:  # rows of earlier versions say less about the way
         actual["driving"] = {name: actual["driving"][name] for name in expected["driving"]}
-    # Exponentials and logarithms differ from processor to processor in their last digit, and rows of
+    # Exponentials and logarithms differ from processor to processor in their last digit; rows of
     # earlier versions have no species.
     for vessel, numbers in expected.pop("solutions", {}).items():
         again = {name: actual["solutions"][vessel][name] for name in numbers}
