@@ -1,7 +1,7 @@
 """How the liquid of a scene looks: its particles, what stands in tubes, what lies on bottoms."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,14 +54,10 @@ def heaps(liquid: Liquid, vessels: Sequence[VesselPose]) -> list[Heap]:
         vessels: `liquid.vessels`, where they are.
     """
     solutions = liquid.solutions
-    if solutions is None or not solutions.crystals.any():
+    if solutions is None:
         return []
-    lying, found = _lying(liquid, solutions.crystals), list[Heap]()
-    for index, vessel in enumerate(vessels):
-        there = liquid.accounted == index
-        if lying[there].any():
-            found.append(Heap(vessel, *solutions.heap(lying[there], liquid.what.contents[there])))
-    return found
+    crystals = _on_bottoms(liquid, vessels, solutions.crystals)
+    return [Heap(vessel, *solutions.heap(lying, held)) for vessel, lying, held in crystals]
 
 
 def sediments(liquid: Liquid, vessels: Sequence[VesselPose]) -> list[Sediment]:
@@ -72,16 +68,30 @@ def sediments(liquid: Liquid, vessels: Sequence[VesselPose]) -> list[Sediment]:
         vessels: `liquid.vessels`, where they are.
     """
     solutions = liquid.solutions
-    if solutions is None or not solutions.precipitates.any():
+    if solutions is None:
         return []
-    lying, found = _lying(liquid, solutions.precipitates), list[Sediment]()
+    return [
+        Sediment(vessel, solutions.sediment(lying, held, _bottom(vessel)))
+        for vessel, lying, held in _on_bottoms(liquid, vessels, solutions.precipitates)
+    ]
+
+
+def _bottom(vessel: VesselPose) -> float:
+    """Return the area of a vessel's bottom [m^2]."""
+    return math.pi * vessel.profile.inner_radius(vessel.profile.bottom) ** 2
+
+
+def _on_bottoms(
+    liquid: Liquid, vessels: Sequence[VesselPose], solids: NDArray[np.bool_]
+) -> Iterator[tuple[VesselPose, FloatArray, FloatArray]]:
+    """Yield each vessel in which solids lie, and of its particles what lies and all they hold."""
+    if not solids.any():
+        return
+    lying = _lying(liquid, solids)
     for index, vessel in enumerate(vessels):
         there = liquid.accounted == index
         if lying[there].any():
-            area = math.pi * vessel.profile.inner_radius(vessel.profile.bottom) ** 2
-            color = solutions.sediment(lying[there], liquid.what.contents[there], area)
-            found.append(Sediment(vessel, color))
-    return found
+            yield vessel, lying[there], liquid.what.contents[there]
 
 
 def _of(liquid: Liquid, what: Portion, tints: FloatArray) -> FloatArray:

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from labutopia_lerobot.checks.playing import expert, play
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.layout import OnSomeBench, Placement, sample_base, sample_layout
@@ -162,12 +163,7 @@ def test_the_expert_gets_past_them_and_touches_none(split):
 def test_the_expert_goes_on_from_beside_one_who_waits_for_it():
     task = "level5/navigation_and_manipulation"
     with LabEnv(Setting(task, obs="state", robot="fetch", axes=("dynamic",))) as env:
-        env.reset(seed=100026)  # both stood for ever, 0.96 m apart
-        expert, over = env.expert(), False
-        expert.start()
-        while not over:
-            _, _, terminated, truncated, info = env.step(expert.act())
-            over = terminated or truncated
+        _, info = play(env, expert, 100026).trace[-1]  # both stood for ever, 0.96 m apart
     assert info["outcome"] == "success"
 
 
