@@ -92,10 +92,14 @@ class Path:
         return speeds
 
     def duration(self, limits: DrivingLimits) -> float:
-        """Return the time that it takes at these speeds [s]."""
-        speeds = self.speeds(limits)
+        """Return the time that it takes at these speeds [s].
+
+        From rest to rest between two points it is as fast in the middle as may be gained by then.
+        """
+        speeds, steps = self.speeds(limits), np.diff(self.distances)
         means = 0.5 * (speeds[1:] + speeds[:-1])
-        return float((np.diff(self.distances) / means).sum())
+        middle = 0.5 * np.minimum(limits.speed, np.sqrt(limits.along * steps))
+        return float((steps / np.where(means > 0.0, means, middle)).sum())
 
 
 def _rising(squares: FloatArray, gains: FloatArray) -> FloatArray:

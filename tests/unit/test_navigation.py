@@ -193,6 +193,12 @@ def test_bends_are_never_sharper_than_the_speed_at_which_they_are_driven_allows(
     assert speeds[0] == speeds[-1] == 0.0
 
 
+def test_a_centimetre_takes_the_time_from_rest_to_rest():
+    start = np.array([3.0, 3.0])
+    path = PathPlanner.of(with_boxes((6.0, 6.0)), LIMITS).plan(start, np.array([3.01, 3.0]))
+    assert path.duration(LIMITS) == pytest.approx(2.0 * np.sqrt(0.01 / LIMITS.along), rel=0.01)
+
+
 def test_where_no_bend_has_room_the_robot_stops_at_the_corner():
     corridor = with_boxes((6.0, 6.0), (1.3, 1.3, 6.0, 6.0))
     path = PathPlanner.of(corridor, LIMITS).plan(np.array([0.65, 5.0]), np.array([5.0, 0.65]))
