@@ -7,7 +7,6 @@ import numpy as np
 
 from labutopia_lerobot.places import reached_at
 from labutopia_lerobot.predicates.predicate import predicate
-from labutopia_lerobot.predicates.vessels import gripped
 from labutopia_lerobot.world import HAND, LEFT_PAD, RIGHT_PAD, FloatArray, Thing, World
 
 REACH = 1.0
@@ -92,10 +91,14 @@ def _rise(world: World, thing: Thing) -> float:
 
 @predicate("{thing} carried into anything but benches and {others}")
 def carried_into(world: World, thing: Thing, *others: Thing) -> bool:
-    """The thing, in the grip, touches what is neither hand nor bench nor one of some others."""
+    """The thing, between the pads, touches what is neither hand nor bench nor one of some others.
+
+    How firmly it is held is all one: who drives it into something with a loose grip has, too.
+    """
     own = {LEFT_PAD, RIGHT_PAD, HAND, *(dock.bench for dock in world.floor.docks)}
     met = world.touched_by(thing.name) - own - {other.name for other in others}
-    return bool(met) and gripped(thing).holds(world)
+    held = world.touching(LEFT_PAD, thing.name) and world.touching(RIGHT_PAD, thing.name)
+    return bool(met) and held
 
 
 def _reached(world: World, share: float) -> float:

@@ -24,7 +24,7 @@ from labutopia_lerobot.navigation.tracking import PathTracker
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills import DriveTo, Face, Pick, Place
 from labutopia_lerobot.skills.way import Way, base_at, dock_for
-from labutopia_lerobot.world import CONTROL_HZ, FloatArray
+from labutopia_lerobot.world import CONTROL_HZ, HAND, LEFT_PAD, RIGHT_PAD, FloatArray
 
 PICK, TRANSPORT = "level5/navigation_and_manipulation", "level5/transport_between_areas"
 
@@ -129,6 +129,35 @@ def test_who_never_halts_has_not_arrived(env: LabEnv):
 def test_a_load_that_runs_into_something_ends_the_episode(carrying: LabEnv):
     ended = outcome(carrying, into_a_wall, 0)["outcome"]
     assert ended in {"collided", "broken", "load_collided", "dropped"}
+
+
+def into_furniture_in_a_loose_grip(env: LabEnv) -> Actions:
+    """Hold the beaker no firmer than it takes, touch a safety cabinet with it, and drive back."""
+    (beaker, plate), world = env.workcell.task.start, env.workcell.world
+    yield from skilled(env, DriveTo(beaker), Face(beaker), Pick(beaker, 0.25, support=None))
+    yield from skilled(env, DriveTo(plate, beaker))
+
+    def loosely(velocity_b: tuple[float, float, float]) -> np.ndarray:
+        action = moving(env, np.array(velocity_b))
+        action[roles(env).gripper] = world.gripper_opening - 0.0003
+        return action
+
+    yield from (loosely((0.0, 0.0, 0.0)) for _ in range(CONTROL_HZ))
+    while abs(off := math.remainder(math.pi - base_at(world)[1], 2 * math.pi)) > 0.01:
+        yield loosely((0.0, 0.0, float(np.clip(1.5 * off, -0.5, 0.5))))
+    yield from (loosely((0.0, 0.0, 0.0)) for _ in range(CONTROL_HZ // 2))
+    arm = Arm(env)
+    stretched, loose = arm.pose.moved(x=-0.25), world.gripper_opening - 0.0003
+    yield from arm.go(stretched, speed=0.2, opening=loose)
+    while world.touched_by(beaker.name) <= {LEFT_PAD, RIGHT_PAD, HAND}:
+        yield loosely((0.04, 0.0, 0.0))
+    yield from (loosely((-0.12, 0.0, 0.0)) for _ in range(CONTROL_HZ))
+
+
+@pytest.mark.slow
+def test_a_load_in_a_loose_grip_that_runs_into_something_ends_the_episode(carrying: LabEnv):
+    play = into_furniture_in_a_loose_grip
+    assert outcome(carrying, play, 0)["outcome"] == "load_collided"
 
 
 def driven(env: LabEnv, goal: FloatArray, *, backwards: bool) -> Actions:
