@@ -299,7 +299,8 @@ def _put_back(task: Task) -> set[str]:
     return {
         thing.name
         for step in task.steps
-        for fact in (fact for substep in step.substeps for fact in substep.facts)
+        for substep in step.substeps
+        for fact in substep.facts
         if any(isinstance(each, WhereItStood) for each in fact.about)
         for thing in step.touches
     }

@@ -120,8 +120,7 @@ def _help() -> str:
         f"Policies: {', '.join(_policies())}\n\n"
         f"{ABOUT}\nWith their defaults:\n"
         f"{option_list(EvaluationConfig, but=('policy',))}\n"
-        f"{option_list(PolicyConfig, prefix='policy.')}\n\n"
-        f"{task_list()}"
+        f"{option_list(PolicyConfig, prefix='policy.')}\n\n{task_list()}"
     )
 
 

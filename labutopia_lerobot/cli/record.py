@@ -83,8 +83,7 @@ def _help() -> str:
         "Record demonstrations of the tasks' experts, one LeRobotDataset for each task. A\n"
         "recording that was interrupted goes on when the same command is given again; one that is\n"
         "finished is extended by the same command with more episodes.\n\n"
-        f"{ABOUT}\nWith their defaults:\n{option_list(RecordingConfig)}\n\n"
-        f"{task_list()}"
+        f"{ABOUT}\nWith their defaults:\n{option_list(RecordingConfig)}\n\n{task_list()}"
     )
 
 
