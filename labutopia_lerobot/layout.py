@@ -13,6 +13,7 @@ from labutopia_lerobot.scenes.ground import Ground
 from labutopia_lerobot.scenes.placement import Placement
 from labutopia_lerobot.scenes.room import NowhereToDriveError, Room
 from labutopia_lerobot.scenes.rooms_to_drive_in import (
+    BENCHES,
     rooms_to_drive_in,
     rooms_with_deep_benches,
     rooms_with_sinks,
@@ -40,6 +41,7 @@ __all__ = [
     "Start",
     "Workspace",
     "require_drivable",
+    "require_in_every_room",
     "require_possible",
     "rooms_for",
     "sample_base",
@@ -245,6 +247,24 @@ def require_drivable(start: Mapping[Piece, Start], ground: Ground, room: str) ->
         raise NowhereToDriveError(
             f"room={room!r} has {len(found)} of the {needed} benches that the task needs: "
             f"a robot drives there as a disc of 0.6 m, docks, and its arm reaches {free}. {cure}"
+        )
+
+
+def require_in_every_room(start: Mapping[Piece, Start]) -> None:
+    """Make sure that the rooms have the benches for it from which one is drawn for each episode.
+
+    Args:
+        start: Where a task wants things in which one drives.
+
+    Raises:
+        NowhereToDriveError: If they have not.
+    """
+    needed = sum(isinstance(region, OnSomeBench | OnDeepBench) for region in start.values())
+    if needed > BENCHES:
+        raise NowhereToDriveError(
+            f"The task starts on {needed} benches that a robot drives to, and some rooms of those "
+            f"that are drawn have {BENCHES}. Put several things on one (`OnTheSameBench`), or "
+            "choose a room= that has more"
         )
 
 

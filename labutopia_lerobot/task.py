@@ -7,7 +7,7 @@ from itertools import chain
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.labware.piece import Piece
-from labutopia_lerobot.layout import Start
+from labutopia_lerobot.layout import Inside, OnBench, Start
 from labutopia_lerobot.predicates import (
     Count,
     Predicate,
@@ -19,6 +19,7 @@ from labutopia_lerobot.predicates import (
     pressed_out_of_turn,
 )
 from labutopia_lerobot.scenes.views import VESSEL_VIEW, View
+from labutopia_lerobot.skills import DriveTo, Face
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.substances.filling import Filling
 from labutopia_lerobot.world import CONTROL_HZ, Thing
@@ -170,7 +171,8 @@ class Task:
 
     Raises:
         TaskError: If two steps or two substeps share a name, two predicates share a name without
-            being the same, an outcome is reserved, or anything is of the wrong kind.
+            being the same, an outcome is reserved, anything is of the wrong kind, or something is
+            driven to that does not say `drives`.
     """
 
     instruction: str
@@ -194,6 +196,7 @@ class Task:
         _require_unique("step", [step.name for step in self.steps])
         _require_unique("substep", [substep.name for substep in self.substeps])
         _require_unique("thing", [piece.name for piece in self.start])
+        self._require_said_if_it_drives()
         named: dict[str, Predicate] = {}
         forbidden = (self.forbidden(step).values() for step in self.steps)
         for fact in (*self.watched, *chain(*forbidden)):
@@ -203,6 +206,22 @@ class Task:
                     "Name apart what they are about, such as two places, or make them with "
                     "`@predicate`, whose names show every argument"
                 )
+
+    def _require_said_if_it_drives(self) -> None:
+        if self.drives:
+            return
+        starts = (
+            f"`{piece.name}` starts {type(region).__name__}"
+            for piece, region in self.start.items()
+            if not isinstance(region, OnBench | Inside)
+        )
+        played = (
+            f"its expert plays {type(skill).__name__}"
+            for skill in (*self.setup, *self.skills)
+            if isinstance(skill, DriveTo | Face)
+        )
+        for why in chain(starts, played):
+            raise TaskError(f"One drives in this task, as {why}: say `drives=True`")
 
     @property
     def substeps(self) -> tuple[Substep, ...]:

@@ -2,6 +2,7 @@
 
 from labutopia_lerobot.predicates.arrival import (
     at_hand,
+    below_hand,
     beside,
     carried_into,
     facing,
@@ -86,6 +87,7 @@ __all__ = [
     "above",
     "aligned",
     "at_hand",
+    "below_hand",
     "beside",
     "broken",
     "carried_into",

@@ -7,10 +7,20 @@ import numpy as np
 
 from labutopia_lerobot.places import reached_at
 from labutopia_lerobot.predicates.predicate import predicate
-from labutopia_lerobot.world import HAND, LEFT_PAD, RIGHT_PAD, FloatArray, Thing, World
+from labutopia_lerobot.world import (
+    HAND,
+    LEFT_PAD,
+    RIGHT_PAD,
+    FloatArray,
+    ReachedInto,
+    Thing,
+    World,
+)
 
 REACH = 1.0
 """Distance at which a base counts as near by 1/e [m] (ours; for `reward=dense` alone)."""
+SHORT_OF = 0.05
+"""How much farther off than where it is to dock a base may stand [m]; ours: a cell of the map."""
 
 
 @predicate("base within {within:g} m of {thing}")
@@ -29,16 +39,17 @@ def _distance_left(world: World, thing: Thing, *, within: float) -> Mapping[str,
 
 @beside.approach
 def _nearness(world: World, thing: Thing, *, within: float) -> float:
-    return math.exp(-max(0.0, _way(world, thing)[0] - within) / REACH)
+    return _near(world, thing, within)
 
 
 @predicate("{thing} within {share:g} of the arm's reach")
 def at_hand(world: World, thing: Thing, *, share: float) -> bool:
     """Base is so near to the thing that, faced, it is within a share of the reach of its arm.
 
-    No wall is between them.
+    Into something an arm reaches less far: there the base stands at most `SHORT_OF` farther off
+    than where it is to dock (`ReachedInto`). No wall is between them.
     """
-    return _way(world, thing)[0] < _reached(world, share) and not _walled_off(world, thing)
+    return _way(world, thing)[0] < _reached(world, thing, share) and not _walled_off(world, thing)
 
 
 @at_hand.measure
@@ -48,7 +59,26 @@ def _too_far(world: World, thing: Thing, *, share: float) -> Mapping[str, float]
 
 @at_hand.approach
 def _nearness_to_hand(world: World, thing: Thing, *, share: float) -> float:
-    return math.exp(-max(0.0, _way(world, thing)[0] - _reached(world, share)) / REACH)
+    return _near(world, thing, _reached(world, thing, share))
+
+
+@predicate("{thing} where the arm takes it from above")
+def below_hand(world: World, thing: Thing) -> bool:
+    """Base is so near to the thing that, faced, its arm takes it from above (`Wheels.above`).
+
+    It stands at most `SHORT_OF` farther off than where it is to dock; no wall is between them.
+    """
+    return _way(world, thing)[0] < _reached_down(world) and not _walled_off(world, thing)
+
+
+@below_hand.measure
+def _too_far_to_take(world: World, thing: Thing) -> Mapping[str, float]:
+    return {"mm": 1e3 * _way(world, thing)[0]}
+
+
+@below_hand.approach
+def _nearness_below_hand(world: World, thing: Thing) -> float:
+    return _near(world, thing, _reached_down(world))
 
 
 @predicate("base facing {thing} within {within_deg:g} deg")
@@ -69,8 +99,8 @@ def _turned_to(world: World, thing: Thing, *, within_deg: float) -> float:
 
 @predicate("base slower than {than:g}")
 def halted(world: World, *, than: float) -> bool:
-    """Base is slower than a speed, along and across [m/s] and turning [rad/s]."""
-    return bool(np.abs(world.base_velocity).max() < than)
+    """Base, if there is one, is slower than a speed, along and across [m/s], turning [rad/s]."""
+    return bool((np.abs(world.base_velocity) < than).all())
 
 
 @predicate("{thing} raised by {by:g} m")
@@ -101,12 +131,28 @@ def carried_into(world: World, thing: Thing, *others: Thing) -> bool:
     return bool(met) and held
 
 
-def _reached(world: World, share: float) -> float:
-    """Return how far before the middle of the base a share of the arm's reach ends [m]."""
+def _reached(world: World, thing: Thing, share: float) -> float:
+    """Return how far before the middle of the base the arm reaches a thing [m]; see `at_hand`."""
+    far = share * world.robot.reach
+    if isinstance(thing, ReachedInto):
+        far = min(far, thing.opening.ahead[1] + SHORT_OF)
+    return _arm(world) + far
+
+
+def _reached_down(world: World) -> float:
+    """Return how far before the middle of the base the arm takes things from above [m]."""
+    wheels = world.robot.base
+    return -math.inf if wheels is None else _arm(world) + wheels.above + SHORT_OF
+
+
+def _arm(world: World) -> float:
+    """Return how far before the middle of the base that of the arm is [m]."""
     base = world.mobile_base
-    if base is None:
-        return share * world.robot.reach
-    return float((base.inverse() @ world.robot_base).position_w[0]) + share * world.robot.reach
+    return 0.0 if base is None else float((base.inverse() @ world.robot_base).position_w[0])
+
+
+def _near(world: World, thing: Thing, within: float) -> float:
+    return math.exp(-max(0.0, _way(world, thing)[0] - within) / REACH)
 
 
 def _way(world: World, thing: Thing) -> tuple[float, float]:

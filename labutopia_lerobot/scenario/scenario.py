@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from labutopia_lerobot.chemistry.kept_answers import KeptAnswers, KeptAnswersError, load_answers
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.layout import require_drivable, rooms_for
+from labutopia_lerobot.layout import require_drivable, require_in_every_room, rooms_for
 from labutopia_lerobot.robots import ROBOTS, load_robot
 from labutopia_lerobot.scenario.draw import Draw, Value
 from labutopia_lerobot.scenario.task_function import task_function
@@ -88,8 +88,11 @@ def canonical_task(setting: Setting) -> Task:
     room = load_room(setting.room)  # it must be one that can be played in
     task = _scenario(setting, Draw(setting.split, setting.axes)).task
     base = load_robot(setting.robot).base
-    if task.drives and base is not None and setting.room != DEFAULT_ROOM:
-        require_drivable(task.start, room.ground(base), setting.room)
+    if task.drives and base is not None:
+        if setting.room == DEFAULT_ROOM:
+            require_in_every_room(task.start)
+        else:
+            require_drivable(task.start, room.ground(base), setting.room)
     if setting.step is not None:
         task.steps_until(setting.step)
     answers = load_answers(setting.reasoner)

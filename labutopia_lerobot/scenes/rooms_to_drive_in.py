@@ -6,6 +6,9 @@ at least, and docks where its arm reaches a place that nothing stands on.
 
 from collections.abc import Mapping
 
+BENCHES = 2
+"""Benches that each of them has at least."""
+
 _ROOMS = {
     "analytical": (0, 1, 2, 3, 4, 6, 7, 8),
     "biology": (0, 4, 7, 8),

@@ -9,6 +9,7 @@ from labutopia_lerobot.navigation.path_planner import RADIUS
 from labutopia_lerobot.predicates import (
     Predicate,
     at_hand,
+    below_hand,
     beside,
     carried_into,
     facing,
@@ -16,13 +17,16 @@ from labutopia_lerobot.predicates import (
     halted,
     raised,
 )
+from labutopia_lerobot.scenes.starts_in_rooms import AWAY
 from labutopia_lerobot.skills import DriveTo, Face, Pick
+from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.task import Step, Substep
 from labutopia_lerobot.world import Graspable, Thing
 
-NEAR = 1.5
+NEAR = AWAY
 """Greatest distance of the base from a thing that it has driven to [m]; ours: from there it goes
-straight in (paper: "a position near the target beaker")."""
+straight in, which is where a disc of 0.6 m can turn, 1.9 m before what stands beside a narrow aisle
+(paper: "a position near the target beaker"). Robots start from farther off."""
 AT_HAND = 0.80 / 0.855
 """Share of its arm's reach within which a thing is where the base has halted at the bench; ours:
 1.1 m before the middle of the Ridgeback, whose arm reaches 0.855 m, and 0.97 m of the Fetch."""
@@ -41,6 +45,7 @@ def navigate(
     carrying: Graspable | None = None,
     clearance: float = RADIUS,
     from_above: bool = False,
+    first: Skill | None = None,
 ) -> Step:
     """Navigate: drive to near a thing and halt (paper: "steadily at a position near").
 
@@ -49,11 +54,13 @@ def navigate(
         carrying: Thing in the hand, if any.
         clearance: Distance that the expert keeps from everything where it can [m].
         from_above: Whether it is to be taken from above.
+        first: What the expert plays before, as to get out of a cupboard.
     """
+    drive = DriveTo(to, carrying, clearance, from_above)
     there = (beside(to, within=NEAR), halted(than=HALTED))
     return Step(
         "navigate",
-        (DriveTo(to, carrying, clearance, from_above),),
+        (drive,) if first is None else (first, drive),
         (Substep("arrived", (*there, *_held(carrying))),),
         _touched(carrying),
     )
@@ -68,10 +75,11 @@ def face(thing: Thing, *, carrying: Graspable | None = None, from_above: bool = 
         from_above: Whether it is to be taken from above.
     """
     faced = (facing(thing, within_deg=FACING), halted(than=HALTED), *_held(carrying))
+    near = below_hand(thing) if from_above else at_hand(thing, share=AT_HAND)
     return Step(
         "face",
         (Face(thing, carrying, from_above),),
-        (Substep("faced", faced), Substep("at_hand", (*faced, at_hand(thing, share=AT_HAND)))),
+        (Substep("faced", faced), Substep("at_hand", (*faced, near))),
         _touched(carrying),
     )
 

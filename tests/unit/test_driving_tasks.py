@@ -1,6 +1,7 @@
 """Tasks in which one drives: what an episode draws, and what is refused before one begins."""
 
 import math
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -11,7 +12,7 @@ from labutopia_lerobot.evaluation.journey import Journey
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.instruments.target_plate import TargetPlate
 from labutopia_lerobot.labware.instruments.weighing.precision_balance import PrecisionBalance
-from labutopia_lerobot.layout import OnSomeBench, sample_base, sample_layout
+from labutopia_lerobot.layout import OnBench, OnSomeBench, sample_base, sample_layout
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path_planner import PathPlanner
@@ -25,8 +26,10 @@ from labutopia_lerobot.scenes.ground import Ground
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.skills.way import Way, base_at, dock_for
+from labutopia_lerobot.task import TaskError
 from labutopia_lerobot.tasks.driving import AT_HAND, NEAR
 from labutopia_lerobot.world import BENCH, CONTROL_HZ
+from tests.adversary import begun_with
 
 PICK, TRANSPORT = "level5/navigation_and_manipulation", "level5/transport_between_areas"
 DRIVING = [task for task in task_files() if canonical_task(Setting(task)).drives]
@@ -69,6 +72,25 @@ def test_a_room_without_enough_benches_is_refused_by_name():
     with pytest.raises(NowhereToDriveError, match=r"'biology_5' has 1 of the 2 .* organic_7"):
         canonical_task(Setting(TRANSPORT, room="biology_5"))
     assert canonical_task(Setting(PICK, room="biology_5")).drives
+
+
+def test_a_task_that_drives_says_so():
+    task = canonical_task(Setting(PICK))
+    with pytest.raises(TaskError, match="`beaker` starts OnSomeBench: say `drives=True`"):
+        replace(task, drives=False)
+    beaker = next(iter(task.start))
+    on_a_stand = {"start": {beaker: OnBench(x=(0.3, 0.4), y=(0.0, 0.1))}, "drives": False}
+    with pytest.raises(TaskError, match="its expert plays DriveTo: say `drives=True`"):
+        replace(task, **on_a_stand)
+    only_picks = replace(task, **on_a_stand, steps=task.steps[2:])
+    assert not only_picks.drives
+
+
+def test_more_benches_than_every_room_has_are_refused_unless_a_room_is_chosen(monkeypatch):
+    three = {glassware("beaker", "250 ml", name): OnSomeBench() for name in ("a", "b", "c")}
+    with pytest.raises(NowhereToDriveError, match=r"starts on 3 benches .* choose a room="):
+        begun_with(PICK, replace(canonical_task(Setting(PICK)), start=three), monkeypatch)
+    assert canonical_task(Setting(PICK, room="analytical_0")).start.keys() == three.keys()
 
 
 def test_every_episode_draws_a_room_and_tests_are_in_families_of_their_own():

@@ -3,12 +3,14 @@
 import math
 from collections.abc import Iterator
 
+import mujoco
 import numpy as np
 import pytest
 
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.labware.instruments.drying_oven import DryingOven
 from labutopia_lerobot.layout import OnDeepBench, OnSomeBench, sample_layout
+from labutopia_lerobot.predicates import at_hand, below_hand
 from labutopia_lerobot.robots.fetch_base import FETCH_BASE
 from labutopia_lerobot.robots.ridgeback import RIDGEBACK
 from labutopia_lerobot.scenario import canonical_task, draw_scenario
@@ -17,7 +19,8 @@ from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.scenes.room_map import frame_around
 from labutopia_lerobot.scenes.rooms_to_drive_in import rooms_with_deep_benches, rooms_with_sinks
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.skills.way import dock_for
+from labutopia_lerobot.skills.way import base_at, dock_for
+from labutopia_lerobot.tasks.driving import AT_HAND
 
 OVEN, SINK = "level5/transport_to_oven", "level5/clear_bench"
 
@@ -44,6 +47,35 @@ def test_an_oven_is_where_level_4_has_it_from_the_dock_that_is_driven_to(to_the_
         assert world.joint(oven.door.joint) == pytest.approx(math.radians(110.0), abs=0.01)
         docks.add(tuple(dock.position))
     assert len(docks) > 1
+
+
+@pytest.mark.parametrize("robot", ["ridgeback_panda", "fetch"])
+@pytest.mark.parametrize(("task", "index"), [(OVEN, 1), (SINK, 0), (SINK, 3)])
+def test_what_is_reached_into_or_from_above_is_at_hand_from_its_dock_and_not_farther_off(
+    task: str, index: int, robot: str
+):
+    env = LabEnv(Setting(task, obs="state", liquid="off", room="organic_7", robot=robot))
+    env.reset(seed=0)
+    world, simulation = env.workcell.world, env.workcell.simulation
+    thing = list(env.workcell.task.start)[index]
+    above = index < len(env.workcell.task.start) - 1
+    dock = dock_for(world, thing, from_above=above)
+    is_there = below_hand(thing) if above else at_hand(thing, share=AT_HAND)
+    inwards = np.array([math.cos(dock.yaw), math.sin(dock.yaw)])
+
+    def holds(place: np.ndarray) -> bool:
+        for axis, joint in enumerate(("base_x", "base_y")):
+            simulation.data.joint(joint).qpos += place[axis] - base_at(world)[0][axis]
+        mujoco.mj_forward(simulation.scene.model, simulation.data)
+        return is_there.holds(world)
+
+    assert holds(dock.position)
+    assert holds(dock.position - 0.03 * inwards)  # as near as a base comes that only rolls
+    assert not holds(dock.position - 0.4 * inwards)
+    if task == OVEN:  # into a mouth an arm reaches from one place only
+        assert math.dist(dock.position, dock.before) < 0.4
+        assert not holds(dock.before)
+    env.close()
 
 
 def test_a_room_without_a_bench_for_an_oven_is_refused_by_name():

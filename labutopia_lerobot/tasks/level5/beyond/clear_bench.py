@@ -10,11 +10,10 @@ from itertools import chain
 from operator import or_
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
-from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.support.laboratory_sink import LaboratorySink
 from labutopia_lerobot.layout import OfTheRoom, OnSomeBench, OnTheSameBench
-from labutopia_lerobot.places import BesideSeat, Destination
-from labutopia_lerobot.predicates import carried_into, halted
+from labutopia_lerobot.places import BesideSeat
+from labutopia_lerobot.predicates import carried_into, halted, standing_on, withdrawn
 from labutopia_lerobot.scenes.views import DRIVING_VIEW
 from labutopia_lerobot.skills import BackOff, Place
 from labutopia_lerobot.task import Step, Task
@@ -23,6 +22,8 @@ from labutopia_lerobot.tasks import actions, driving, failures
 SINK = LaboratorySink("sink")
 BASIN = BesideSeat("basin", SINK.places[0], inward=0.0, left=-0.13)  # its middle
 WITHIN = 0.25  # ours: less than half of its diagonal; only its floor is so low
+
+DEEP = 0.25  # of the basin: so far the hand is drawn back out of it
 
 CLEARANCE = 0.68  # ours: in six drives beside chairs more than 0.6, its corners being at 0.62
 
@@ -42,7 +43,7 @@ PLACES = (
 def clear_bench() -> Task:
     """Return the task."""
     first, *others = BEAKERS
-    carried = (step for n in range(3) for step in _carry(BEAKERS[n], PLACES[n]))
+    carried = (step for n in range(len(BEAKERS)) for step in _carry(n))
     return Task(
         instruction=(
             "Clear the bench: carry the small, then the medium, then the large beaker to the sink, "
@@ -74,14 +75,19 @@ def clear_bench() -> Task:
     )
 
 
-def _carry(beaker: Vessel, place: Destination) -> Iterator[Step]:
+def _carry(n: int) -> Iterator[Step]:
     """Yield the steps that bring one beaker into the sink; it is grasped from above."""
-    yield driving.navigate(beaker, clearance=CLEARANCE, from_above=True)
+    beaker, place = BEAKERS[n], PLACES[n]
+    out, away = (None if n == 0 else BackOff()), BackOff(beaker)
+    yield driving.navigate(beaker, clearance=CLEARANCE, from_above=True, first=out)
     yield driving.face(beaker, from_above=True)
-    pick = driving.pick(beaker, approach="deep")
-    yield replace(pick, skills=(*pick.skills, BackOff(beaker)))
-    yield driving.navigate(SINK, carrying=beaker, clearance=CLEARANCE)
+    yield driving.pick(beaker, approach="deep")
+    yield driving.navigate(SINK, carrying=beaker, clearance=CLEARANCE, first=away)
     yield driving.face(SINK, carrying=beaker)
-    # Over the edge of the basin, which is 0.25 m deep, and back out of it.
-    into = Place(beaker, place, hover=0.30, retreat=0.30, deep=True)
-    yield replace(actions.place(beaker, BASIN, within=WITHIN), skills=(into, BackOff()))
+    # Over the edge of the basin, and back out of it.
+    into = Place(beaker, place, hover=DEEP + 0.05, retreat=DEEP + 0.05, deep=True)
+    end = (BackOff(),) if n == len(BEAKERS) - 1 else ()
+    step = actions.place(beaker, BASIN, within=WITHIN)
+    *others, last = step.substeps
+    clear = replace(last, when=(standing_on(beaker, BASIN), withdrawn(beaker, by=DEEP)))
+    yield replace(step, skills=(into, *end), substeps=(*others, clear))

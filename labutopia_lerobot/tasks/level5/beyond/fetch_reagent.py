@@ -29,6 +29,7 @@ def fetch_reagent() -> Task:
     door, within = cupboard.door, 0.04  # as in transport_between_areas
     swing = open_wide(door)
     on_shelf = OnShelf("place on the shelf", cupboard.shelf, *PLACE)
+    out = BackOff(bottle, past=door)
     held, height = gripped(bottle), cupboard.shelf_height
     take = Step(
         "take",
@@ -37,7 +38,6 @@ def fetch_reagent() -> Task:
             Face(cupboard),
             Pick(bottle, lift=0.05, support=None, hover=0.02),
             Carry(bottle, (OUT,)),
-            BackOff(bottle, past=door),
         ),
         (
             Substep("gripped", (held,)),
@@ -68,7 +68,7 @@ def fetch_reagent() -> Task:
             driving.face(cupboard).named("2_face"),
             replace(swing, skills=(BackOff(to_open=True), *swing.skills)).named("3_open"),
             take.named("4_take"),
-            driving.navigate(plate, carrying=bottle).named("5_navigate"),
+            driving.navigate(plate, carrying=bottle, first=out).named("5_navigate"),
             driving.face(plate, carrying=bottle).named("6_face"),
             actions.place(bottle, OnTop(plate), within=within).named("7_place"),
         ),
