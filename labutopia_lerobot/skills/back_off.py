@@ -9,10 +9,9 @@ import numpy as np
 from labutopia_lerobot.navigation.docking import approach_to
 from labutopia_lerobot.navigation.parking import Parking
 from labutopia_lerobot.navigation.path_planner import BlockedPlaceError
-from labutopia_lerobot.skills.face import INWARDS
 from labutopia_lerobot.skills.handle import Operable
 from labutopia_lerobot.skills.skill import Phase, arrived
-from labutopia_lerobot.skills.way import Way, base_at, in_hand, parking, wheels_of
+from labutopia_lerobot.skills.way import INWARDS, Way, base_at, in_hand, parking, wheels_of
 from labutopia_lerobot.world import FloatArray, Thing, World
 
 _STEP = 0.05

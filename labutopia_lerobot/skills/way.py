@@ -30,10 +30,14 @@ from labutopia_lerobot.world import (
 _SHARE = 0.6
 """Share of the base's speeds and accelerations that experts use; ours: what is in a beaker stays
 there."""
+INWARDS = 0.4
+"""Share of the base's speeds with which it goes in; ours: centimetres before furniture."""
 CLEAR_OF_PEOPLE = 0.10
 """Distance from a person that is kept beyond both discs [m]; ours: a hand's breadth."""
 AT_REST = 0.01
 """Speed below which the base stands [m/s and rad/s]; ours."""
+STRAIGHT = 0.015
+"""How near its heading comes [rad]; ours: 8 mm at the end of an arm."""
 
 
 @dataclass(frozen=True)
@@ -245,7 +249,7 @@ def parking(name: str, way: Parking, hand: InHand) -> Phase:
 
     def there(world: World, target: Pose, elapsed: float) -> bool:
         still = bool(np.abs(world.base_velocity).max() < AT_REST)
-        return still and way.arrived(*base_at(world), within=way.near, within_rad=0.015)
+        return still and way.arrived(*base_at(world), within=way.near, within_rad=STRAIGHT)
 
     return Phase(
         name,

@@ -3,9 +3,11 @@
 The paper gives no number for it: heading, distance and lift are ours.
 """
 
+from dataclasses import replace
 from typing import Literal
 
 from labutopia_lerobot.navigation.path_planner import RADIUS
+from labutopia_lerobot.places import Destination
 from labutopia_lerobot.predicates import (
     Predicate,
     at_hand,
@@ -17,16 +19,15 @@ from labutopia_lerobot.predicates import (
     halted,
     raised,
 )
-from labutopia_lerobot.scenes.starts_in_rooms import AWAY
 from labutopia_lerobot.skills import DriveTo, Face, Pick
 from labutopia_lerobot.skills.skill import Skill
 from labutopia_lerobot.task import Step, Substep
-from labutopia_lerobot.world import Graspable, Thing
+from labutopia_lerobot.tasks import actions
+from labutopia_lerobot.world import Graspable, Standing, Thing
 
-NEAR = AWAY
+NEAR = 1.5
 """Greatest distance of the base from a thing that it has driven to [m]; ours: from there it goes
-straight in, which is where a disc of 0.6 m can turn, 1.9 m before what stands beside a narrow aisle
-(paper: "a position near the target beaker"). Robots start from farther off."""
+straight in (paper: "a position near the target beaker")."""
 AT_HAND = 0.80 / 0.855
 """Share of its arm's reach within which a thing is where the base has halted at the bench; ours:
 1.1 m before the middle of the Ridgeback, whose arm reaches 0.855 m, and 0.97 m of the Fetch."""
@@ -56,7 +57,7 @@ def navigate(
         from_above: Whether it is to be taken from above.
         first: What the expert plays before, as to get out of a cupboard.
     """
-    drive = DriveTo(to, carrying, clearance, from_above)
+    drive = DriveTo(to, carrying, clearance, from_above, NEAR)
     there = (beside(to, within=NEAR), halted(than=HALTED))
     return Step(
         "navigate",
@@ -92,12 +93,50 @@ def pick(thing: Graspable, *, approach: Literal["side", "deep"] = "side") -> Ste
         approach: From where the expert does so, see `skills.Pick`.
     """
     held = gripped(thing)
-    return Step(
+    step = Step(
         "pick",
         (Pick(thing, lift=LIFT + 0.05, support=None, approach=approach),),
         (Substep("gripped", (held,)), Substep("lifted", (held, raised(thing, by=LIFT)))),
         (thing,),
     )
+    return docked(step, thing, from_above=approach == "deep")
+
+
+def place(
+    thing: Standing,
+    on: Destination,
+    *,
+    at: Thing,
+    within: float,
+    through: Destination | None = None,
+) -> Step:
+    """Place, as on any bench, what was brought to another thing.
+
+    Args:
+        thing: The thing in the hand.
+        on: Where to.
+        at: What the base stands before.
+        within: Greatest distance from the place [m].
+        through: What the expert carries it through, see `actions.place`.
+    """
+    step = actions.place(thing, on, within=within, through=through)
+    return docked(step, at, carrying=thing)
+
+
+def docked(
+    step: Step, thing: Thing, *, carrying: Thing | None = None, from_above: bool = False
+) -> Step:
+    """Return a step before which the expert docks, where that has not been done yet.
+
+    To face a thing takes less than to dock, so that what follows may begin farther off.
+
+    Args:
+        step: What is done at the bench.
+        thing: What the base stands before.
+        carrying: Thing in the hand, if any.
+        from_above: Whether the thing is to be taken from above.
+    """
+    return replace(step, skills=(Face(thing, carrying, from_above), *step.skills))
 
 
 def collisions(load: Graspable, *others: Thing) -> dict[str, Predicate]:

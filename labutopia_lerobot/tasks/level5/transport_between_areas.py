@@ -37,7 +37,7 @@ def transport_between_areas() -> Task:
             driving.pick(beaker).named("3_pick"),
             driving.navigate(plate, carrying=beaker).named("4_navigate"),
             driving.face(plate, carrying=beaker).named("5_face"),
-            actions.place(beaker, OnTop(plate), within=within).named("6_place"),
+            driving.place(beaker, OnTop(plate), at=plate, within=within).named("6_place"),
         ),
         goal=(
             *actions.left_standing(beaker, OnTop(plate), within=within),

@@ -90,4 +90,5 @@ def _carry(n: int) -> Iterator[Step]:
     step = actions.place(beaker, BASIN, within=WITHIN)
     *others, last = step.substeps
     clear = replace(last, when=(standing_on(beaker, BASIN), withdrawn(beaker, by=DEEP)))
-    yield replace(step, skills=(into, *end), substeps=(*others, clear))
+    step = replace(step, skills=(into, *end), substeps=(*others, clear))
+    yield driving.docked(step, SINK, carrying=beaker)

@@ -28,6 +28,7 @@ def fetch_reagent() -> Task:
     cupboard, plate = ReagentCupboard("cupboard"), TargetPlate("target_plate")
     door, within = cupboard.door, 0.04  # as in transport_between_areas
     swing = open_wide(door)
+    swing = replace(swing, skills=(BackOff(to_open=True), *swing.skills))
     on_shelf = OnShelf("place on the shelf", cupboard.shelf, *PLACE)
     out = BackOff(bottle, past=door)
     held, height = gripped(bottle), cupboard.shelf_height
@@ -66,11 +67,11 @@ def fetch_reagent() -> Task:
         steps=(
             driving.navigate(cupboard).named("1_navigate"),
             driving.face(cupboard).named("2_face"),
-            replace(swing, skills=(BackOff(to_open=True), *swing.skills)).named("3_open"),
+            driving.docked(swing, cupboard).named("3_open"),
             take.named("4_take"),
             driving.navigate(plate, carrying=bottle, first=out).named("5_navigate"),
             driving.face(plate, carrying=bottle).named("6_face"),
-            actions.place(bottle, OnTop(plate), within=within).named("7_place"),
+            driving.place(bottle, OnTop(plate), at=plate, within=within).named("7_place"),
         ),
         goal=(
             *actions.left_standing(bottle, OnTop(plate), within=within),

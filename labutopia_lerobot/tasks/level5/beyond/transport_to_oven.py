@@ -45,7 +45,7 @@ def transport_to_oven() -> Task:
             driving.pick(beaker).named("3_pick"),
             driving.navigate(oven, carrying=beaker).named("4_navigate"),
             driving.face(oven, carrying=beaker).named("5_face"),
-            actions.place(beaker, RIGHT, within=WITHIN, through=MOUTH).named("6_place"),
+            driving.place(beaker, RIGHT, at=oven, within=WITHIN, through=MOUTH).named("6_place"),
         ),
         goal=(
             *actions.left_standing(beaker, RIGHT, within=WITHIN),

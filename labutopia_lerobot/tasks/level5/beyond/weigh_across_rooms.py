@@ -36,7 +36,7 @@ def weigh_across_rooms() -> Task:
             driving.pick(beaker).named("3_pick"),
             driving.navigate(balance, carrying=beaker).named("4_navigate"),
             driving.face(balance, carrying=beaker).named("5_face"),
-            actions.place(beaker, pan, within=within).named("6_weigh"),
+            driving.place(beaker, pan, at=balance, within=within).named("6_weigh"),
         ),
         goal=(
             # Ours, as in level 2: five times what such a balance trembles by.
