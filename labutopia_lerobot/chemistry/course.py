@@ -88,7 +88,7 @@ def proceed(
 
 
 def too_slow(settled: Mapping[str, float], vessel: ReactionVessel) -> str:
-    """Return the equation of a reaction that goes on for minutes or more, or nothing.
+    """Return the equation of a reaction that takes nobody knows how many minutes, or nothing.
 
     Args:
         settled: Amounts by key at equilibrium [mol].
@@ -100,7 +100,7 @@ def too_slow(settled: Mapping[str, float], vessel: ReactionVessel) -> str:
         ph=ph_of(settled, vessel.volume),
         catalysts=_present(settled, vessel),
     ):
-        if step.slow:
+        if step.slow and not step.timed:
             done = _done(_in_solution(step, settled), settled, vessel.forms)
             if done is not None:
                 return done.written()

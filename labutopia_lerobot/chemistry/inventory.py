@@ -11,6 +11,7 @@ from labutopia_lerobot.chemistry.compound import Compound
 from labutopia_lerobot.chemistry.course import ReactionVessel, proceed, too_slow
 from labutopia_lerobot.chemistry.equation import Composition, composition
 from labutopia_lerobot.chemistry.equilibrium import NoEquilibriumError
+from labutopia_lerobot.chemistry.kinetics import Kinetics
 from labutopia_lerobot.chemistry.names import resolve
 from labutopia_lerobot.chemistry.network import HYDROXIDE, PROTON, WATER, network
 from labutopia_lerobot.chemistry.portions import WATER_PER_VOLUME, poured
@@ -158,7 +159,8 @@ class Inventory:
     def settled(self, row: Floats, volume: float, temperature: float) -> tuple[Floats, str]:
         """Return what becomes of amounts when they have mixed, gases among it.
 
-        Slow reactions do not happen, see `too_slow`. What the rules cannot work out stays as it is.
+        Slow reactions do not happen, see `kinetics` and `too_slow`. What the rules cannot work out
+        stays as it is.
 
         Args:
             row: Shape (species,) [mol]; never negative.
@@ -186,8 +188,13 @@ class Inventory:
         still = (np.abs(after - row) <= _AT_REST * row + trace).all()
         return (content if still else after.tobytes()), ""
 
+    @cached_property
+    def kinetics(self) -> Kinetics:
+        """The slow reactions whose rates are known."""
+        return Kinetics(self.species, self._forms)
+
     def too_slow(self, row: Floats, volume: float, temperature: float) -> str:
-        """Return the equation of a reaction of what has settled that takes minutes, or nothing.
+        """Return the equation of a slow reaction whose rate is not known, or nothing.
 
         Args:
             row: As `settled` returned it, shape (species,) [mol].

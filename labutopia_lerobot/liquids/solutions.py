@@ -3,7 +3,8 @@
 In a period a share of what every particle has in solution goes into common with all at its height
 in the vessel; what is in common diffuses from layer to layer, comes to equilibrium there, and
 everybody gets back as much as he gave. So nothing reacts faster than it mixes, what has been poured
-in is seen as it was until it has mixed, and layers are seen until something stirs them.
+in is seen as it was until it has mixed, and layers are seen until something stirs them. Slow
+reactions take their time in what has mixed (`chemistry.kinetics`).
 """
 
 from collections.abc import Mapping, Sequence
@@ -174,6 +175,9 @@ class Solutions:
                     let_sink(solids, over[held], sinking, self._layer, speed, period)
                     own[:, floating] = contents[np.ix_(held, floating)] = solids
             new = self._mixed(own, mean, heights[held], warm, speed, period)
+            if inventory.kinetics:
+                warmth = what.temperatures[held]
+                new = inventory.kinetics.advance(new, self._particle, warmth, period)
             if (new == own).all():
                 continue
             heat = float((own - new).sum(axis=0) @ inventory.enthalpies)

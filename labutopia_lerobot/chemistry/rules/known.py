@@ -17,6 +17,24 @@ from labutopia_lerobot.chemistry.network import network
 from labutopia_lerobot.chemistry.rules.reaction_step import ReactionStep
 
 
+class RateLaw(BaseModel):
+    """How fast a reaction in water runs.
+
+    Attributes:
+        constant: At 25 C, in mol, litres and seconds.
+        activation: Energy in Arrhenius' law [J/mol].
+        orders: Key of a species -> the power of its concentration.
+        source: Key of the source.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    constant: float
+    activation: float
+    orders: Mapping[str, float]
+    source: str
+
+
 class KnownReaction(BaseModel):
     """One line of the file.
 
@@ -29,6 +47,7 @@ class KnownReaction(BaseModel):
         highest_ph: Up to which it runs.
         catalysts: Any one of which it needs; none needed if empty.
         slow: Whether it takes minutes or more.
+        rate: How fast a slow one runs; None if that is not known.
         conversion: Part of the scarcest reactant that is used up at the end.
         source: Key of the source.
     """
@@ -50,6 +69,7 @@ class KnownReaction(BaseModel):
     highest_ph: float = math.inf
     catalysts: tuple[str, ...] = ()
     slow: bool = False
+    rate: RateLaw | None = None
     conversion: float = 1.0
     source: str
 
@@ -64,19 +84,31 @@ class KnownReactionTable(BaseModel):
 
 
 @dataclass(frozen=True)
-class _Parsed:
+class ParsedReaction:
+    """A line of the file, and what it uses up and makes.
+
+    Attributes:
+        record: The line.
+        coefficients: Whole numbers by key, negative for what is used up.
+    """
+
     record: KnownReaction
     coefficients: Mapping[str, int]
 
+    @property
+    def takes_time(self) -> bool:
+        """Whether it is slow, and nothing is known of how slow."""
+        return self.record.slow and self.record.rate is None
+
 
 @cache
-def known() -> tuple[_Parsed, ...]:
+def known() -> tuple[ParsedReaction, ...]:
     """Return the reactions whose every species the tables know."""
     text = (files("labutopia_lerobot.chemistry") / "data" / "known_reactions.json").read_text(
         encoding="utf-8"
     )
     records = KnownReactionTable.model_validate_json(text).reactions
-    parsed = (_Parsed(one, parse_equation(one.equation)) for one in records)
+    parsed = (ParsedReaction(one, parse_equation(one.equation)) for one in records)
     return tuple(
         one
         for one in parsed
@@ -86,11 +118,11 @@ def known() -> tuple[_Parsed, ...]:
 
 
 def products(species: frozenset[str]) -> set[str]:
-    """Return every species that some species can make in water, slow reactions left out."""
-    fast = (one for one in known() if not one.record.dry and not one.record.slow)
+    """Return every species that some species can make in water, at a speed that is known."""
+    seen = (one for one in known() if not one.record.dry and not one.takes_time)
     return {
         key
-        for one in fast
+        for one in seen
         if all(used in species for used, n in one.coefficients.items() if n < 0)
         for key, n in one.coefficients.items()
         if n > 0
@@ -98,12 +130,17 @@ def products(species: frozenset[str]) -> set[str]:
 
 
 def any_slow(species: frozenset[str]) -> bool:
-    """Return whether a slow reaction of some species in water is known."""
-    return any(one.record.slow and not one.record.dry for one in _of_what_is_there(species))
+    """Return whether some species react in water slowly, and nothing is known of how slowly."""
+    return any(one.takes_time and not one.record.dry for one in _of_what_is_there(species))
+
+
+def with_rates(species: frozenset[str]) -> tuple[ParsedReaction, ...]:
+    """Return the slow reactions of some species in water of which the rate is known."""
+    return tuple(one for one in _of_what_is_there(species) if one.record.rate is not None)
 
 
 @lru_cache(maxsize=4096)
-def _of_what_is_there(species: frozenset[str]) -> tuple[_Parsed, ...]:
+def _of_what_is_there(species: frozenset[str]) -> tuple[ParsedReaction, ...]:
     """Return the reactions that use up none but some species."""
     return tuple(
         one
@@ -142,5 +179,6 @@ def steps(
                 why,
                 confidence=0.8 if record.slow else 0.9,
                 slow=record.slow,
+                timed=record.rate is not None,
                 conversion=record.conversion,
             )

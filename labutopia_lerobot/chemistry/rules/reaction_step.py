@@ -16,6 +16,7 @@ class ReactionStep:
         rationale: Why.
         confidence: From 0 to 1; an estimate of ours.
         slow: Whether it takes minutes or more.
+        timed: Whether its rate is known.
         conversion: Part of the scarcest reactant that is used up at the end.
     """
 
@@ -24,6 +25,7 @@ class ReactionStep:
     rationale: str
     confidence: float = 0.95
     slow: bool = False
+    timed: bool = False
     conversion: float = 1.0
 
 
