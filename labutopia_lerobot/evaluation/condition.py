@@ -10,6 +10,7 @@ from labutopia_lerobot.setting import (
     ALL,
     CLASSIC,
     DEFAULT_ROOM,
+    EXACT,
     OF_THE_LEVEL,
     PARTICLES,
     RULES,
@@ -32,6 +33,8 @@ ID, OOD, ALL_AXES = "ID", "OOD", "all axes"
 
 _MARKED = ("liquid", "particles", "reasoner", "robot", "room", "after")
 """Options that tables mark where they differ from those published, beside shifts and steps."""
+_SEEN = ("renderer", "odometry")
+"""The same, of what only who looks sees."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +58,7 @@ class Condition:
         room: Where.
         obs: `pixels` or `state`; None in a `scene`.
         renderer: What draws the pictures, `classic` or `filament`.
+        odometry: Where the base is observed to be, `exact` or `drift`.
     """
 
     task: str
@@ -70,6 +74,7 @@ class Condition:
     room: str = DEFAULT_ROOM
     obs: str | None = "pixels"
     renderer: str | None = CLASSIC
+    odometry: str = EXACT
 
     def __post_init__(self) -> None:
         canonical = {
@@ -87,7 +92,7 @@ class Condition:
     @property
     def scene(self) -> "Condition":
         """The same without what only the observer sees: equal for policies that met one scene."""
-        return replace(self, obs=None)
+        return replace(self, obs=None, odometry=EXACT)
 
     @property
     def shift(self) -> str:
@@ -117,11 +122,11 @@ class Condition:
         """Return what differs from the published condition beside shift and steps, in words.
 
         Args:
-            policy: Who plays; a reference policy looks at nothing, so that no renderer matters.
+            policy: Who plays; a reference policy looks at nothing, so that nothing of that matters.
         """
         published = Condition(self.task)
         looks = policy not in REFERENCES
-        values = {name: getattr(self, name) for name in (*_MARKED, *["renderer"] * looks)}
+        values = {name: getattr(self, name) for name in (*_MARKED, *_SEEN * looks)}
         unusual = {n: v for n, v in values.items() if v not in (None, getattr(published, n))}
         state = ["state"] * (looks and self.obs == "state")
         return [*state, *(f"{name}={value}" for name, value in unusual.items())]

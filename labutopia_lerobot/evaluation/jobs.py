@@ -58,6 +58,7 @@ class EvaluationJob:
             room=room_label(setting.room),
             obs=setting.obs,
             renderer=setting.renderer,
+            odometry=setting.odometry,
         )
 
 

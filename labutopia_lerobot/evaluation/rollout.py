@@ -182,6 +182,7 @@ def _row(job: EvaluationJob, seed: int, steps: int, info: Info, workcell: Workce
         liquid=job.condition.liquid,
         particles=setting.particles,
         reasoner=reasoner_label(setting.reasoner),
+        odometry=setting.odometry,
         ml_total=_millilitres(info.get("ml_total")),
         ml_poured=_millilitres(info.get("ml_poured")),
         ml_retained=_millilitres(info.get("ml_retained")),

@@ -18,6 +18,7 @@ from labutopia_lerobot.setting import (
     CLASSIC,
     DEFAULT_ROBOT,
     DEFAULT_ROOM,
+    EXACT,
     FILAMENT,
     PARTICLES,
     RULES,
@@ -87,6 +88,7 @@ class Row:
             no number. Empty without liquid, and in rows of earlier versions without chemistry.
         unreacted: Why mixtures were left as they were, in words.
         reasoner: Who says what reacts: `rules`, or a language model and the hash of its answers.
+        odometry: Where the base was observed to be: as it was, or with the drift of its wheels.
         driving: Of a robot that drives: way driven and shortest way [m], least distances of its
             middle and of its footprint from things [m], SPL, and how far it was at the end from
             where it should dock [m, deg] (see `journey`); None of one that does not.
@@ -137,6 +139,7 @@ class Row:
     solutions: dict[str, dict[str, float | None]] = field(default_factory=dict)
     unreacted: list[str] = field(default_factory=list)
     reasoner: str = RULES
+    odometry: str = EXACT
     driving: dict[str, float | None] | None = None
 
     @cached_property
@@ -156,6 +159,7 @@ class Row:
             room=self.room,
             obs=self.obs,
             renderer=_kind(self.renderer),
+            odometry=self.odometry,
         )
 
     @property

@@ -35,6 +35,7 @@ from labutopia_lerobot.runtime.claim import differences, write_whole
 from labutopia_lerobot.setting import (
     CLASSIC,
     DEFAULT_ROOM,
+    EXACT,
     OF_THE_LEVEL,
     PARTICLES,
     RULES,
@@ -54,6 +55,7 @@ PUBLISHED: Mapping[str, object] = {
     "reasoner": RULES,
     "room": DEFAULT_ROOM,
     "renderer": CLASSIC,
+    "odometry": EXACT,
     "tasks_dir": None,
 }
 """Option -> its value in every published evaluation; an earlier version may not have had it. The
@@ -61,7 +63,7 @@ robot is that of the level."""
 
 _SPLITS = ("id", "ood")
 
-_OF_THE_POLICY = ("policy", "obs", "device", "renderer", "expert_failure")
+_OF_THE_POLICY = ("policy", "obs", "device", "renderer", "odometry", "expert_failure")
 """Columns about who played and what it saw: actions that are played again say nothing of it."""
 
 

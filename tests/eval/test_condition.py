@@ -29,6 +29,7 @@ OTHER = {
     "room": "organic_7",
     "obs": "state",
     "renderer": "filament",
+    "odometry": "drift",
 }
 """Field of a condition -> a value that is not the default."""
 
@@ -81,7 +82,7 @@ def test_a_scene_is_the_same_whatever_is_seen_of_it() -> None:
         )
     ]
     assert seen[0] == seen[1] == seen[2]
-    decides = OTHER.keys() - {"obs", "renderer"}
+    decides = OTHER.keys() - {"obs", "renderer", "odometry"}
     others = [pour(**{name: OTHER[name]}).scene for name in decides] + [pour(seed=5).scene]
     assert len({*others, seen[0]}) == len(others) + 1
 
@@ -140,3 +141,10 @@ def test_a_column_of_an_earlier_version_is_read_under_its_present_name(tmp_path:
     row["prelude_failures"] = row.pop("setup_failures")
     again = from_columns(Row, row | {"prelude_failures": 3}, tmp_path)
     assert again.setup_failures == 3
+
+
+def test_where_a_base_believes_to_be_matters_to_who_looks() -> None:
+    drifting = Condition("level5/navigate", obs="state", odometry="drift")
+    assert drifting.marks("act") == ["state", "odometry=drift"]
+    assert drifting.marks(EXPERT) == []
+    assert drifting.scene == Condition("level5/navigate", obs="state").scene

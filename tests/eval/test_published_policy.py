@@ -71,7 +71,7 @@ def test_its_card_says_what_it_achieved_to_people_and_to_the_hub(save_checkpoint
     assert result.metric_config == (
         "task=level1/pick split=id axes=[] play=single step=null after=null liquid=null "
         "particles=null reasoner=null robot=panda room=laboratory obs=state renderer=null "
-        "episodes=50"
+        "odometry=exact episodes=50"
     )
     assert "Not measured." in card(policy_repository(folder, "me/pick", ())).text
 
