@@ -385,11 +385,20 @@ def test_how_a_robot_drove_is_reported_where_one_drives() -> None:
     assert "SPL" not in standing.head
     assert "drives" not in standing.note
     driving = {"m_gap": 0.05, "m_off_dock": 0.012, "deg_off_dock": 0.4}
-    drove = [replace(r, driving={**driving, "spl": 0.9 if r.success else 0.0}) for r in rows]
+    driving |= {"m_driven": 6.0, "m_shortest": 5.0}
+    drove = [
+        replace(r, ml_spilled=0.5, driving={**driving, "spl": 0.9 if r.success else 0.0})
+        for r in rows
+    ]
     table = precision_table(report_entries([result(*drove)]))
     won, everything = (dict(zip(table.head, line, strict=True)) for line in table.lines)
     assert won["SPL"] == "0.900"
     assert everything["SPL"] == f"{0.9 * sum(row.success for row in rows) / 40:.3f}"
+    ways = everything["shortest ways driven"]
+    assert isinstance(ways, Median)
+    assert ways.value == pytest.approx(1.2)
+    assert isinstance(everything["ml spilled on the way"], Median)
+    assert not {"shortest ways driven", "ml spilled on the way"} & {*standing.head}
     gap = everything["mm from things"]
     assert isinstance(gap, Median)
     assert (gap.value, gap.n) == (pytest.approx(50.0), 40)

@@ -307,9 +307,9 @@ def precision_table(entries: Sequence[ReportEntry]) -> Table:
     )
     if any(row.driving is not None for entry in entries for row in entry.rows):
         note += (
-            " Of a robot that drives: how near its footprint came to things on the map, how far it "
-            "stood at the end from where it should dock, and SPL, the mean success weighted by "
-            "path length."
+            " Of a robot that drives: what was spilled in all, its way over the shortest one, how "
+            "near its footprint came to things on the map, how far it stood at the end from where "
+            "it should dock, and SPL, the mean success weighted by path length."
         )
     if any(entry.sequential for entry in entries):
         note += " Intervals of medians are those of a number of episodes fixed beforehand."
@@ -330,6 +330,8 @@ _MEASURES: dict[str, Callable[[Row], float | None]] = {
     "ml off target": lambda row: row.ml_off_target,
     "mm off place": lambda row: row.mm_off_place,
     "deg off place": lambda row: row.deg_off_place,
+    "ml spilled on the way": lambda row: None if row.driving is None else row.ml_spilled,
+    "shortest ways driven": lambda row: _ways(row),
     "mm from things": lambda row: _driven(row, "m_gap", 1e3),
     "mm off dock": lambda row: _driven(row, "m_off_dock", 1e3),
     "deg off dock": lambda row: _driven(row, "deg_off_dock"),
@@ -340,6 +342,12 @@ def _driven(row: Row, name: str, times: float = 1.0) -> float | None:
     """Return a number of the driving, or None where nobody drives or it is not known."""
     number = None if row.driving is None else row.driving.get(name)
     return None if number is None else times * number
+
+
+def _ways(row: Row) -> float | None:
+    """Return how long the way was that it drove, as a multiple of the shortest."""
+    driven, shortest = _driven(row, "m_driven"), _driven(row, "m_shortest")
+    return driven / shortest if driven is not None and shortest else None
 
 
 def _spl(rows: Iterable[Row]) -> str | None:
