@@ -10,7 +10,7 @@ from attacks.plays import UNFINISHED, Play, outcome, roles, skilled, slow, until
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.places import OnTop, OverBench
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.skills import DriveTo, Face, Pick, Place
+from labutopia_lerobot.skills import BackOff, DriveTo, Face, Pick, Place
 from labutopia_lerobot.tasks.level4.drying_beakers import MIDDLE, MOUTH, RIGHT
 from labutopia_lerobot.tasks.level5.beyond.clear_bench import BASIN, PLACES
 from labutopia_lerobot.world import CONTROL_HZ
@@ -149,13 +149,15 @@ def beside_the_plate(env: LabEnv) -> Actions:
 
 def put_down_on_the_way(env: LabEnv) -> Actions:
     """Stand the bottle on the bench below the cupboard first, and take it from there."""
-    yield from until_phase(env, "driveto/stow", "5_navigate")
-    _, bottle, plate = env.workcell.task.start
+    yield from until_phase(env, "backoff/back", "5_navigate")
+    cupboard, bottle, plate = env.workcell.task.start
+    out = BackOff(bottle, past=cupboard.door)
     before = OverBench("before the cupboard", ahead=0.45, left=-0.15)
     yield from skilled(
         env,
         Place(bottle, before),
         Pick(bottle, 0.15, support=None, hover=0.02),
+        out,
         DriveTo(plate, bottle),
         Face(plate, bottle),
         Place(bottle, OnTop(plate)),
