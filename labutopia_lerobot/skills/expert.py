@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, UnreachableGoalError
 from labutopia_lerobot.navigation.route import Route
 from labutopia_lerobot.robots.braking import longest_step
 from labutopia_lerobot.skills.skill import Phase, PhaseError, Skill
@@ -79,7 +80,7 @@ class Expert:
         finished: Whether the last phase is done.
         unexpected: Control steps with a touch outside the phase's declared list, by the two names.
         label: "pick/lift" and so on, the phase in play.
-        failure: What went wrong ("pick/lower not done after 6 s"), or None.
+        failure: What went wrong ("pick/lower not done after 6 s", or no way leads there), or None.
     """
 
     def __init__(
@@ -96,6 +97,9 @@ class Expert:
         self.finished = False
         self.unexpected: Counter[tuple[str, str]] = Counter()
         self.label = ""
+        here, opening = self._world.gripper, self._world.commanded_opening
+        self._phase = Phase("rest", lambda world: here, opening, lambda *now: False)
+        self._began = self._world.time
         self._motion.begin()
         self._remaining = self._play()
         self._reference = self._world.gripper
@@ -110,7 +114,12 @@ class Expert:
                 yield f"{type(skill).__name__.lower()}/{phase.name}", phase
 
     def _next_phase(self) -> bool:
-        label, phase = next(self._remaining, (None, None))
+        """Begin the next phase; return whether there is more to do."""
+        try:
+            label, phase = next(self._remaining, (None, None))
+        except (BlockedPlaceError, UnreachableGoalError) as error:  # where the base has come to
+            self.failure = str(error)
+            return True
         if label is None or phase is None:
             return False
         self.label, self._phase, self._began = label, phase, self._world.time

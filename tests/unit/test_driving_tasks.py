@@ -1,6 +1,7 @@
 """Tasks in which one drives: what an episode draws, and what is refused before one begins."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 
 import mujoco
@@ -15,7 +16,7 @@ from labutopia_lerobot.labware.instruments.weighing.precision_balance import Pre
 from labutopia_lerobot.layout import OnBench, OnSomeBench, sample_base, sample_layout
 from labutopia_lerobot.navigation.occupancy import Occupancy
 from labutopia_lerobot.navigation.parking import Parking
-from labutopia_lerobot.navigation.path_planner import PathPlanner
+from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, PathPlanner
 from labutopia_lerobot.predicates import at_hand, beside
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.robots.fetch_base import FETCH_BASE
@@ -25,10 +26,11 @@ from labutopia_lerobot.scenes import NowhereToDriveError, load_room, rooms_to_dr
 from labutopia_lerobot.scenes.ground import Ground
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.skills.skill import Phase
 from labutopia_lerobot.skills.way import Way, base_at, dock_for
 from labutopia_lerobot.task import TaskError
 from labutopia_lerobot.tasks.driving import AT_HAND, NEAR
-from labutopia_lerobot.world import BENCH, CONTROL_HZ
+from labutopia_lerobot.world import BENCH, CONTROL_HZ, World
 from tests.adversary import begun_with
 
 PICK, TRANSPORT = "level5/navigation_and_manipulation", "level5/transport_between_areas"
@@ -91,6 +93,25 @@ def test_more_benches_than_every_room_has_are_refused_unless_a_room_is_chosen(mo
     with pytest.raises(NowhereToDriveError, match=r"starts on 3 benches .* choose a room="):
         begun_with(PICK, replace(canonical_task(Setting(PICK)), start=three), monkeypatch)
     assert canonical_task(Setting(PICK, room="analytical_0")).start.keys() == three.keys()
+
+
+@pytest.mark.parametrize("nth", [0, 1])
+def test_an_expert_whose_way_is_blocked_gives_up_and_stops_nothing(env: LabEnv, nth: int):
+    class Blocked:
+        def phases(self, world: World) -> Iterator[Phase]:
+            here = world.gripper
+            for _ in range(nth):
+                yield Phase("rest", lambda world: here, 0.0, lambda *now: True)
+            raise BlockedPlaceError("The place (1.00, 2.00) m is blocked")
+
+    env.reset(seed=0)
+    expert = env.workcell.expert([Blocked()])
+    expert.start()
+    for _ in range(5):
+        env.step(expert.act())
+    assert expert.failure == "The place (1.00, 2.00) m is blocked"
+    assert not expert.finished
+    assert env.workcell.progress.outcome == "running"
 
 
 def test_every_episode_draws_a_room_and_tests_are_in_families_of_their_own():
