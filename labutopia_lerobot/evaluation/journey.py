@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from labutopia_lerobot.navigation.docking import approach_to
 from labutopia_lerobot.navigation.footprint_clearance import FootprintClearance
 from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, UnreachableGoalError
 from labutopia_lerobot.skills.drive_to import DriveTo
@@ -71,10 +72,24 @@ class Journey:
         off = math.degrees(abs(math.remainder(yaw - self._dock.yaw, 2.0 * math.pi)))
         return {"m_off_dock": math.dist(place, self._dock.position), "deg_off_dock": off}
 
+    def _turning_place(self) -> tuple[FloatArray, float]:
+        """Return where the robot can turn first, and how far straight back that is [m].
+
+        That is where it starts, unless a step begins at a bench.
+        """
+        way, (here, yaw) = self._way, base_at(self._world)
+        if way.planner.free(here):
+            return here, 0.0
+        try:
+            out = approach_to(way.planner, way.occupancy, way.footprint, here, yaw)
+        except BlockedPlaceError:
+            return here, 0.0
+        return out, math.dist(out, here)
+
     def _shortest_way(self, steps: Sequence[Step]) -> float:
         """Return its length [m]; infinite where there is none, or nothing is driven to."""
-        here: FloatArray = self._places[0]
-        length = straight = 0.0
+        here, straight = self._turning_place()
+        length = 0.0
         skills = [skill for step in steps for skill in step.skills]
         drives = [skill for skill in skills if isinstance(skill, DriveTo)]
         if not drives:

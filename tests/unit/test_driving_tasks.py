@@ -95,6 +95,21 @@ def test_more_benches_than_every_room_has_are_refused_unless_a_room_is_chosen(mo
     assert canonical_task(Setting(PICK, room="analytical_0")).start.keys() == three.keys()
 
 
+def test_the_shortest_way_from_a_bench_begins_straight_back_where_a_disc_can_turn(env: LabEnv):
+    env.reset(seed=0)
+    world, (beaker,) = env.workcell.world, env.workcell.task.start
+    dock, simulation = dock_for(world, beaker), env.workcell.simulation
+    (x, y), yaw = base_at(world)
+    moved = (*(dock.position - (x, y)), dock.yaw - yaw)
+    for joint, by in zip(("base_x", "base_y", "base_yaw"), moved, strict=True):
+        simulation.data.joint(joint).qpos += by
+    mujoco.mj_forward(simulation.scene.model, simulation.data)
+    journey = Journey(env.workcell.steps, world)
+    there_and_back = 2.0 * math.dist(dock.position, dock.before)
+    shortest = journey.columns(success=True)["m_shortest"]
+    assert shortest == pytest.approx(there_and_back, abs=0.05)
+
+
 @pytest.mark.parametrize("nth", [0, 1])
 def test_an_expert_whose_way_is_blocked_gives_up_and_stops_nothing(env: LabEnv, nth: int):
     class Blocked:
