@@ -233,6 +233,8 @@ def weighed_twice(env: LabEnv) -> Actions:
     beaker, balance = env.workcell.task.start
     pan = balance.pan.place
     yield from skilled(env, Pick(beaker, 0.05, support=None), Place(beaker, pan))
+    # A reading of the balance settles more slowly than a play is waited for.
+    yield from Arm(env).stay(3.0, env.workcell.simulation.scene.robot.max_opening)
 
 
 @pytest.fixture(scope="module")
