@@ -1,11 +1,13 @@
 """`labutopia-scene occupancy ROOM --out DIR`: where in a room one can drive.
 
-Writes ROOM_RESOLUTION.npz (cells; origin x, y and resolution [m]) and ROOM_RESOLUTION.png. Cells
-are 0 (free), 1 (occupied), -1 (beside the floor); rows go north, columns east, from the room's
-south-west corner. The picture has north up: white, black, grey.
+Writes ROOM_RESOLUTION.npz (cells; origin x, y and resolution [m]; the SHA-256 of the plan as
+labutopia-scene writes it) and ROOM_RESOLUTION.png. Cells are 0 (free), 1 (occupied), -1 (beside the
+floor); rows go north, columns east, from the room's south-west corner. The picture has north up:
+white, black, grey.
 """
 
 import argparse
+import hashlib
 from pathlib import Path
 
 from rich.console import Console
@@ -40,7 +42,7 @@ def add_occupancy(commands: "argparse._SubParsersAction[argparse.ArgumentParser]
 def _run(arguments: argparse.Namespace) -> None:
     """Write the map of a room."""
     from labutopia_lerobot.navigation.occupancy import FREE  # here: they bring mujoco
-    from labutopia_lerobot.scenes.plans import find_plan
+    from labutopia_lerobot.scenes.plans import find_plan, text_of
     from labutopia_lerobot.scenes.room_map import room_map
 
     if arguments.out.suffix in (".npz", ".png"):
@@ -52,7 +54,7 @@ def _run(arguments: argparse.Namespace) -> None:
     arguments.out.mkdir(parents=True, exist_ok=True)
     stem = arguments.out / f"{plan.name}_{arguments.resolution:g}"
     data, picture = Path(f"{stem}.npz"), Path(f"{stem}.png")
-    occupancy.save(data)
+    occupancy.save(data, hashlib.sha256(text_of(plan).encode()).hexdigest())
     picture.write_bytes(occupancy.png)
     rows, columns = occupancy.cells.shape
     free = (occupancy.cells == FREE).mean()

@@ -181,6 +181,17 @@ class Occupancy:
             cells[greys == grey] = value
         return cls(cells, origin, resolution)
 
-    def save(self, path: Path) -> None:
-        """Write the map as a NumPy archive of `cells`, `origin` and `resolution`."""
-        np.savez_compressed(path, cells=self.cells, origin=self.origin, resolution=self.resolution)
+    def save(self, path: Path, plan_sha256: str) -> None:
+        """Write a NumPy archive of `cells`, `origin`, `resolution` and `plan_sha256`.
+
+        Args:
+            path: Where to.
+            plan_sha256: Digest of the plan of the room that it is of.
+        """
+        np.savez_compressed(
+            path,
+            cells=self.cells,
+            origin=self.origin,
+            resolution=self.resolution,
+            plan_sha256=plan_sha256,
+        )

@@ -1,5 +1,6 @@
 """`labutopia-scene`: what a user types, what it answers."""
 
+import hashlib
 import json
 
 import mujoco
@@ -94,6 +95,8 @@ def test_occupancy_writes_data_and_a_picture(scene, tmp_path):
         assert written["cells"].shape == shape
         assert tuple(written["origin"]) == (0.0, 0.0)
         assert float(written["resolution"]) == float(resolution)
+        plan = (tmp_path / "small.json").read_bytes()
+        assert str(written["plan_sha256"]) == hashlib.sha256(plan).hexdigest()
         picture = np.asarray(Image.open(tmp_path / f"small_{resolution}.png"))
         assert ((picture[::-1] == 0) == (written["cells"] == 1)).all()
 
