@@ -9,6 +9,7 @@ from labutopia_lerobot.navigation.docking import approach_to
 from labutopia_lerobot.navigation.footprint_clearance import FootprintClearance
 from labutopia_lerobot.navigation.path_planner import BlockedPlaceError, UnreachableGoalError
 from labutopia_lerobot.skills.drive_to import DriveTo
+from labutopia_lerobot.skills.face import Face
 from labutopia_lerobot.skills.skill import PhaseError
 from labutopia_lerobot.skills.way import Way, base_at, dock_for
 from labutopia_lerobot.task import Step
@@ -19,7 +20,8 @@ class Journey:
     """Measures the driving of one episode; `note` it after every step.
 
     The shortest way is the planner's for the paper's disc, from where the robot starts to the
-    places that the steps drive to, in their order, the last bit straight in and back out.
+    places that the steps drive to, in their order; where they face what they have driven to, the
+    last bit straight in, and back out.
 
     Args:
         steps: The played steps of a task in which one drives.
@@ -48,9 +50,9 @@ class Journey:
 
         `m_clear` is the least distance of the base's middle from things, `m_gap` that of its
         footprint, both on the map. `m_off_dock` and `deg_off_dock` are how far it is at the end,
-        in place and heading, from where the planner would dock for the last thing. SPL is that of
-        an episode: 1 for the shortest way, less for a longer one, 0 without success (Anderson et
-        al., 2018, "On Evaluation of Embodied Navigation Agents").
+        in place and heading, from where the planner would dock for the last thing that is faced.
+        SPL is that of an episode: 1 for the shortest way, less for a longer one, 0 without success
+        (Anderson et al., 2018, "On Evaluation of Embodied Navigation Agents").
 
         Args:
             success: Whether the episode was one.
@@ -89,18 +91,23 @@ class Journey:
     def _shortest_way(self, steps: Sequence[Step]) -> float:
         """Return its length [m]; infinite where there is none, or nothing is driven to."""
         here, straight = self._turning_place()
-        length = 0.0
+        length, driven_to = 0.0, None
         skills = [skill for step in steps for skill in step.skills]
-        drives = [skill for skill in skills if isinstance(skill, DriveTo)]
-        if not drives:
-            return math.inf
-        for drive in drives:
+        if not any(isinstance(skill, DriveTo) for skill in skills):
+            length = math.inf
+        for skill in skills:
+            if not isinstance(skill, DriveTo | Face):
+                continue
             try:
-                dock = dock_for(self._world, drive.thing, from_above=drive.from_above)
-                self._dock = dock
-                length += straight + self._way.shortest(here, dock.before).length
+                dock = dock_for(self._world, skill.thing, from_above=skill.from_above)
+                if isinstance(skill, DriveTo):
+                    length += straight + self._way.shortest(here, dock.before).length
+                    here, straight, driven_to = dock.before, 0.0, skill.thing
+                    continue
             except (BlockedPlaceError, UnreachableGoalError, PhaseError):
                 return math.inf
-            here, straight = dock.before, math.dist(dock.before, dock.position)
-            length += straight
+            self._dock = dock
+            if driven_to == skill.thing:  # what is faced again has been gone in to
+                straight, driven_to = math.dist(dock.before, dock.position), None
+                length += straight
         return length

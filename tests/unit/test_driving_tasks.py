@@ -84,7 +84,8 @@ def test_a_task_that_drives_says_so():
     on_a_stand = {"start": {beaker: OnBench(x=(0.3, 0.4), y=(0.0, 0.1))}, "drives": False}
     with pytest.raises(TaskError, match="its expert plays DriveTo: say `drives=True`"):
         replace(task, **on_a_stand)
-    only_picks = replace(task, **on_a_stand, steps=task.steps[2:])
+    _, pick = task.steps[2].skills
+    only_picks = replace(task, **on_a_stand, steps=(replace(task.steps[2], skills=(pick,)),))
     assert not only_picks.drives
 
 
@@ -110,6 +111,21 @@ def test_the_shortest_way_from_a_bench_is_that_of_the_papers_disc_behind_it(env:
     between = way.shortest(start.before, dock.before).length
     shortest = Journey(env.workcell.steps, world).columns(success=True)["m_shortest"]
     assert shortest == pytest.approx(straight + between, abs=0.01)
+
+
+def test_a_single_step_is_measured_by_what_it_does(env: LabEnv):
+    env.reset(seed=0)
+    world, task = env.workcell.world, env.workcell.task
+    dock = dock_for(world, next(iter(task.start)))
+    navigate, face, pick = (Journey([step], world).columns(success=True) for step in task.steps)
+    both = Journey(task.steps, world).columns(success=True)
+    straight = math.dist(dock.before, dock.position)
+    assert both["m_shortest"] == pytest.approx(navigate["m_shortest"] + straight, abs=2e-3)
+    assert [one["m_off_dock"] is None for one in (navigate, face, pick, both)] == [
+        True,
+        *[False] * 3,
+    ]
+    assert face["m_shortest"] is pick["m_shortest"] is None
 
 
 @pytest.mark.parametrize("nth", [0, 1])
