@@ -88,7 +88,7 @@ def proceed(
 
 
 def too_slow(settled: Mapping[str, float], vessel: ReactionVessel) -> str:
-    """Return the equation of a reaction that takes nobody knows how many minutes, or nothing.
+    """Return the equation of a slow reaction whose rate is not known, or nothing.
 
     Args:
         settled: Amounts by key at equilibrium [mol].

@@ -62,9 +62,11 @@ class Kinetics:
         place = {key: index for index, key in enumerate(species)}
         self._reactions: list[_Timed] = []
         for one in known.with_rates(frozenset(species)):
-            made = [key for key, n in one.coefficients.items() if n > 0]
+            made = {key for key, n in one.coefficients.items() if n > 0}
             law = one.record.rate
-            if law is None or (forms is not None and forms.isdisjoint(made)):
+            if law is None or not made <= place.keys():
+                continue
+            if forms is not None and forms.isdisjoint(made):
                 continue
             numbers = np.zeros(len(species))
             for key, n in one.coefficients.items():

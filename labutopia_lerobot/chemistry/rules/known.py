@@ -96,7 +96,7 @@ class ParsedReaction:
     coefficients: Mapping[str, int]
 
     @property
-    def takes_time(self) -> bool:
+    def untimed(self) -> bool:
         """Whether it is slow, and nothing is known of how slow."""
         return self.record.slow and self.record.rate is None
 
@@ -119,7 +119,7 @@ def known() -> tuple[ParsedReaction, ...]:
 
 def products(species: frozenset[str]) -> set[str]:
     """Return every species that some species can make in water, at a speed that is known."""
-    seen = (one for one in known() if not one.record.dry and not one.takes_time)
+    seen = (one for one in known() if not one.record.dry and not one.untimed)
     return {
         key
         for one in seen
@@ -131,7 +131,7 @@ def products(species: frozenset[str]) -> set[str]:
 
 def any_slow(species: frozenset[str]) -> bool:
     """Return whether some species react in water slowly, and nothing is known of how slowly."""
-    return any(one.takes_time and not one.record.dry for one in _of_what_is_there(species))
+    return any(one.untimed and not one.record.dry for one in _of_what_is_there(species))
 
 
 def with_rates(species: frozenset[str]) -> tuple[ParsedReaction, ...]:
