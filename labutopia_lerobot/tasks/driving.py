@@ -115,7 +115,7 @@ def place(
     Args:
         thing: The thing in the hand.
         on: Where to.
-        at: What the base stands before.
+        at: The thing that the base stands before.
         within: Greatest distance from the place [m].
         through: What the expert carries it through, see `actions.place`.
     """
@@ -131,8 +131,8 @@ def docked(
     To face a thing takes less than to dock, so that what follows may begin farther off.
 
     Args:
-        step: What is done at the bench.
-        thing: What the base stands before.
+        step: One that is done at the bench.
+        thing: The one that the base stands before.
         carrying: Thing in the hand, if any.
         from_above: Whether the thing is to be taken from above.
     """
