@@ -236,6 +236,26 @@ def test_the_expert_drives_with_it_to_a_beaker_or_a_cupboard_and_does_there_what
 
 @installed
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    ("task", "seeds"),
+    [
+        ("transport_to_oven", (100000, 100007)),  # one of them in an aisle that it turns far from
+        ("fetch_reagent", (100000, 100003)),  # its hand comes out beside the open door
+        ("clear_bench", (100000,)),  # its hand comes out of the basin
+    ],
+)
+def test_each_step_begins_as_early_as_the_one_before_is_done(task: str, seeds: tuple[int, ...]):
+    with LabEnv(Setting(f"level5/{task}", obs="state", liquid="off", robot="fetch")) as env:
+        for seed in seeds:
+            env.reset(seed=seed)
+            last = env.workcell.task.steps[-2].name
+            begun = env.reset(seed=seed, options={"after": last})[1]
+            assert begun["setup_failures"] == 0
+            assert played_out(env) == "success"
+
+
+@installed
+@pytest.mark.slow
 def test_in_an_aisle_hardly_wider_than_its_disc_it_has_the_room_to_open_a_door():
     narrow = (100012, 100023, 100036)  # where its disc could back off by 0.30 m at most
     with LabEnv(Setting("level5/fetch_reagent", obs="state", robot="fetch")) as env:
@@ -292,6 +312,11 @@ def test_it_gets_to_two_benches_of_every_room_to_drive_in():
 def outcome(env: LabEnv, seed: int) -> str:
     """Play the expert's episode of a seed; return how it ended."""
     env.reset(seed=seed)
+    return played_out(env)
+
+
+def played_out(env: LabEnv) -> str:
+    """Play the expert's episode from where it has begun; return how it ended."""
     expert, over = env.expert(), False
     expert.start()
     while not over:
