@@ -29,7 +29,6 @@ OLDER = {
     "evaluate fetch level5/transport_to_oven state ood",
     "evaluate fetch level5/fetch_reagent state id",
     "evaluate fetch level5/fetch_reagent state ood",
-    "evaluate fetch level5/weigh_across_rooms state ood",
     "evaluate ridgeback_panda level5/fetch_reagent state id-dynamic",
 }
 """Rows of an expert that came less near in narrow aisles, and of times at which a thing was at hand
