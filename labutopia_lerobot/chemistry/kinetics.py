@@ -6,14 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from labutopia_lerobot.chemistry.network import MOLAR_GAS, STANDARD_K
 from labutopia_lerobot.chemistry.rules import known
 
 Floats = NDArray[np.float64]
 
-_GAS = 8.314462618
-"""Gas constant [J/(mol K)] (CODATA 2018)."""
-_STANDARD = 298.15
-"""Temperature of the constants [K]."""
 _PER_LITRE = 1e3
 """Litres in a cubic metre."""
 
@@ -43,8 +40,8 @@ class _Timed:
             molar: Concentrations, shape (n, species) [mol/l].
             temperatures: Shape (n,) [K].
         """
-        colder = 1.0 / temperatures - 1.0 / _STANDARD
-        rate: Floats = self.constant * np.exp(-self.activation / _GAS * colder)
+        colder = 1.0 / temperatures - 1.0 / STANDARD_K
+        rate: Floats = self.constant * np.exp(-self.activation / MOLAR_GAS * colder)
         for place, order in zip(self.places, self.orders, strict=True):
             rate = rate * molar[:, place] ** order
         return rate

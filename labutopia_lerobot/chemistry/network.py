@@ -25,6 +25,11 @@ HYDROXIDE = "OH^-(aq)"
 
 LETTERS: Mapping[str, SpeciesPhase] = {"solid": "s", "liquid": "l", "gas": "g"}
 
+MOLAR_GAS = 8.314462618
+"""Gas constant [J/(mol K)] (CODATA 2018)."""
+STANDARD_K = 298.15
+"""Temperature of tabulated constants [K]."""
+
 _LN10 = math.log(10)
 
 
@@ -338,4 +343,4 @@ def log_k_at(one: Species, temperature: float) -> float:
     """
     made = network().species
     heat = one.enthalpy - sum(n * made[name].enthalpy for name, n in one.components.items())
-    return one.log_k - heat / (8.314462618 * _LN10) * (1.0 / temperature - 1.0 / 298.15)
+    return one.log_k - heat / (MOLAR_GAS * _LN10) * (1.0 / temperature - 1.0 / STANDARD_K)

@@ -15,7 +15,7 @@ from importlib.resources import files
 from pydantic import BaseModel, ConfigDict
 
 from labutopia_lerobot.chemistry.change import parse_side, whole, with_acid_of
-from labutopia_lerobot.chemistry.network import HYDROXIDE, PROTON, WATER, network
+from labutopia_lerobot.chemistry.network import HYDROXIDE, MOLAR_GAS, PROTON, WATER, network
 from labutopia_lerobot.chemistry.rules.reaction_step import (
     ReactionStep,
     available,
@@ -24,7 +24,7 @@ from labutopia_lerobot.chemistry.rules.reaction_step import (
 )
 from labutopia_lerobot.chemistry.speciation import ph_of
 
-_NERNST = math.log(10) * 8.314462618 / 96485.33212
+_NERNST = math.log(10) * MOLAR_GAS / 96485.33212
 """Of Nernst's equation, per decade and kelvin [V/K]: 59.16 mV at 25 C."""
 
 _LEAST_VOLTAGE = 0.05
