@@ -1,6 +1,6 @@
 """How far a point is from everything, and what it costs to drive there."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,6 +12,10 @@ COMFORT = 0.3
 """Distance beyond the radius up to which it costs more to drive [m]; ours."""
 _STEP = 0.5
 """Distance of the points at which a line is looked at, in widths of a cell."""
+_AROUND = 0.15
+"""Distance within which one leaves a place that is hardly too tight [m]; ours: three cells."""
+_ROUNDING = 1e-9
+"""Difference of distances that is rounding [m]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +42,23 @@ class Clearance:
     def of(cls, occupancy: Occupancy, radius: float) -> "Clearance":
         """Return that of a map for a disc of a radius [m]."""
         return cls(occupancy.clearance(), occupancy.origin, occupancy.resolution, radius)
+
+    def leaving(self, start: FloatArray) -> "Clearance":
+        """Return this one, eased around a start that is nearer to something than the radius.
+
+        Within twice what is missing, and a bit, everything counts as that much further away;
+        elsewhere nothing changes.
+
+        Args:
+            start: Shape (2,) [m], room frame.
+        """
+        short = self.radius - float(self.at(start[None])[0])
+        if short <= 0.0:
+            return self
+        rows, columns = np.indices(self.distances.shape)
+        column, row = self.in_widths(start[None])[0]
+        near = np.hypot(rows - row, columns - column) * self.resolution < _AROUND + 2.0 * short
+        return replace(self, distances=self.distances + np.where(near, short + _ROUNDING, 0.0))
 
     def prices(self) -> FloatArray:
         """Return the price of a metre in each cell, shape (rows, columns): 1 far from everything.
@@ -105,7 +126,7 @@ def _line_price(
     for step in range(steps + 1):
         share = step / steps
         away = _distance(distances, row + share * (r - row), column + share * (c - column)) - radius
-        if away < -1e-9:
+        if away < -_ROUNDING:
             return np.inf
         weight = 0.5 if step in (0, steps) else 1.0
         price += weight * (1.0 + care * min(max(1.0 - away / COMFORT, 0.0), 1.0))

@@ -137,19 +137,16 @@ class Way:
     def path(self, start: FloatArray, goal: FloatArray) -> Path:
         """Return the path from a point to another, both of shape (2,) [m], world frame.
 
-        It is planned for the disc, or for one that is as much narrower as the base has
-        stopped short of where that has room.
+        Where the base has stopped short of where the disc has room, it may leave so near to things.
         """
-        return self._planner_at(start).plan(start, goal)
+        return self._leaving(start).plan(start, goal)
 
     def shortest(self, start: FloatArray, goal: FloatArray) -> Path:
         """Return the shortest such path, however near it comes to things."""
-        return self._planner_at(start).shortest(start, goal)
+        return self._leaving(start).shortest(start, goal)
 
-    def _planner_at(self, start: FloatArray) -> PathPlanner:
-        room = float(self.planner.clearance.at(start[None])[0])
-        narrower = replace(self.planner.clearance, radius=min(self.planner.clearance.radius, room))
-        return replace(self.planner, clearance=narrower)
+    def _leaving(self, start: FloatArray) -> PathPlanner:
+        return replace(self.planner, clearance=self.planner.clearance.leaving(start))
 
 
 def _with(known: Occupancy, world: World, others: Iterable[Obstacle], room: float) -> Occupancy:

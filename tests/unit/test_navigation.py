@@ -160,6 +160,25 @@ def test_a_disc_fits_through_what_is_as_wide_as_it_is_and_no_narrower():
                 planner.plan(np.array([1.0, 1.0]), np.array([5.0, 3.0]))
 
 
+@pytest.mark.parametrize("missing", [0.01, 0.2])
+def test_from_a_tight_place_a_path_leaves_at_once_and_keeps_the_radius_elsewhere(missing):
+    clearance = Clearance.of(HALL, RADIUS)
+    start, goal = np.array([4.0 - RADIUS + missing, 5.0]), np.array([18.0, 3.0])
+    path = PathPlanner(clearance.leaving(start), LIMITS).plan(start, goal)
+    room, away = clearance.at(path.points), np.hypot(*(path.points - start).T)
+    np.testing.assert_array_equal(path.points[0], start)
+    assert room.min() == pytest.approx(room[0])
+    assert room[0] == pytest.approx(RADIUS - missing, abs=0.03)
+    assert room[away > 0.2 + 2.0 * missing].min() > RADIUS - 1e-6
+    with pytest.raises(BlockedPlaceError):
+        PathPlanner(clearance, LIMITS).plan(start, goal)
+
+
+def test_a_place_with_room_is_left_as_any_other():
+    clearance = Clearance.of(HALL, RADIUS)
+    assert clearance.leaving(np.array([2.0, 2.0])) is clearance
+
+
 def test_the_papers_coarse_map_gives_paths_too():
     planner = PathPlanner.of(Occupancy.empty((10.0, 7.0), COARSE), LIMITS)
     ends = np.array([[1.3, 1.3], [8.8, 5.2]])
