@@ -100,7 +100,7 @@ def _turned_to(world: World, thing: Thing, *, within_deg: float) -> float:
 @predicate("base slower than {than:g}")
 def halted(world: World, *, than: float) -> bool:
     """Base, if there is one, is slower than a speed, along and across [m/s], turning [rad/s]."""
-    return bool((np.abs(world.base_velocity) < than).all())
+    return _slower(world, than)
 
 
 @predicate("{thing} raised by {by:g} m")
@@ -119,16 +119,23 @@ def _rise(world: World, thing: Thing) -> float:
     return float(rise[2])
 
 
-@predicate("{thing} carried into anything but benches and {others}")
-def carried_into(world: World, thing: Thing, *others: Thing) -> bool:
-    """The thing, between the pads, touches what is neither hand nor bench nor one of some others.
+@predicate("{thing} carried into anything but {others} and, slower than {than:g}, benches")
+def carried_into(world: World, thing: Thing, *others: Thing, than: float) -> bool:
+    """The thing, between the pads, touches what is neither hand nor one of some others.
 
-    How firmly it is held is all one: who drives it into something with a loose grip has, too.
+    A bench it may touch while the base is slower than a speed, along and across [m/s], turning
+    [rad/s]: it is lifted off one and set down on one, never driven against one. How firmly it is
+    held is all one: who drives it into something with a loose grip has, too.
     """
-    own = {LEFT_PAD, RIGHT_PAD, HAND, *(dock.bench for dock in world.floor.docks)}
-    met = world.touched_by(thing.name) - own - {other.name for other in others}
+    own = {LEFT_PAD, RIGHT_PAD, HAND, *(other.name for other in others)}
+    if _slower(world, than):
+        own |= {dock.bench for dock in world.floor.docks}
     held = world.touching(LEFT_PAD, thing.name) and world.touching(RIGHT_PAD, thing.name)
-    return bool(met) and held
+    return held and not world.touched_by(thing.name) <= own
+
+
+def _slower(world: World, than: float) -> bool:
+    return bool((np.abs(world.base_velocity) < than).all())
 
 
 def _reached(world: World, thing: Thing, share: float) -> float:

@@ -146,9 +146,9 @@ def collisions(load: Graspable, *others: Thing) -> dict[str, Predicate]:
 
     Args:
         load: Thing that is carried.
-        *others: What it may touch.
+        *others: What it may touch beside benches at which the base has halted.
     """
-    return {"load_collided": carried_into(load, *others)}
+    return {"load_collided": carried_into(load, *others, than=HALTED)}
 
 
 def _held(thing: Graspable | None) -> tuple[Predicate, ...]:

@@ -160,6 +160,17 @@ def test_a_load_in_a_loose_grip_that_runs_into_something_ends_the_episode(carryi
     assert outcome(carrying, play, 0)["outcome"] == "load_collided"
 
 
+def dragged_along_the_bench(env: LabEnv) -> Actions:
+    """Grip the beaker where it stands, and pull it over the bench by driving."""
+    yield from until(env, lambda: "3_pick/gripped" in latched(env))
+    yield from (moving(env, np.array([0.0, 0.1, 0.0])) for _ in range(2 * CONTROL_HZ))
+
+
+@pytest.mark.slow
+def test_a_load_is_not_driven_against_the_bench_that_it_stands_on(carrying: LabEnv):
+    assert outcome(carrying, dragged_along_the_bench, 0)["outcome"] == "load_collided"
+
+
 def driven(env: LabEnv, goal: FloatArray, *, backwards: bool) -> Actions:
     """Drive along a planned path, the front or the back ahead."""
     world = env.workcell.world

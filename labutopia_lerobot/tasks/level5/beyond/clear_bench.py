@@ -5,15 +5,14 @@ Beyond the paper: its "transport container between areas", three times.
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import reduce
 from itertools import chain
-from operator import or_
 
 from labutopia_lerobot.labware.glass.catalogue import glassware
+from labutopia_lerobot.labware.glass.vessel import Vessel
 from labutopia_lerobot.labware.instruments.support.laboratory_sink import LaboratorySink
 from labutopia_lerobot.layout import OfTheRoom, OnSomeBench, OnTheSameBench
 from labutopia_lerobot.places import BesideSeat
-from labutopia_lerobot.predicates import carried_into, halted, standing_on, withdrawn
+from labutopia_lerobot.predicates import Predicate, halted, standing_on, withdrawn
 from labutopia_lerobot.scenes.views import DRIVING_VIEW
 from labutopia_lerobot.skills import BackOff, Place
 from labutopia_lerobot.task import Step, Task
@@ -67,12 +66,15 @@ def clear_bench() -> Task:
             halted(than=driving.HALTED),
         ),
         never={
-            **failures.of_any(*(failures.handling(each, spill=None) for each in BEAKERS)),
-            "load_collided": reduce(or_, (carried_into(each, SINK) for each in BEAKERS)),
+            **failures.of_any(*(_never(each) for each in BEAKERS)),
         },
         time_limit_s=500.0,  # ours: three times what the expert needs in the largest rooms
         view=DRIVING_VIEW,
     )
+
+
+def _never(beaker: Vessel) -> dict[str, Predicate]:
+    return {**failures.handling(beaker, spill=None), **driving.collisions(beaker, SINK)}
 
 
 def _carry(n: int) -> Iterator[Step]:
