@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.inventory import Solute
 from labutopia_lerobot.chemistry.kept_answers import KeptAnswers
 from labutopia_lerobot.labware.glass.catalogue import glassware
@@ -18,6 +19,7 @@ from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.view import SimulatedWorld
 from labutopia_lerobot.substances.filling import Filling
+from labutopia_lerobot.world import FloatArray
 
 GIVER, TAKER = glassware("beaker", "250 ml", "giver"), glassware("beaker", "250 ml", "taker")
 
@@ -125,3 +127,15 @@ def put(simulation: Simulation, portion: Portion, into: str) -> None:
     places = np.column_stack([grid % 5 - 2, grid // 5 % 5 - 2, 10 + grid // 25 / 2])
     positions = simulation.data.body(into).xpos + 0.004 * places
     liquid_of(simulation).add(positions, np.zeros_like(positions), portion)
+
+
+def atoms(species: tuple[str, ...], amounts: FloatArray) -> dict[str, float]:
+    """Return how much of every element there is, the charge and the mass [mol, kg]."""
+    totals: dict[str, float] = {"charge": 0.0, "mass": 0.0}
+    for key, mol in zip(species, amounts.tolist(), strict=True):
+        formula = parse(key[: key.rindex("(")])
+        totals["charge"] += mol * formula.charge
+        totals["mass"] += mol * formula.molar_mass
+        for element, n in formula.atoms.items():
+            totals[element] = totals.get(element, 0.0) + n * mol
+    return totals

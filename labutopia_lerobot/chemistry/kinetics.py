@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from labutopia_lerobot.chemistry.network import MOLAR_GAS, STANDARD_K
+from labutopia_lerobot.chemistry.network import MOLAR_GAS, PROTON, STANDARD_K
 from labutopia_lerobot.chemistry.rules import known
 
 Floats = NDArray[np.float64]
@@ -16,18 +16,16 @@ _PER_LITRE = 1e3
 
 
 @dataclass(frozen=True)
-class _Timed:
-    """One reaction, in the order of the species.
+class _Path:
+    """A way in which a reaction runs, in the order of the species.
 
     Attributes:
-        coefficients: Negative for what is used up, shape (species,).
         constant: At 25 C [mol, l, s].
         activation: [J/mol].
         places: Which species the rate depends on.
         orders: Powers of their concentrations.
     """
 
-    coefficients: Floats
     constant: float
     activation: float
     places: tuple[int, ...]
@@ -47,6 +45,38 @@ class _Timed:
         return rate
 
 
+@dataclass(frozen=True)
+class _Timed:
+    """One reaction, in the order of the species.
+
+    Attributes:
+        coefficients: Negative for what is used up, shape (species,).
+        paths: How it runs.
+        acid: Which species is the hydrogen ion.
+        least: Its concentration from which the reaction runs [mol/l].
+        most: Its concentration up to which it runs [mol/l].
+    """
+
+    coefficients: Floats
+    paths: tuple[_Path, ...]
+    acid: int
+    least: float
+    most: float
+
+    def rate(self, molar: Floats, temperatures: Floats) -> Floats:
+        """Return how fast it runs, shape (n,) [mol/(l s)].
+
+        Args:
+            molar: Concentrations, shape (n, species) [mol/l].
+            temperatures: Shape (n,) [K].
+        """
+        acid = molar[:, self.acid]
+        runs = (self.least <= acid) & (acid <= self.most)
+        paths = np.array([path.rate(molar, temperatures) for path in self.paths])
+        rate: Floats = np.where(runs, paths.sum(axis=0), 0.0)
+        return rate
+
+
 class Kinetics:
     """What slow reactions make of particles while time goes on.
 
@@ -60,17 +90,24 @@ class Kinetics:
         self._reactions: list[_Timed] = []
         for one in known.with_rates(frozenset(species)):
             made = {key for key, n in one.coefficients.items() if n > 0}
-            law = one.record.rate
-            if law is None or not made <= place.keys():
+            if not made <= place.keys() or (forms is not None and forms.isdisjoint(made)):
                 continue
-            if forms is not None and forms.isdisjoint(made):
-                continue
+            paths = tuple(
+                _Path(
+                    law.constant,
+                    law.activation,
+                    tuple(place[key] for key in law.orders),
+                    tuple(law.orders.values()),
+                )
+                for law in one.record.rates
+                if law.orders.keys() <= place.keys()
+            )
             numbers = np.zeros(len(species))
             for key, n in one.coefficients.items():
                 numbers[place[key]] = n
-            at = tuple(place[key] for key in law.orders)
-            orders = tuple(law.orders.values())
-            self._reactions.append(_Timed(numbers, law.constant, law.activation, at, orders))
+            least, most = 10.0**-one.record.highest_ph, 10.0**-one.record.lowest_ph
+            if paths:
+                self._reactions.append(_Timed(numbers, paths, place[PROTON], least, most))
 
     def __bool__(self) -> bool:
         """Return whether any runs among these species."""

@@ -5,7 +5,6 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from labutopia_lerobot.chemistry.formula import parse
 from labutopia_lerobot.chemistry.inventory import Inventory, Solute
 from labutopia_lerobot.chemistry.portions import WATER_PER_VOLUME
 from labutopia_lerobot.labware.soft.wash_bottle import WashBottle
@@ -29,6 +28,7 @@ from solution_bench import (
     GIVER,
     SODA,
     TAKER,
+    atoms,
     bench,
     bring,
     energy,
@@ -38,18 +38,6 @@ from solution_bench import (
     swirl,
     world,
 )
-
-
-def atoms(species: tuple[str, ...], amounts: np.ndarray) -> dict[str, float]:
-    """Return how much of every element there is, the charge and the mass [mol, kg]."""
-    totals: dict[str, float] = {"charge": 0.0, "mass": 0.0}
-    for key, mol in zip(species, amounts.tolist(), strict=True):
-        formula = parse(key[: key.rindex("(")])
-        totals["charge"] += mol * formula.charge
-        totals["mass"] += mol * formula.molar_mass
-        for element, n in formula.atoms.items():
-            totals[element] = totals.get(element, 0.0) + n * mol
-    return totals
 
 
 def everything(simulation: Simulation) -> dict[str, float]:
@@ -323,62 +311,6 @@ def test_copper_and_iodide_come_to_an_end_whatever_their_ratio(share: float) -> 
     iodine = sum(mol.get(key, 0.0) for key in ("I2(aq)", "I2(s)", "I3^-(aq)"))
     assert iodine == pytest.approx(1e-4 * min(share / 2.0, (1.0 - share) / 4.0), rel=0.01)
     assert mol["CuI(s)"] == pytest.approx(2.0 * iodine, rel=0.01)
-
-
-def test_a_slow_reaction_of_unknown_rate_does_not_happen_and_is_named_once() -> None:
-    ester = Filling(50.0, dissolved=(Solute("methyl acetate", 0.1),))
-    simulation = bench(ester, BASE)
-    bring(simulation, GIVER.name, TAKER.name, 40.0)
-    solutions = liquid_of(simulation).solutions
-    assert solutions is not None
-    equation = "CH3COOCH3 + OH^- -> CH3COO^- + CH3OH"
-    assert solutions.unreacted == (f"too slow to happen here: {equation}",)
-    here = world(simulation).solution(TAKER)
-    assert here is not None
-    assert here.concentrations["CH3COOCH3(aq)"] == pytest.approx(1e3 * 0.1 * 40 / 90, rel=0.02)
-
-
-@pytest.mark.parametrize(("kelvin", "constant"), [(293.15, 0.080), (313.15, 0.272)])
-def test_an_ester_is_saponified_as_fast_as_its_rate_law_says(
-    kelvin: float, constant: float
-) -> None:
-    """Of equal concentrations c, 1 / c grows by k t (Atkins and de Paula, Physical Chemistry)."""
-    ester = Filling(50.0, dissolved=(Solute("ethyl acetate", 0.1),))
-    solutions, n = Solutions((ester, BASE), ("vessel",), 1e-7), 40
-    contents = solutions.contents([(ester, BASE)[i % 2] for i in range(n)])
-    zeros = np.zeros(n, int)
-    what = Portion(zeros, zeros.copy(), np.full(n, kelvin), np.ones((n, 1)), contents)
-    capacities, at = np.full(n, 0.417), solutions.inventory.species.index("OH^-(aq)")
-    heights, speed = np.linspace(0.0, 0.01, n), np.array([0.05])
-
-    def wait(seconds: int) -> float:
-        for _ in range(seconds):
-            solutions.react(what, heights, heights, capacities, zeros, speed, 1.0)
-            what.temperatures[:] = kelvin  # a water bath takes the heat of reaction
-        return float(contents[:, at].sum() / (n * 1e-7 * 1e3))
-
-    before, first = atoms(solutions.inventory.species, contents.sum(axis=0)), wait(10)
-    assert 1.0 / wait(60) - 1.0 / first == pytest.approx(60.0 * constant, rel=0.03)
-    assert 1.0 / wait(600) - 1.0 / first == pytest.approx(660.0 * constant, rel=0.03)
-    assert solutions.unreacted == ()
-    for name, amount in atoms(solutions.inventory.species, contents.sum(axis=0)).items():
-        assert amount == pytest.approx(before[name], rel=1e-9, abs=1e-9 * n * 1e-7)
-
-
-def test_an_ester_takes_its_time_in_a_vessel_and_warms_it() -> None:
-    ester, base = (
-        Filling(50.0, dissolved=(Solute(of, 0.5),)) for of in ("ethyl acetate", "sodium hydroxide")
-    )
-    simulation = bench(ester, base)
-    pour(simulation, 0.9, 60)
-    warm, before = energy(simulation), world(simulation).solution(TAKER)
-    mix(simulation, 60.0)
-    after = world(simulation).solution(TAKER)
-    assert before is not None
-    assert after is not None
-    assert before.ph > after.ph > 12.0
-    assert after.temperature > before.temperature + 0.5
-    assert energy(simulation) == pytest.approx(warm, abs=1e-9 * abs(warm))
 
 
 def test_its_numbers_have_every_species() -> None:

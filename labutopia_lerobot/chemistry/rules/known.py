@@ -18,7 +18,7 @@ from labutopia_lerobot.chemistry.rules.reaction_step import ReactionStep
 
 
 class RateLaw(BaseModel):
-    """How fast a reaction in water runs.
+    """How fast a reaction in water runs by one path.
 
     Attributes:
         constant: At 25 C, in mol, litres and seconds.
@@ -47,7 +47,7 @@ class KnownReaction(BaseModel):
         highest_ph: Up to which it runs.
         catalysts: Any one of which it needs; none needed if empty.
         slow: Whether it takes minutes or more.
-        rate: How fast a slow one runs; None if that is not known.
+        rates: Of the paths by which a slow one runs; none if that is not known. They add up.
         conversion: Part of the scarcest reactant that is used up at the end.
         source: Key of the source.
     """
@@ -69,7 +69,7 @@ class KnownReaction(BaseModel):
     highest_ph: float = math.inf
     catalysts: tuple[str, ...] = ()
     slow: bool = False
-    rate: RateLaw | None = None
+    rates: tuple[RateLaw, ...] = ()
     conversion: float = 1.0
     source: str
 
@@ -98,7 +98,7 @@ class ParsedReaction:
     @property
     def untimed(self) -> bool:
         """Whether it is slow, and nothing is known of how slow."""
-        return self.record.slow and self.record.rate is None
+        return self.record.slow and not self.record.rates
 
 
 @cache
@@ -136,7 +136,7 @@ def any_slow(species: frozenset[str]) -> bool:
 
 def with_rates(species: frozenset[str]) -> tuple[ParsedReaction, ...]:
     """Return the slow reactions of some species in water of which the rate is known."""
-    return tuple(one for one in _of_what_is_there(species) if one.record.rate is not None)
+    return tuple(one for one in _of_what_is_there(species) if one.record.rates)
 
 
 @lru_cache(maxsize=4096)
@@ -179,6 +179,6 @@ def steps(
                 why,
                 confidence=0.8 if record.slow else 0.9,
                 slow=record.slow,
-                timed=record.rate is not None,
+                timed=bool(record.rates),
                 conversion=record.conversion,
             )
