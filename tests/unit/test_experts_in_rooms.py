@@ -3,10 +3,18 @@
 import pytest
 
 from adversary import begun, play
+from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
 
 ROOMS = [name for name in plan_names() if load_plan(name).work_places]
 TWENTY = ROOMS[:: max(1, len(ROOMS) // 20)][:20]
+UNFIT = {
+    *(f"storage_{n}" for n in range(10)),
+    *(f"corridor_{n}" for n in (3, 6, 7, 8)),
+    *("biology_9", "glove_box_1", "organic_0", "teaching_11", "weighing_room_8", "weighing_room_9"),
+}
+"""Rooms in which nobody can be asked to drive: without a bench, or with none that a base docks at
+and that is far enough from where it may begin."""
 SEEDS = 5
 """Of each room, others in each."""
 
@@ -22,3 +30,18 @@ def test_the_expert_succeeds_in_95_of_100_episodes_over_20_rooms(task):
     failed = {where: outcome for where, outcome in outcomes.items() if outcome != "success"}
     assert len(outcomes) == 100
     assert len(failed) <= 5, failed
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("room", plan_names())
+def test_it_drives_in_a_room_ten_times_or_the_room_is_refused_by_name(room):
+    """All hundred rooms, also those of which episodes are not drawn."""
+    try:
+        env = begun("level5/navigate", room=room)
+    except UserError as error:
+        assert room in UNFIT
+        assert room in str(error)
+        return
+    outcomes = [play(env, seed=seed)["outcome"] for seed in range(100_000, 100_010)]
+    assert room not in UNFIT
+    assert outcomes.count("success") >= 9, outcomes
