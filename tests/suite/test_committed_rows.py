@@ -23,16 +23,13 @@ NEWER = {"readings", "solutions", "unwanted_contacts"}
 
 
 OLDER = {
-    "level5/clear_bench",
     "level5/clear_bench ood",
     "evaluate fetch level5/transport_to_oven state id",
     "evaluate fetch level5/transport_to_oven state ood",
-    "evaluate fetch level5/fetch_reagent state id",
-    "evaluate fetch level5/fetch_reagent state ood",
-    "evaluate ridgeback_panda level5/fetch_reagent state id-dynamic",
+    "evaluate fetch level5/transport_between_areas state ood",
 }
-"""Rows of an expert that came less near in narrow aisles, and of times at which a thing was at hand
-from farther off, or a beaker in the sink let go of: to be measured anew."""
+"""Rows of an expert that came less near in narrow aisles, or planned with a narrower disc from where
+it stood, and of times at which a thing was at hand from farther off: to be measured anew."""
 
 
 def _param(value: Any, name: str, *, slow: bool = True) -> Any:
