@@ -10,7 +10,7 @@ import make_results
 from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.evaluation.reporting.paper import PaperNumber
 from labutopia_lerobot.evaluation.reporting.table import Rate
-from labutopia_lerobot.setting import OF_THE_LEVEL
+from labutopia_lerobot.setting import OF_THE_LEVEL, robot_of_level
 
 from .written_rows import keep, written
 
@@ -77,8 +77,12 @@ def test_every_kept_result_is_of_the_evaluation_that_it_stands_for():
             }, result.place
             steps = {made["step"] for made in result.provenance["checkpoints"].values()}
             assert steps == {evaluation.at or t.steps for t in evaluation.trainings}, result.place
-            robot = dict(evaluation.options).get("robot", OF_THE_LEVEL)
-            assert result.provenance["config"].get("robot", OF_THE_LEVEL) == robot, result.place
+            meant, played = (
+                robot_of_level(result.rows[0].task) if robot == OF_THE_LEVEL else robot
+                for options in (dict(evaluation.options), result.provenance["config"])
+                for robot in [options.get("robot", OF_THE_LEVEL)]
+            )
+            assert played == meant, result.place
 
 
 def test_paths_of_an_experiment_are_kept_as_if_it_were_at_the_default_place(tmp_path, monkeypatch):

@@ -28,8 +28,8 @@ OLDER = {
     "evaluate fetch level5/transport_to_oven state ood",
     "evaluate fetch level5/transport_between_areas state ood",
 }
-"""Rows of an expert that came less near in narrow aisles, or planned with a narrower disc from where
-it stood, and of times at which a thing was at hand from farther off: to be measured anew."""
+"""Rows of an expert that came less near in narrow aisles, or planned for a narrower disc, and of
+times at which a thing was at hand from farther off: to be measured anew."""
 
 
 def _param(value: Any, name: str, *, slow: bool = True) -> Any:
