@@ -1,18 +1,14 @@
 """What waits in bottles and behind taps, as whole particles, until it is let out."""
 
-import math
 from collections.abc import Iterable
 
 import numpy as np
 
 from labutopia_lerobot.substances.filling import Dispenser, Filling
-from labutopia_lerobot.world import FloatArray, Pose
+from labutopia_lerobot.world import FloatArray
 
 _JET_SPEED = 2.0
 """Fastest that liquid leaves a spout [m/s]: what 2 kPa, a squeeze by hand, drive out of it."""
-
-_GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
-"""Angle from particle to particle about the axis [rad]: they fill a disc evenly (Vogel, 1979)."""
 
 
 class Bottles:
@@ -69,22 +65,3 @@ class Bottles:
     def restore(self, waiting: FloatArray) -> None:
         """Go back to how many particles were in each."""
         self.waiting = dict(zip(self.waiting, np.round(waiting).astype(int).tolist(), strict=True))
-
-
-def abreast(bottle: Dispenser, spout: Pose, count: int, spacing: float) -> FloatArray:
-    """Return how far beside the axis of a spout particles leave it, shape (count, 3) [m].
-
-    Nothing where they are wider than half of the bore: then they leave in single file.
-
-    Args:
-        bottle: What they leave.
-        spout: End of the spout; z the way that they leave.
-        count: How many.
-        spacing: Edge of the cube that a particle's volume fills [m].
-    """
-    room = max(0.0, math.sqrt(bottle.bore_area / math.pi) - spacing / 2)
-    number = np.arange(count)
-    out, turn = room * np.sqrt((number + 0.5) / max(count, 1)), _GOLDEN * number
-    across = np.column_stack([out * np.cos(turn), out * np.sin(turn)])
-    beside: FloatArray = across @ spout.rotation_w[:, :2].T
-    return beside

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.liquids.liquid import Liquid
+from labutopia_lerobot.liquids.outflow import stream
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.temperature import capacities, mix, warmth
 from labutopia_lerobot.liquids.vortex import stir
@@ -263,10 +264,11 @@ class Handling(LiquidHandling):
 
     def _put(self, portion: Portion, outlet: Pose, speed: float) -> None:
         """Put particles before an outlet, one after the other."""
-        count = len(portion.origins)
+        count, spacing = len(portion.origins), self._liquid.spacing
         if count:
-            along = self._liquid.spacing * (np.arange(count)[:, None] + 0.5)
-            positions = outlet.position_w + along * outlet.z_axis
+            along: FloatArray = np.multiply(spacing, np.arange(count)[:, None] + 0.5)
+            glass = self._liquid.around.glass
+            positions = stream(outlet, outlet.z_axis, along, spacing, glass)
             velocities = np.tile(speed * outlet.z_axis, (count, 1))
             self._liquid.add(positions, velocities, portion)
 

@@ -16,9 +16,10 @@ from labutopia_lerobot.liquids.account import (
     whereabouts,
 )
 from labutopia_lerobot.liquids.beginning import Beginning
-from labutopia_lerobot.liquids.bottled import Bottles, abreast
+from labutopia_lerobot.liquids.bottled import Bottles
 from labutopia_lerobot.liquids.kept import Kept, is_column
 from labutopia_lerobot.liquids.lattice import lattice
+from labutopia_lerobot.liquids.outflow import stream
 from labutopia_lerobot.liquids.portion import Portion
 from labutopia_lerobot.liquids.solver.advance import NOTHING, advance
 from labutopia_lerobot.liquids.solver.flow import Mixing
@@ -52,6 +53,7 @@ class Liquid:
         vessels: Those that liquid flows among: neither bottles, pipettes nor drains.
         substances: All that there are, each once.
         volume: Of a particle [m^3].
+        around: What it is among.
         positions: Shape (n, 3), metres, world frame; none before `fill`.
         velocities: Shape (n, 3), m/s, world frame.
         names: Of all vessels, bottles, pipettes and drains.
@@ -89,8 +91,8 @@ class Liquid:
         self._keeps = bool(pipettes) or any(is_column(vessel) for vessel in self.vessels)
         depths = [v.profile.depth(volume) for v in self.vessels if not is_column(v)]
         self._mixing = Mixing(self.substances, self.volume, max(depths, default=0.0))
-        self._around = Surroundings(model, data, self.vessels, robot)
-        self._impulse = np.zeros((self._around.owners, 6))
+        self.around = Surroundings(model, data, self.vessels, robot)
+        self._impulse = np.zeros((self.around.owners, 6))
         self.empty()
 
     @property
@@ -161,8 +163,8 @@ class Liquid:
         self._pressure: FloatArray = np.zeros(len(positions))
         self._touching: NDArray[np.int64] = np.full(len(positions), NOTHING)
         self._impulse[:] = 0.0
-        self._around.move()
-        self._around.move()
+        self.around.move()
+        self.around.move()
 
     def fill(
         self, contents: Mapping[Fillable | Dispenser, Filling], rng: np.random.Generator
@@ -191,7 +193,7 @@ class Liquid:
                 self.kept.add(index, self._beginning.fresh([(index, filling)] * share))
                 continue
             local = lattice(vessel.profile, share, self._mixing.flow.spacing, rng)
-            origin, rotation = self._around.glass.now
+            origin, rotation = self.around.glass.now
             heaps.append(origin[index] + local @ rotation[index].T)
             held += [(index, filling)] * share
         self.bottles.start()
@@ -215,12 +217,10 @@ class Liquid:
         if count:
             velocity = speed * spout.z_axis
             ages = duration * (np.arange(count)[:, None] + 0.5) / count
-            self.release(
-                spout.position_w + ages * velocity + abreast(bottle, spout, count, self.spacing),
-                np.tile(velocity, (count, 1)),
-                self.bottles.held[bottle.name],
-                self.names.index(bottle.name),
-            )
+            glass, bore = self.around.glass, bottle.bore_area
+            places = stream(spout, velocity, ages, self.spacing, glass, bore)
+            held, origin = self.bottles.held[bottle.name], self.names.index(bottle.name)
+            self.release(places, np.tile(velocity, (count, 1)), held, origin)
 
     def release(
         self,
@@ -269,7 +269,7 @@ class Liquid:
 
     def over_bottoms(self) -> FloatArray:
         """Return how high particles are for crystals, as `Surroundings.over_bottoms` has it."""
-        return self._around.over_bottoms(self.positions, self.accounted)
+        return self.around.over_bottoms(self.positions, self.accounted)
 
     def inside(self) -> NDArray[np.int64]:
         """Return which of `names` each particle is in, shape (n,); -1 none."""
@@ -277,7 +277,7 @@ class Liquid:
 
     def vessels_at(self, points_w: FloatArray) -> NDArray[np.int64]:
         """Return which of `names` points are in, shape (m, 3) [m], shape (m,); -1 none."""
-        around = self._around
+        around = self.around
         return whereabouts(points_w, around.glass, around.inner, around.smallest_first)
 
     def solution(self, vessel: int) -> Solution:
@@ -300,12 +300,12 @@ class Liquid:
         What the liquid does to a body stands in MuJoCo's `xfrc_applied` until the next step.
         """
         if not len(self.positions):
-            if self._keeps:  # what comes out next must find the walls where they are
-                self._around.move()
+            if self._keeps or self.bottles.held:  # what comes next must find the walls here
+                self.around.move()
                 self._impulse[:] = 0.0
-                self._around.push(self._impulse)
+                self.around.push(self._impulse)
             return
-        self._around.move()
+        self.around.move()
         before = self.positions.copy()
         if self._sane():
             self._advance()
@@ -314,7 +314,7 @@ class Liquid:
             self.positions, self.velocities[:] = before, 0.0
             self._impulse[:] = 0.0
         # Newton's third law: minus what the bodies gave to the particles.
-        self._around.push(-self._mixing.density * self.volume * self.hertz * self._impulse)
+        self.around.push(-self._mixing.density * self.volume * self.hertz * self._impulse)
 
     def _sane(self) -> bool:
         """Return whether all is in motion as liquid on a bench can be; a speed may be no number."""
@@ -326,8 +326,8 @@ class Liquid:
             self.velocities,
             self._pressure,
             self._matter,
-            self._around.glass,
-            self._around.shapes,
+            self.around.glass,
+            self.around.shapes,
             self._mixing.flow,
             self._impulse,
             self._touching,
@@ -341,7 +341,7 @@ class Liquid:
         origins = np.append(self.origins, kept.portion.origins)
         held = np.append(self._what.last_held, kept.portion.last_held)
         touching = np.append(self._touching, np.full(len(kept.holders), NOTHING))
-        counts = tally(count, origins, places, touching, self._around.standing)
+        counts = tally(count, origins, places, touching, self.around.standing)
         for name, waiting in self.bottles.waiting.items():
             bottle = self.names.index(name)
             counts[bottle, bottle] += waiting

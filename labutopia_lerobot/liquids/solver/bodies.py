@@ -6,7 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import kernel
-from labutopia_lerobot.liquids.solver.walls import distance_to_glass, stop_at_glass
+from labutopia_lerobot.liquids.solver.walls import (
+    distance_to_glass,
+    first_crossing,
+    stop_at_glass,
+)
 
 _ROUNDS = 4
 """Turns that every vessel gets at most, to stop what another one has moved."""
@@ -166,6 +170,24 @@ def stop_at_vessels(
                 moved *= mass[a]
                 add_moment(impulse[v], end[a], moved)
                 quiet = 1
+
+
+@kernel
+def free_way(start: NDArray[np.float64], end: NDArray[np.float64], glass: Glass) -> float:
+    """Return how much of a straight way no glass is in, 0 to 1.
+
+    Args:
+        start: Where it begins, outside all glass, shape (3,), metres, world frame.
+        end: Where it ends.
+        glass: The vessels.
+    """
+    p, q, free = np.empty(3), np.empty(3), 1.0
+    for v in range(len(glass.starts) - 1):
+        into(glass.now, v, start, p)
+        into(glass.now, v, end, q)
+        edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
+        free = min(free, first_crossing(edges, p, q)[0])
+    return free
 
 
 @kernel
