@@ -132,7 +132,7 @@ def test_a_button_may_be_pressed_with_two_fingers_and_for_long(env):
 def test_the_hand_may_be_raised_higher(env):
     def choose(skills):
         _, _, *rest = skills
-        higher = replace(HIGH, height=HIGH.height + 0.06)
+        higher = replace(HIGH, height=HIGH.height + 0.04)
         return [Go((higher, INSIDE), HEADING), rest[0]]
 
     info = play_on(env, SEED, "1_open", choose)

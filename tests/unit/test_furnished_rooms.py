@@ -27,6 +27,7 @@ from labutopia_lerobot.scenes.plan import Plan
 from labutopia_lerobot.scenes.plan_model import build
 from labutopia_lerobot.scenes.plans import load_plan, plan_names
 from labutopia_lerobot.scenes.proof import faults
+from labutopia_lerobot.scenes.space.boxes import TOUCHING
 from labutopia_lerobot.scenes.views import DOOR_VIEW, OVEN_VIEW, PRESS_VIEW, VESSEL_VIEW
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.classic_renderer import ClassicRenderer
@@ -36,9 +37,6 @@ from labutopia_lerobot.world.model import BEYOND_GROUP
 
 OWN = {plan.name: plan for plan in (BRIGHT, PARTED)}
 FEW = (*OWN, *plan_names()[::50])
-
-DEEPEST = 0.001
-"""How far two things may be in each other [m]."""
 
 
 def plan_of(name: str) -> Plan:
@@ -72,7 +70,7 @@ def sweep(plan: Plan) -> None:
     model = build(plan).compile()
     data = mujoco.MjData(model)
     resting = overlaps(model, data)
-    assert {pair: depth for pair, depth in resting.items() if depth > DEEPEST} == {}
+    assert {pair: depth for pair, depth in resting.items() if depth > TOUCHING} == {}
     for joint in range(model.njnt):
         if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_FREE or not model.jnt_limited[joint]:
             continue
@@ -81,7 +79,7 @@ def sweep(plan: Plan) -> None:
         for position in np.linspace(*model.jnt_range[joint], 7):
             data.qpos[address] = position
             for pair, depth in overlaps(model, data).items():
-                assert depth < DEEPEST, (model.joint(joint).name, float(position), pair, depth)
+                assert depth < TOUCHING, (model.joint(joint).name, float(position), pair, depth)
         data.qpos[address] = shut
 
 
