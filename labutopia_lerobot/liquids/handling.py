@@ -267,8 +267,7 @@ class Handling(LiquidHandling):
         count, spacing = len(portion.origins), self._liquid.spacing
         if count:
             along: FloatArray = np.multiply(spacing, np.arange(count)[:, None] + 0.5)
-            glass = self._liquid.around.glass
-            positions = stream(outlet, outlet.z_axis, along, spacing, glass)
+            positions = stream(outlet, outlet.z_axis, along, spacing, self._liquid.around)
             velocities = np.tile(speed * outlet.z_axis, (count, 1))
             self._liquid.add(positions, velocities, portion)
 

@@ -217,8 +217,8 @@ class Liquid:
         if count:
             velocity = speed * spout.z_axis
             ages = duration * (np.arange(count)[:, None] + 0.5) / count
-            glass, bore = self.around.glass, bottle.bore_area
-            places = stream(spout, velocity, ages, self.spacing, glass, bore)
+            bore = bottle.bore_area
+            places = stream(spout, velocity, ages, self.spacing, self.around, bore)
             held, origin = self.bottles.held[bottle.name], self.names.index(bottle.name)
             self.release(places, np.tile(velocity, (count, 1)), held, origin)
 

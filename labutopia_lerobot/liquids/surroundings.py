@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import kernel
-from labutopia_lerobot.liquids.solver.bodies import BodyFrames, Glass, Shapes
+from labutopia_lerobot.liquids.solver.bodies import BodyFrames, Glass, Shapes, free_way
 from labutopia_lerobot.liquids.solver.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
 from labutopia_lerobot.liquids.solver.walls import EDGE_NUMBERS, edges_of
 from labutopia_lerobot.substances.filling import Fillable
@@ -136,6 +136,10 @@ class Surroundings:
             along = positions[held] - now.origin[vessel]
             heights[held] = along @ now.rotation[vessel][:, 2]
         return heights
+
+    def free_way(self, start: FloatArray, end: FloatArray) -> float:
+        """Return how much of a straight way nothing is in, as `bodies.free_way` has it."""
+        return float(free_way(start, end, self.glass, self.shapes))
 
     def push(self, wrench: FloatArray) -> None:
         """Apply forces until the next call, through MuJoCo's `xfrc_applied`.

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import kernel
+from labutopia_lerobot.liquids.solver.obstacles import distance
 from labutopia_lerobot.liquids.solver.walls import (
     distance_to_glass,
     first_crossing,
@@ -14,6 +15,9 @@ from labutopia_lerobot.liquids.solver.walls import (
 
 _ROUNDS = 4
 """Turns that every vessel gets at most, to stop what another one has moved."""
+
+_LEAST_STEP = 2e-4
+"""How far one goes on a way at least before the distance to a shape is asked again [m]; ours."""
 
 
 class BodyFrames(NamedTuple):
@@ -173,13 +177,17 @@ def stop_at_vessels(
 
 
 @kernel
-def free_way(start: NDArray[np.float64], end: NDArray[np.float64], glass: Glass) -> float:
-    """Return how much of a straight way no glass is in, 0 to 1.
+def free_way(
+    start: NDArray[np.float64], end: NDArray[np.float64], glass: Glass, shapes: Shapes
+) -> float:
+    """Return how much of a straight way nothing is in, 0 to 1.
 
     Args:
-        start: Where it begins, outside all glass, shape (3,), metres, world frame.
+        start: Where it begins, outside all glass, shape (3,), metres, world frame. A shape that
+            this is in, such as the piece that liquid leaves, is not in the way.
         end: Where it ends.
         glass: The vessels.
+        shapes: Everything else.
     """
     p, q, free = np.empty(3), np.empty(3), 1.0
     for v in range(len(glass.starts) - 1):
@@ -187,7 +195,28 @@ def free_way(start: NDArray[np.float64], end: NDArray[np.float64], glass: Glass)
         into(glass.now, v, end, q)
         edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
         free = min(free, first_crossing(edges, p, q)[0])
+    for s in range(len(shapes.kind)):
+        into(shapes.now, s, start, p)
+        into(shapes.now, s, end, q)
+        free = min(free, _way_to_shape(shapes.kind[s], shapes.size[s], p, q))
     return free
+
+
+@kernel
+def _way_to_shape(
+    kind: int, size: NDArray[np.float64], start: NDArray[np.float64], end: NDArray[np.float64]
+) -> float:
+    """Return how much of a straight way, in the frame of a shape, it is not in; all of it if 1."""
+    x, y, z = end[0] - start[0], end[1] - start[1], end[2] - start[2]
+    far = np.sqrt(x * x + y * y + z * z)
+    gone = 0.0
+    while gone < far:
+        t = gone / far
+        room, _ = distance(kind, size, start[0] + t * x, start[1] + t * y, start[2] + t * z)
+        if room < 0.0:
+            return max(0.0, gone - _LEAST_STEP) / far if gone > 0.0 else 1.0
+        gone += max(room, _LEAST_STEP)
+    return 1.0
 
 
 @kernel

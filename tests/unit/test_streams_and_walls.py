@@ -1,4 +1,4 @@
-"""What leaves a spout or a tip ends at the glass before it, however near that is."""
+"""What leaves a spout or a tip ends at glass or a bench before it, however near that is."""
 
 import numpy as np
 import pytest
@@ -60,7 +60,18 @@ def test_a_tip_near_a_bottom_gives_all_into_the_vessel(gap: float) -> None:
     assert inside(liquid) == [count, count]
 
 
-def test_a_stream_that_meets_no_glass_goes_as_far_as_it_is_fast() -> None:
+@pytest.mark.parametrize("height", [0.05, 0.02, 0.005, 0.0, -0.0003])
+def test_a_bottle_that_is_squeezed_at_the_bench_makes_a_puddle(height: float) -> None:
+    liquid = squeezed(Pose(np.array([-SIDE - 0.05, 0.0, height]), DOWN))
+    highest = max(height, 0.0) + 0.002
+    for _ in range(SETTLES):
+        assert liquid.positions[:, 2].max() < highest + 0.001
+        assert liquid.positions[:, 2].min() > -0.001
+        liquid.step()
+    assert liquid.positions[:, 2].max() < liquid.spacing
+
+
+def test_a_stream_that_meets_nothing_goes_as_far_as_it_is_fast() -> None:
     away = np.array([-SIDE - 0.01, 0.0, HALF_WAY])
     liquid = squeezed(Pose(away, -ALONG_X @ np.diag([1.0, -1.0, 1.0])))
     speed, far = -liquid.velocities[0, 0], away[0] - liquid.positions[:, 0]
