@@ -9,19 +9,21 @@ from gymnasium.error import ResetNeeded
 from numpy.typing import NDArray
 
 from labutopia_lerobot.features import (
-    ObservedPiece,
     action_space,
-    environment_state,
     forces,
     observation_features,
     observation_space,
-    observed_pieces,
     reading_names,
     readings,
     with_pictures,
 )
 from labutopia_lerobot.pictures import picture_names
 from labutopia_lerobot.scenario import Scenario
+from labutopia_lerobot.scenario.privileged_state import (
+    ObservedPiece,
+    environment_state,
+    observed_pieces,
+)
 from labutopia_lerobot.setting import DENSE, FORCES, READINGS, SCAN, Setting, require_choices
 from labutopia_lerobot.sim.dense_reward import advance
 from labutopia_lerobot.sim.workcell import Workcell
@@ -45,7 +47,8 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     it is in the room, x, y [m] and heading [rad] (with `odometry="drift"` where it believes to be);
     with `obs="pixels"` also `pixels`, a dict of camera -> (height, width, 3) uint8; with
     `obs="state"` `environment_state`, privileged object poses (see
-    `features.environment_state_names`). Of `extras`, `forces` float32, left and right pad [N];
+    `privileged_state.environment_state_names`). Of `extras`, `forces` float32, left and right pad
+    [N];
     `readings` float32 (see `features.readings`); `scan` float32, how far the laser scanner of a
     base sees [m], from right to left (see `robots.laser_scanner`); for every camera
      `pixels["<camera>_segmentation"]` uint8, the number of what is seen in all three
@@ -183,7 +186,7 @@ class LabEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         return LabEnv, (self.setting, self.render_mode)
 
     def environment_state(self) -> NDArray[np.float32]:
-        """Return the privileged state (see `features.environment_state_names`)."""
+        """Return the privileged state (see `privileged_state.environment_state_names`)."""
         return environment_state(self._observed, self.workcell.world)
 
     @property

@@ -7,7 +7,11 @@ import numpy as np
 from labutopia_lerobot.checks.playing import expert, play, random_walk, still
 from labutopia_lerobot.checks.require import require
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import HOME_NAMES, SIZE_NAMES, environment_state_names
+from labutopia_lerobot.scenario.privileged_state import (
+    HOME_NAMES,
+    SIZE_NAMES,
+    environment_state_names,
+)
 from labutopia_lerobot.world import SOLUTION_NAMES, FloatArray
 
 

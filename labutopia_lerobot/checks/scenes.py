@@ -13,9 +13,9 @@ import numpy as np
 from labutopia_lerobot.checks.playing import expert, start
 from labutopia_lerobot.checks.require import CheckFailed, require
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.registry import task_files
 from labutopia_lerobot.scenario import canonical_task, draw_scenario
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.setting import Setting
 
 _GENERATORS: dict[ModuleType, str] = {

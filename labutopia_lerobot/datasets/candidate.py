@@ -16,12 +16,12 @@ from labutopia_lerobot.datasets.demonstration import Demonstration, Pictures, de
 from labutopia_lerobot.datasets.recording_config import RecordingConfig
 from labutopia_lerobot.datasets.routes import Routes
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.pictures import camera_and_kind, picture_names
 from labutopia_lerobot.runtime.provenance import machine
 from labutopia_lerobot.runtime.video import VideoWriter
 from labutopia_lerobot.runtime.workers import become_worker
 from labutopia_lerobot.scenario.draw import Value
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.scenario.task_function import located_in_play
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.renderers import renderer_name

@@ -28,10 +28,11 @@ from labutopia_lerobot.evaluation.find_checkpoint import (
     find_checkpoint,
 )
 from labutopia_lerobot.evaluation.policies import Policy
-from labutopia_lerobot.features import ACTION, environment_state_names
+from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.foreign_files import checked, read_json_object
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.setting import CAMERAS, IMAGE_SIZE, Setting
 
 _STATE = "observation.state"

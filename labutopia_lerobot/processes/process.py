@@ -54,6 +54,11 @@ class Process:
         """Names of the readings that it shows to a person."""
         return ()
 
+    @property
+    def lit_by(self) -> tuple[str, ...]:
+        """Names of the buttons that switch the lamp which shows its reading; none without one."""
+        return ()
+
     def start(self, apparatus: "Apparatus", rng: np.random.Generator) -> None:
         """Begin: all things have come to rest where the episode begins."""
 

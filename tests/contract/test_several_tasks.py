@@ -31,9 +31,9 @@ from labutopia_lerobot.datasets.tables import (
 from labutopia_lerobot.datasets.verify import Verdict, verify
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.registry import task_files, tasks_of_levels
 from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.setting import Setting
 from recordings import recording
 

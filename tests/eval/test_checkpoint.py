@@ -14,8 +14,8 @@ from labutopia_lerobot.evaluation.jobs import EvaluationJob, trained_elsewhere
 from labutopia_lerobot.evaluation.learned_policy import LearnedPolicy, UnusableWeightsError
 from labutopia_lerobot.evaluation.policies import Action
 from labutopia_lerobot.evaluation.rollout import play
-from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.setting import Setting
 
 from .conftest import Saver

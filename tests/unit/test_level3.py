@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from adversary import begun, play
-from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.labware.instruments.button_post import ButtonPost
 from labutopia_lerobot.registry import tasks_of_levels
 from labutopia_lerobot.scenario import AxisError, Draw, Scenario, canonical_task, draw_scenario
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.scenario.task_function import task_function
 from labutopia_lerobot.scenario.variation import (
     AXES,

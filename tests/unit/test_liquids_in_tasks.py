@@ -8,11 +8,11 @@ import pytest
 from adversary import begun, begun_with
 from labutopia_lerobot import kernel
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.labware.glass.catalogue import glassware
 from labutopia_lerobot.labware.glass.glass_rod import GlassRod
 from labutopia_lerobot.labware.glass.profile import Profile
 from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.setting import Setting, UnknownOptionError
 from labutopia_lerobot.substances.filling import (
     Filling,

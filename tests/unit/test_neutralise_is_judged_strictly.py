@@ -7,7 +7,7 @@ import pytest
 
 from adversary import begun
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.task import NeedsLiquidError
 from solution_bench import swirl

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from adversary import begun, play
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import environment_state_names
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.skills.press import Press
 from labutopia_lerobot.skills.skill import Phase, arrived
 from labutopia_lerobot.world import Pose

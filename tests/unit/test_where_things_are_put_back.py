@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from labutopia_lerobot.env import LabEnv
-from labutopia_lerobot.features import environment_state_names
 from labutopia_lerobot.scenario import canonical_task
+from labutopia_lerobot.scenario.privileged_state import environment_state_names
 from labutopia_lerobot.setting import HOMES, Setting
 
 POURED = "level2/pour_liquid"

@@ -37,6 +37,11 @@ class Switch(Process):
     def slots(self) -> tuple[str, ...]:
         return ("on", "button in")
 
+    @property
+    @override
+    def lit_by(self) -> tuple[str, ...]:
+        return (self.button,)
+
     @override
     def step(self, apparatus: Apparatus) -> None:
         memory = apparatus.memory(self)
