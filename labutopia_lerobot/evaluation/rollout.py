@@ -205,8 +205,8 @@ def _time(seconds: float | None) -> float | None:
     return None if seconds is None or np.isinf(seconds) else round(float(seconds), 3)
 
 
-def _finite(value: float) -> float | None:
-    return float(value) if np.isfinite(value) else None
+def _finite(value: float | None) -> float | None:
+    return float(value) if value is not None and np.isfinite(value) else None
 
 
 def _millilitres(volume: float | None) -> float | None:

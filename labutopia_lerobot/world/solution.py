@@ -37,15 +37,16 @@ class Solution:
     colour: tuple[float, float, float]
 
     @property
-    def numbers(self) -> dict[str, float]:
+    def numbers(self) -> dict[str, float | None]:
         """What `info` has of it: ml, pH, degrees C, solids and gas [mol], how mixed it is.
 
         Then each dissolved species [mol/l], and each solid and gas [mol], such as `mol_AgCl(s)`.
+        An empty vessel has neither pH nor temperature: None, since NaN is not equal to itself.
         """
         return {
             "ml": round(1e6 * self.volume, 6),
-            "ph": self.ph,
-            "celsius": self.temperature - 273.15,
+            "ph": None if math.isnan(self.ph) else self.ph,
+            "celsius": None if math.isnan(self.temperature) else self.temperature - 273.15,
             "mol_solid": sum(self.solids.values()),
             "mol_gas": sum(self.gas.values()),
             "mixed": self.mixed,
