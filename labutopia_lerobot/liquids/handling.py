@@ -276,10 +276,14 @@ class Handling(LiquidHandling):
         return distances
 
     def _within_reach(self, point_w: FloatArray, reach: float = _REACH) -> NDArray[np.intp]:
-        """Return which particles are so many spacings from a point, the nearest first."""
-        distances = self._distances(point_w)
+        """Return which particles are so many spacings from a point, the nearest first.
+
+        Those behind glass are not: nothing is drawn or measured through the wall of a vessel.
+        """
+        distances, liquid = self._distances(point_w), self._liquid
         order = np.argsort(distances, kind="stable")
-        return order[distances[order] < reach * self._liquid.spacing]
+        near = order[distances[order] < reach * liquid.spacing]
+        return near[liquid.around.no_glass_between(liquid.positions[near], point_w)]
 
     def _of(self, what: Portion, count: int) -> Stock:
         """Return a number of particles, and what the only one of a portion is made of.

@@ -8,7 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.kernel import kernel
-from labutopia_lerobot.liquids.solver.bodies import BodyFrames, Glass, Shapes, free_way
+from labutopia_lerobot.liquids.solver.bodies import (
+    BodyFrames,
+    Glass,
+    Shapes,
+    free_way,
+    no_glass_between,
+)
 from labutopia_lerobot.liquids.solver.obstacles import BOX, CAPSULE, CYLINDER, PLANE, SPHERE
 from labutopia_lerobot.liquids.solver.walls import EDGE_NUMBERS, edges_of
 from labutopia_lerobot.substances.filling import Fillable
@@ -27,6 +33,8 @@ _FALLS = 0.05
 """Speed from which on a thing does not stand [m/s]; ours: a free fall of 0.1 mm."""
 _LEANS = 0.996
 """Cosine of the tilt from which on a vessel leans: 5 degrees; ours."""
+_PRESSED = 3e-4
+"""How deep in a wall a tip may be that is pressed against it [m]; ours: glass is thicker."""
 
 
 class Carrier(NamedTuple):
@@ -140,6 +148,11 @@ class Surroundings:
     def free_way(self, start: FloatArray, end: FloatArray) -> float:
         """Return how much of a straight way nothing is in, as `bodies.free_way` has it."""
         return float(free_way(start, end, self.glass, self.shapes))
+
+    def no_glass_between(self, points_w: FloatArray, end_w: FloatArray) -> NDArray[np.bool_]:
+        """Return which points, shape (n, 3) [m], no glass keeps from another one, shape (n,)."""
+        clear: NDArray[np.bool_] = no_glass_between(points_w, end_w, self.glass, _PRESSED)
+        return clear
 
     def push(self, wrench: FloatArray) -> None:
         """Apply forces until the next call, through MuJoCo's `xfrc_applied`.

@@ -8,6 +8,10 @@ from numpy.typing import NDArray
 from labutopia_lerobot.kernel import kernel
 from labutopia_lerobot.liquids.solver.obstacles import distance
 from labutopia_lerobot.liquids.solver.walls import (
+    HEIGHT,
+    NORMAL_R,
+    NORMAL_Z,
+    RADIUS,
     distance_to_glass,
     first_crossing,
     stop_at_glass,
@@ -200,6 +204,34 @@ def free_way(
         into(shapes.now, s, end, q)
         free = min(free, _way_to_shape(shapes.kind[s], shapes.size[s], p, q))
     return free
+
+
+@kernel
+def no_glass_between(
+    points: NDArray[np.float64], end: NDArray[np.float64], glass: Glass, thin: float
+) -> NDArray[np.bool_]:
+    """Return which points have no glass on the straight way to another one, shape (n,).
+
+    Args:
+        points: Outside all glass, shape (n, 3), metres, world frame.
+        end: The other one, shape (3,).
+        glass: The vessels.
+        thin: How deep that may be in a surface [m].
+    """
+    clear = np.ones(len(points), np.bool_)
+    p, q = np.empty(3), np.empty(3)
+    for v in range(len(glass.starts) - 1):
+        edges = glass.edges[glass.starts[v] : glass.starts[v + 1]]
+        into(glass.now, v, end, q)
+        radius = np.sqrt(q[0] ** 2 + q[1] ** 2)
+        for a in range(len(points)):
+            into(glass.now, v, points[a], p)
+            _, k = first_crossing(edges, p, q)
+            if k >= 0:
+                beyond = edges[k, NORMAL_R] * (radius - edges[k, RADIUS])
+                beyond += edges[k, NORMAL_Z] * (q[2] - edges[k, HEIGHT])
+                clear[a] &= beyond >= -thin
+    return clear
 
 
 @kernel
