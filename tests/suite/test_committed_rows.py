@@ -24,12 +24,14 @@ NEWER = {"readings", "solutions", "unwanted_contacts"}
 
 OLDER = {
     "level5/clear_bench ood",
-    "evaluate fetch level5/transport_to_oven state id",
-    "evaluate fetch level5/transport_to_oven state ood",
-    "evaluate fetch level5/transport_between_areas state ood",
+    "level2/dissolve",
+    "level2/dissolve ood",
+    "level2/neutralise",
+    "level3/identify_unknown",
+    "level4/prepare_solution",
 }
-"""Rows of an expert that came less near in narrow aisles, or planned for a narrower disc, and of
-times at which a thing was at hand from farther off: to be measured anew."""
+"""Rows of an expert that planned for a narrower disc, and of liquids that cooled by a hundredth of
+a degree otherwise: to be measured anew."""
 
 
 def _param(value: Any, name: str, *, slow: bool = True) -> Any:
