@@ -30,8 +30,8 @@ OLDER = {
     "level3/identify_unknown",
     "level4/prepare_solution",
 }
-"""Rows of an expert that planned for a narrower disc, and of liquids that cooled by a hundredth of
-a degree otherwise: to be measured anew."""
+"""Rows of an expert that planned for a narrower disc, and of liquids that mixed and cooled by a
+thousandth otherwise: to be measured anew."""
 
 
 def _param(value: Any, name: str, *, slow: bool = True) -> Any:
