@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 import torch
+from huggingface_hub import constants
 from safetensors.torch import load_file, save_file
 
 import tiny_vla
@@ -144,6 +145,13 @@ def test_a_lora_adapter_is_played_on_the_base_model_that_it_names(
     assert Path(played["base"]["folder"]) == tiny_vla.cached(tiny_hub, tiny_vla.SMOLVLA)
 
 
+@pytest.fixture
+def tiny_cache(tiny_hub: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let this process find in its cache what the workshop's commands find in theirs."""
+    monkeypatch.setattr(constants, "HF_HUB_CACHE", str(tiny_hub / "hub"))
+
+
+@pytest.mark.usefixtures("tiny_cache")
 def test_a_camera_that_was_not_recorded_leaves_its_slot_empty(workshop: Workshop) -> None:
     two = "cameras=[front,top] root=outputs/datasets/two"
     workshop.run(f"{commands('smolvla')[RECORD]} {two}")
@@ -158,6 +166,7 @@ def test_a_camera_that_was_not_recorded_leaves_its_slot_empty(workshop: Workshop
     assert_played(row)
 
 
+@pytest.mark.usefixtures("tiny_cache")
 def test_a_camera_that_is_mapped_to_itself_leaves_its_slot_empty(workshop: Workshop) -> None:
     itself = json.dumps({f"{IMAGES}wrist": f"{IMAGES}wrist"})  # LeRobot adds it to the recipe's
     checkpoint = workshop.train("smolvla", "itself", f"--rename_map='{itself}'")
