@@ -26,7 +26,7 @@ def test_in_a_vessel_that_leans_crystals_gather_at_its_base() -> None:
     mujoco.mju_quat2Mat(turned, beaker[3:])
     liquid.positions[held] = beaker[:3] + local @ turned.reshape(3, 3).T
     mujoco.mj_forward(simulation.scene.model, simulation.data)
-    liquid._around.move()
+    liquid.around.move()
     assert liquid.over_bottoms()[held] == pytest.approx(local[:, 2])
     mix(simulation, 5.0)
     assert liquid.solutions is not None
