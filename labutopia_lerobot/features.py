@@ -4,7 +4,6 @@ The environment's spaces, LeRobot's `EnvConfig.features` and the dataset's featu
 from what is here, so that keys, shapes and order cannot diverge. Imports neither mujoco nor torch.
 """
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -16,9 +15,10 @@ from numpy.typing import NDArray
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind, picture_names
 from labutopia_lerobot.robots import Robot, load_robot
 from labutopia_lerobot.robots.mobile_base import MobileBase
-from labutopia_lerobot.scenario.privileged_state import environment_state_names
+from labutopia_lerobot.scenario.privileged_state import displayed_by, environment_state_names
 from labutopia_lerobot.setting import (
     DEPTH,
+    DISPLAYS,
     DRIFT,
     FORCES,
     READINGS,
@@ -33,6 +33,7 @@ from labutopia_lerobot.world import (
     RIGHT_PAD,
     World,
 )
+from labutopia_lerobot.world.reading import observed_of_reading
 
 _LARGEST = 10.0
 """No observed number is larger: angles [rad], positions in the room [m], cosines."""
@@ -75,10 +76,6 @@ class Feature:
         return self.is_picture and self.dtype == "float32"
 
 
-def _numbers(key: str, names: tuple[str, ...]) -> Feature:
-    return Feature(key, "float32", (len(names),), names)
-
-
 def _robot_state(robot: Robot) -> Feature:
     """Declare what is observed of a robot; where a base is in the room goes as far as rooms do."""
     largest = _LARGEST if robot.base is None else _LARGEST_ROOM
@@ -119,7 +116,8 @@ ACTION = "action"
 
 def action_feature(setting: Setting) -> Feature:
     """Declare what is commanded: absolute targets of the robot's elements."""
-    return _numbers(ACTION, load_robot(setting.robot).names)
+    names = load_robot(setting.robot).names
+    return Feature(ACTION, "float32", (len(names),), names)
 
 
 def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dict[str, Feature]:
@@ -146,7 +144,12 @@ def observation_features(setting: Setting, load_task: Callable[[], Task]) -> dic
                 raise UnknownOptionError(
                     f"hidden=[{what}]: the state of {setting.task} has none. Leave it out"
                 )
-        features["environment_state"] = _numbers("observation.environment_state", names)
+        # What displays show has no bounds that are known here.
+        bounded = DISPLAYS in setting.hidden or not reading_names(task)
+        largest = _LARGEST if bounded else np.inf
+        features["environment_state"] = Feature(
+            "observation.environment_state", "float32", (len(names),), names, -largest, largest
+        )
     if FORCES in setting.extras:
         pads = (LEFT_PAD, RIGHT_PAD)
         features[FORCES] = Feature("observation.forces", "float32", (2,), pads, 0.0, np.inf)
@@ -200,15 +203,12 @@ def forces(world: World) -> NDArray[np.float32]:
 
 def reading_names(task: Task) -> tuple[str, ...]:
     """Name the elements of `readings`: each that a display of the task shows, and if it settled."""
-    processes = (process for piece in task.start for process in piece.processes)
-    shown = dict.fromkeys(name for process in processes for name in process.displayed)
-    return tuple(each for name in shown for each in (name, f"{name}.settled"))
+    shown = dict.fromkeys(name for piece in task.start for name in displayed_by(piece))
+    return tuple(each for name in shown for each in observed_of_reading(name))
 
 
 def readings(world: World, names: tuple[str, ...]) -> NDArray[np.float32]:
-    """Return what displays show, in their units, and 1 behind each that is settled, else 0.
-
-    Dashes and errors are 0, not settled.
+    """Return what displays show, in their units, and whether it is settled (`Reading.observed`).
 
     Args:
         world: The world.
@@ -217,12 +217,7 @@ def readings(world: World, names: tuple[str, ...]) -> NDArray[np.float32]:
     Returns:
         Shape (len(names),).
     """
-    numbers: list[float] = []
-    for name in names[::2]:
-        reading = world.reading(name)
-        known = math.isfinite(reading.shown)
-        numbers += [reading.shown if known else 0.0, float(known and reading.settled)]
-    return np.array(numbers, np.float32)
+    return np.array([n for name in names[::2] for n in world.reading(name).observed], np.float32)
 
 
 def observation_space(features: Mapping[str, Feature]) -> spaces.Dict:

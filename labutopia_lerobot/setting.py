@@ -59,12 +59,12 @@ EXTRAS = (DEPTH, SEGMENTATION, *NUMBERS)
 """What can be observed beside the usual: depth and segmentation of every camera, forces on
 pads, what displays read, what the laser scanner of a base sees."""
 
-HANDLES, HOMES, LAMPS, SIZES = "handles", "homes", "lamps", "sizes"
-LEVELS, SOLUTIONS = "levels", "solutions"
-HIDEABLE = (HANDLES, HOMES, LAMPS, SIZES, LEVELS, SOLUTIONS)
+HANDLES, HOMES, LAMPS, DISPLAYS = "handles", "homes", "lamps", "displays"
+SIZES, LEVELS, SOLUTIONS = "sizes", "levels", "solutions"
+HIDEABLE = (HANDLES, HOMES, LAMPS, DISPLAYS, SIZES, LEVELS, SOLUTIONS)
 """What the privileged state can be left without: places of handles, where things are to be put back
-to, whether lamps are lit, sizes of things, levels of liquids, what is dissolved in them
-(`privileged_state.environment_state_names`)."""
+to, whether lamps are lit, what displays show, sizes of things, levels of liquids, what is dissolved
+in them (`privileged_state.environment_state_names`)."""
 
 ROBOT_NAMES = ("panda", "iiwa", "ridgeback_panda", "fetch", "fetch_differential")
 """Every robot that can play: the keys of `robots.ROBOTS`."""
@@ -144,8 +144,9 @@ class SettingOptions:
     hidden: tuple[str, ...] = option(
         (),
         "What the privileged state of `obs=state` is left without: a list of places of `handles`, "
-        "`homes`, where things are to be put back to, `lamps`, whether they are lit, `sizes` of "
-        "things, `levels` of liquids, and `solutions`, what is dissolved in them.",
+        "`homes`, where things are to be put back to, `lamps`, whether they are lit, `displays`, "
+        "what they show, `sizes` of things, `levels` of liquids, and `solutions`, what is "
+        "dissolved in them.",
     )
     width: int = option(IMAGE_SIZE, "Width of the pictures [pixels].")
     height: int = option(IMAGE_SIZE, "Height of the pictures [pixels].")

@@ -20,10 +20,10 @@ class Meaning:
 _OBJECTS = (
     "per thing its position in the robot's base frame and the first two axes of its frame there, "
     "then its joints, the places of handles, of shuffled parts and where it is to be put back, "
-    "whether its lamp is lit, its sizes, how deep its liquid is and what is dissolved in it, as "
-    "the names say"
+    "whether its lamp is lit, what its displays show and if it is settled, its sizes, how deep its "
+    "liquid is and what is dissolved in it, as the names say"
 )
-_OBJECT_UNITS = "m, rad; axes 1"
+_OBJECT_UNITS = "m, rad; axes 1; displays their own"
 
 _MEANINGS = {
     "commanded_action": Meaning("rad; gripper m", "targets as they were commanded"),

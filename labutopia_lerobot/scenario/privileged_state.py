@@ -12,10 +12,19 @@ from numpy.typing import NDArray
 from labutopia_lerobot.labware.piece import Piece
 from labutopia_lerobot.places import WhereItStood
 from labutopia_lerobot.predicates.openables import Bar
-from labutopia_lerobot.setting import HANDLES, HOMES, LAMPS, LEVELS, SIZES, SOLUTIONS
+from labutopia_lerobot.setting import (
+    DISPLAYS,
+    HANDLES,
+    HOMES,
+    LAMPS,
+    LEVELS,
+    SIZES,
+    SOLUTIONS,
+)
 from labutopia_lerobot.substances.filling import Fillable, with_mounted
 from labutopia_lerobot.task import Task
 from labutopia_lerobot.world import SOLUTION_NAMES, Graspable, Standing, Thing, World
+from labutopia_lerobot.world.reading import observed_of_reading
 
 _POSE_NAMES = ("x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz")
 
@@ -36,6 +45,7 @@ class ObservedPiece:
         parts: Names of the frames of its parts whose places are observed.
         put_back: Whether it is observed where it stood, since the task wants it back there.
         lamps: Names of what its lamps show that light by a button which a step presses.
+        displays: Names of what its displays show.
         sizes: Of what stands by itself and is grasped, as `SIZE_NAMES` has them [m]; else none.
         levels: Vessels whose levels are observed: itself, or what is mounted on it; else none.
         solutions: Those of which it is observed what is dissolved in them.
@@ -46,6 +56,7 @@ class ObservedPiece:
     parts: tuple[str, ...]
     put_back: bool
     lamps: tuple[str, ...]
+    displays: tuple[str, ...]
     sizes: tuple[float, ...]
     levels: tuple[Fillable, ...]
     solutions: tuple[Fillable, ...]
@@ -70,6 +81,7 @@ def observed_pieces(task: Task, hidden: Collection[str] = ()) -> tuple[ObservedP
             (*region.shuffled, *(name for name in handles if name.startswith(f"{piece.name}_"))),
             put_back=piece.name in put_back,
             lamps=() if LAMPS in hidden else _lamps(piece, taken),
+            displays=() if DISPLAYS in hidden else displayed_by(piece),
             sizes=() if SIZES in hidden else _sizes(piece),
             levels=_vessels(piece) if task.contents and LEVELS not in hidden else (),
             solutions=_vessels(piece) if reacts and SOLUTIONS not in hidden else (),
@@ -96,6 +108,11 @@ def _lamps(piece: Piece, taken: Collection[str]) -> tuple[str, ...]:
     return tuple(each.name for each in piece.processes if not set(each.lit_by).isdisjoint(taken))
 
 
+def displayed_by(piece: Piece) -> tuple[str, ...]:
+    """Return the names of what the displays of a piece show, each once."""
+    return tuple(dict.fromkeys(name for each in piece.processes for name in each.displayed))
+
+
 def _vessels(piece: Thing) -> tuple[Fillable, ...]:
     """Return what liquid stays in: the piece itself, or what is mounted on it."""
     return tuple(thing for thing in with_mounted([piece]) if isinstance(thing, Fillable))
@@ -116,8 +133,9 @@ def environment_state_names(task: Task, hidden: Collection[str] = ()) -> tuple[s
     Rotation Representations in Neural Networks"), since quaternions jump. Then the position of each
     of its hinges [rad] and slides [m], the place [m] of each of its parts that is shuffled and of
     each handle that a step takes, where it stood [m] if it is to be put back there, whether a lamp
-    is lit (1 or 0) that a button switches which a step presses, and the sizes [m] of what stands by
-    itself and is grasped: a task may draw it of many kinds.
+    is lit (1 or 0) that a button switches which a step presses, what its displays show, in their
+    units, and 1 behind each that is settled, else 0 (`Reading.observed`), and the sizes [m] of what
+    stands by itself and is grasped: a task may draw it of many kinds.
     Where there is liquid: how deep it would be in each vessel [m], were that upright. Where
     something is dissolved: what `Solution.observed` has of each.
 
@@ -134,6 +152,7 @@ def environment_state_names(task: Task, hidden: Collection[str] = ()) -> tuple[s
             *(f"{part}.{axis}" for part in one.parts for axis in "xyz"),
             *(f"{one.piece.name}.{home}" for home in HOME_NAMES if one.put_back),
             *(f"{lamp}.lit" for lamp in one.lamps),
+            *(each for name in one.displays for each in observed_of_reading(name)),
             *(f"{one.piece.name}.{size}" for size in SIZE_NAMES if one.sizes),
             *(f"{vessel.name}.fill" for vessel in one.levels),
             *(f"{vessel.name}.{part}" for vessel in one.solutions for part in SOLUTION_NAMES),
@@ -160,6 +179,8 @@ def environment_state(pieces: tuple[ObservedPiece, ...], world: World) -> NDArra
         if one.put_back:
             numbers += (to_base @ world.stood(one.piece)).position_w.tolist()
         numbers += [float(world.reading(lamp).value > 0.0) for lamp in one.lamps]
+        for name in one.displays:
+            numbers += world.reading(name).observed
         numbers += one.sizes
         if world.liquid is not None:
             inside = world.liquid.inside

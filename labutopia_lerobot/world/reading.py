@@ -9,6 +9,11 @@ PRESSED, ON = "pressed", "on"
 """Units of readings that are 1 or 0: of push-buttons, and of what is switched."""
 
 
+def observed_of_reading(name: str) -> tuple[str, str]:
+    """Name what is observed of a reading, as `Reading.observed` has it."""
+    return name, f"{name}.settled"
+
+
 class ReadingError(UserError, ValueError):
     """A reading without a unit or a resolution; the message shows it."""
 
@@ -46,6 +51,12 @@ class Reading:
             return self.value
         steps = round(self.value / self.resolution)
         return round(steps * self.resolution, self._digits + 2) + 0.0  # no minus zero
+
+    @property
+    def observed(self) -> tuple[float, float]:
+        """What a display shows, and 1 if it is settled, else 0; dashes and errors are 0 and 0."""
+        known = math.isfinite(self.shown)
+        return self.shown if known else 0.0, float(known and self.settled)
 
     @property
     def text(self) -> str:

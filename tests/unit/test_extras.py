@@ -90,7 +90,7 @@ def test_pictures_need_cameras_and_forces_do_not():
 def test_only_the_privileged_state_can_be_left_without_something():
     with pytest.raises(UnknownOptionError, match=r"hidden=\['levels'\] needs obs=state"):
         Setting("level1/pour", hidden=("levels",))
-    with pytest.raises(UnknownOptionError, match="handles, homes, lamps, sizes, levels, solutions"):
+    with pytest.raises(UnknownOptionError, match="handles, homes, lamps, displays, sizes, levels"):
         Setting("level1/pour", obs="state", hidden=("poses",))
     assert Setting("level1/pour", obs="state", hidden=("levels", "sizes")).hidden == (
         "sizes",
