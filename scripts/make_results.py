@@ -1,4 +1,4 @@
-"""`python scripts/make_results.py`: docs/results.md and the table of the README, from kept results.
+"""`python scripts/make_results.py`: docs/results.md and the tables of the README, of kept results.
 
 Results of `labutopia-experiment` are kept in `eval/experiments/` by `scripts/experiment_rows.py`.
 What is not there is "not measured" on the page. What one found out by looking at them is written in
@@ -23,7 +23,6 @@ ROOT = Path(__file__).parents[1]
 PAGE, README = ROOT / "docs" / "results.md", ROOT / "README.md"
 KEPT = ROOT / "eval" / "experiments"
 FINDINGS = KEPT / "findings.md"
-_SHOWN = "level1/"
 BEGIN, END = "<!-- results -->\n", "<!-- end of results -->"
 
 _HEAD = """# Results
@@ -75,7 +74,7 @@ labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU wit
 
 @clear_errors
 def main() -> None:
-    """Write the page, and the table of the README."""
+    """Write the page, and the tables of the README."""
     PAGE.write_text(content())
     README.write_text(readme())
 
@@ -164,26 +163,32 @@ def _together(rates: list[Rate]) -> Cell:
 
 
 def readme() -> str:
-    """Return the README with the table of what is measured of level 1: a line per policy."""
-    table = measured("results_cpu").by_task()
-    rates = {
-        str(task).removeprefix(_SHOWN): dict(zip(table.head[2:], of_task, strict=True))
-        for task, _, *of_task in table.lines
-        if str(task).startswith(_SHOWN) and any(isinstance(rate, Rate) for rate in of_task)
-    }
-    policies = [
-        policy
-        for policy in table.head[2:]
-        if any(isinstance(of_task[policy], Rate) for of_task in rates.values())
-    ]
-    lines = [f"| {' | '.join(['%', *rates])} |", "| --- " * (1 + len(rates)) + "|"]
-    for policy in policies:
-        cells = (of_task[policy] for of_task in rates.values())
-        shown = (str(int(cell.percent + 0.5)) if isinstance(cell, Rate) else "-" for cell in cells)
-        lines.append(f"| {' | '.join([policy, *shown])} |")
+    """Return the README with what is measured of levels 1 to 3: a line per policy and level."""
+    tables = "\n".join([*_of_levels("1"), "", *_of_levels("2", "3")])
     before, _, rest = README.read_text().partition(BEGIN)
     _, _, after = rest.partition(END)
-    return "\n".join([before + BEGIN.rstrip(), *lines, END + after])
+    return before + BEGIN + tables + "\n" + END + after
+
+
+def _of_levels(*levels: str) -> list[str]:
+    """Return a table's lines: per cent of each policy and level, `id / ood` where both are known.
+
+    Tasks of one name stand in one column.
+    """
+    table = measured("results_cpu").by_task()
+    shown = dict[tuple[str, str], dict[str, list[str]]]()
+    for task, played, *rates in table.lines:
+        level, _, name = str(task).removeprefix("level").partition("/")
+        for policy, rate in zip(table.head[2:], rates, strict=True):
+            if level in levels and played in ("id", "ood") and isinstance(rate, Rate):
+                line = shown.setdefault((policy, level), {})
+                line.setdefault(name, []).append(str(int(rate.percent + 0.5)))
+    names = sorted({name for line in shown.values() for name in line})
+    lines = [f"| {' | '.join(['%', *names])} |", "| --- " * (1 + len(names)) + "|"]
+    for policy, level in sorted(shown, key=lambda of: (of[1], table.head.index(of[0]))):
+        cells = (" / ".join(shown[policy, level].get(name, "-")) for name in names)
+        lines.append(f"| {' | '.join([f'{policy}, level {level}', *cells])} |")
+    return lines
 
 
 @cache
