@@ -23,15 +23,12 @@ NEWER = {"readings", "solutions", "unwanted_contacts"}
 
 
 OLDER = {
-    "level5/clear_bench ood",
-    "level2/dissolve",
     "level2/dissolve ood",
     "level2/neutralise",
     "level3/identify_unknown",
     "level4/prepare_solution",
 }
-"""Rows of an expert that planned for a narrower disc, and of liquids that mixed and cooled by a
-thousandth otherwise: to be measured anew."""
+"""Rows of liquids that mixed and cooled by a thousandth otherwise: to be measured anew."""
 
 
 def _param(value: Any, name: str, *, slow: bool = True) -> Any:
