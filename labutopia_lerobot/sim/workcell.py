@@ -127,7 +127,7 @@ class Workcell:
             skills = [skill for step in self.steps for skill in step.skills]
         return Expert(skills, self.world, self.motion, pace)
 
-    def begin(self, scenario: Scenario, rng: np.random.Generator, after: str | None = None) -> bool:
+    def begin(self, scenario: Scenario, rng: np.random.Generator, after: str | None = None) -> str:
         """Begin an episode: things stand, vessels are full, the setup has been played.
 
         Args:
@@ -137,7 +137,7 @@ class Workcell:
                 for the start or, if a step is played alone, for the one before that.
 
         Returns:
-            Whether setup and steps went well; if not, this start is no good.
+            Why this start is no good, in words; empty if setup and steps went well.
 
         Raises:
             TaskError: If the task has no step `after`, or none behind it.
@@ -173,7 +173,7 @@ class Workcell:
                 rng,
             )
             if around is None:
-                return False
+                return "there is no room for what is to be in the way"
             layout |= around
         layout |= place_distractors(
             variation.distractors,
@@ -186,13 +186,14 @@ class Workcell:
         self.simulation.reset(layout, variation.robot_start, rng, base_pose)
         self.simulation.fill(rng, task.contents)
         self.filter.start(self.simulation.command)
-        if not self._play(task.setup) or not self._play_steps(before):
-            return False
+        amiss = self._play(task.setup) or self._play_steps(before)
+        if amiss:
+            return amiss
         self.filter.start(self.simulation.command)
         self.simulation.start_clock()
         self.progress = Progress(task, self.after, until)
         self.progress.update(self.world)
-        return True
+        return ""
 
     def _brought_to(self, task: Task) -> tuple[FloatArray, ...]:
         """Return the points of the bench that the task's things are set down on [m]."""
@@ -310,20 +311,26 @@ class Workcell:
             return np.repeat(numbers[..., None], 3, axis=-1)
         return self.renderer.color(data, camera)
 
-    def _play(self, skills: Sequence[Skill]) -> bool:
-        """Let the expert play skills that nobody judges; return whether all went well."""
+    def _play(self, skills: Sequence[Skill]) -> str:
+        """Let the expert play skills that nobody judges; return what went amiss, if anything."""
         expert = self.expert(skills)
         expert.start()
-        forbidden = self.task.forbidden(None).values()
         while skills and not expert.finished:
             self.simulation.step(self.filter(expert.act(), self.simulation.commands))
-            broken = any(fact.holds(self.world) for fact in forbidden)
-            if expert.failure or broken or self.simulation.diverged:
-                return False
-        return True
+            amiss = expert.failure or self._breach(None)
+            if amiss or self.simulation.diverged:
+                return amiss or DIVERGED
+        return ""
 
-    def _play_steps(self, steps: Sequence[Step]) -> bool:
-        """Let the expert play the first steps, each until it is done; return whether all went well.
+    def _breach(self, step: Step | None) -> str:
+        """Return what holds now that must not during a step, in words; empty if nothing does."""
+        for fact in self.task.forbidden(step).values():
+            if fact.holds(self.world):
+                return ": ".join(filter(None, (fact.name, fact.reason(self.world))))
+        return ""
+
+    def _play_steps(self, steps: Sequence[Step]) -> str:
+        """Let the expert play the first steps, each until it is done; return what went amiss.
 
         Who plays the next step takes over at the very moment in which one is done: so do policies
         that are trained on single steps.
@@ -337,5 +344,7 @@ class Workcell:
             while self.progress.step is step and not self.progress.over:
                 self.step(expert.act())
                 if expert.failure:
-                    return False
-        return not self.progress.over
+                    return expert.failure
+        if not self.progress.over:
+            return ""
+        return self._breach(self.progress.step) or self.progress.outcome

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from labutopia_lerobot.layout import Workspace, require_possible
+from labutopia_lerobot.layout import ImpossibleStartError, Workspace, require_possible
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario import Scenario, canonical_task, draw_scenario, scenario_seeds
 from labutopia_lerobot.scenes import load_room
@@ -16,7 +16,8 @@ from labutopia_lerobot.substances.filling import require_fillable
 from labutopia_lerobot.substances.possible_solutions import require_possible_solutions
 
 _TRIES = 5
-"""Starts that a reset tries; more failures than that are a defect of the task."""
+"""Starts that a reset tries; more failures than that are a defect of the task, or of what a robot
+can do."""
 
 _KEPT = 8
 """Workcells that are kept for the next episode of their variant."""
@@ -61,6 +62,8 @@ class Workcells:
             The workcell, what was drawn, and how many starts were discarded before.
 
         Raises:
+            ImpossibleStartError: If no start is any good: something touches what it must not, or
+                the expert does not get through the setup.
             TaskError: If the task has no step `after`.
             UnknownOptionError: If a step is played alone, which has its own beginning.
         """
@@ -73,10 +76,13 @@ class Workcells:
             scenario = draw_scenario(self._setting, seed, attempt)
             workcell = self._workcell(scenario)
             rng = np.random.default_rng(scenario_seeds(self._setting, seed, attempt))
-            if workcell.begin(scenario, rng, after):
+            amiss = workcell.begin(scenario, rng, after)
+            if not amiss:
                 return workcell, scenario, attempt
-        raise RuntimeError(
-            f"The start of {self._setting.task} failed {_TRIES} times with seed {seed}"
+        raise ImpossibleStartError(
+            f"{self._setting.task} cannot begin with seed {seed} and robot={self._setting.robot}: "
+            f"of {_TRIES} starts none was any good, the last since: {amiss}. Give things other "
+            "places in the `start` of the task, or choose another robot="
         )
 
     def close(self) -> None:

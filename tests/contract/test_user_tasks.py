@@ -12,6 +12,7 @@ from labutopia_lerobot import registry
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.gymnasium_ids import register_tasks
+from labutopia_lerobot.layout import ImpossibleStartError
 from labutopia_lerobot.registry import (
     UnknownTaskError,
     choose_tasks,
@@ -56,6 +57,22 @@ def test_its_expert_succeeds_in_the_environment(tasks_dir):
         _, _, terminated, truncated, info = env.step(expert.act())
         over = terminated or truncated
     assert info["outcome"] == "success"
+
+
+@pytest.mark.parametrize(
+    ("written", "instead", "why"),
+    [
+        ("falling(glass, faster_than=0.4)", "~gripped(glass)", "not .glass gripped"),
+        ("steps=(", "setup=(Pick(glass, lift=9.0),), steps=(", "lift not done after"),
+    ],
+)
+def test_a_start_that_is_lost_before_it_begins_says_why(tasks_dir, written, instead, why):
+    file = tasks_dir / "level1" / "raise_flask.py"
+    assert written in file.read_text()
+    file.write_text(file.read_text().replace(written, instead))
+    env = LabEnv(Setting("level1/raise_flask", obs="state", tasks_dir=tasks_dir))
+    with pytest.raises(ImpossibleStartError, match=f"cannot begin with seed 0 .* since: .*{why}"):
+        env.reset(seed=0)
 
 
 @pytest.mark.slow
