@@ -51,9 +51,9 @@ IIWA = Robot(
     add_to=_add_to,
     arm=_JOINTS,
     gripper=FRANKA_HAND,
-    # Grasp point at (0.52, -0.22, 0.35) m, hand level, turned 70 degrees to the right, the elbow to
-    # the left: above what stands on the bench, to the right of drawers that are open.
-    home=(0.822, 1.339, -1.330, -1.731, -0.466, 0.805, 0.378),
+    # Grasp point at (0.45, -0.50, 0.45) m, hand level, turned 70 degrees to the right, the elbow to
+    # the left: above what stands on the bench, to the right of doors and drawers that are open.
+    home=(0.302, 1.272, -1.521, -1.695, -0.608, 0.263, 0.328),
     elbow="joint4",
     # Flange of the stretched arm, 0.946 m from the shoulder [KUKA], at the height of the bench; the
     # data sheet's "maximum reach" of 0.82 m ends at the wrist.
@@ -61,11 +61,13 @@ IIWA = Robot(
     hand_speed=1.7,  # not published; that of the Panda, which carries the same hand
     base_body="base_link",
     # Straight ahead the elbow would have to bend further than it can (joint 4). Like this no joint
-    # comes nearer to its ends than 8 % of its range, measured over twenty runs of pick and
+    # comes nearer to its ends than 4 % of its range, measured over twenty runs of pick and
     # of place. The pitch keeps the wrist, of 72 mm radius, off the bench.
     vessel_approach=Approach(yaw=math.radians(-70.0), pitch=math.radians(9.0)),
-    # For the same reason, and steeply from above: joint 4 comes as near to its end as 3.7 % of its
-    # range when a drawer is opened, 1.3 % when it is closed, measured over twenty runs each.
-    handle_approach=Approach(yaw=math.radians(-25.0), pitch=math.radians(35.0)),
+    # For the same reason; joint 4 comes as near to its end as 1.0 % of its range when a drawer is
+    # opened, 2.7 % when it is closed, measured over twenty runs each. Straighter, or with less
+    # pitch, the elbow turns over before an open drawer, and the hand comes in a rush; with more
+    # pitch it does not come 8 cm clear of an upright handle.
+    handle_approach=Approach(yaw=math.radians(-35.0), pitch=math.radians(26.0)),
     deep_approach=Approach(yaw=math.pi, pitch=math.pi / 2),  # as the Panda
 )
