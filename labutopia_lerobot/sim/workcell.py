@@ -1,6 +1,6 @@
 """A laboratory that is compiled: what an episode is played in, and who judges it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -11,6 +11,7 @@ from labutopia_lerobot.chemistry.kept_answers import load_answers
 from labutopia_lerobot.layout import Workspace, sample_base, sample_layout, taken_over
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
 from labutopia_lerobot.places import OverBench
+from labutopia_lerobot.predicates import Predicate
 from labutopia_lerobot.processes import AMBIENT
 from labutopia_lerobot.progress import Progress
 from labutopia_lerobot.robots import load_robot
@@ -315,16 +316,17 @@ class Workcell:
         """Let the expert play skills that nobody judges; return what went amiss, if anything."""
         expert = self.expert(skills)
         expert.start()
+        forbidden = self.task.forbidden(None).values()
         while skills and not expert.finished:
             self.simulation.step(self.filter(expert.act(), self.simulation.commands))
-            amiss = expert.failure or self._breach(None)
+            amiss = expert.failure or self._breach(forbidden)
             if amiss or self.simulation.diverged:
                 return amiss or DIVERGED
         return ""
 
-    def _breach(self, step: Step | None) -> str:
-        """Return what holds now that must not during a step, in words; empty if nothing does."""
-        for fact in self.task.forbidden(step).values():
+    def _breach(self, forbidden: Iterable[Predicate]) -> str:
+        """Return what holds now of what must not, in words; empty if nothing does."""
+        for fact in forbidden:
             if fact.holds(self.world):
                 return ": ".join(filter(None, (fact.name, fact.reason(self.world))))
         return ""
@@ -347,4 +349,5 @@ class Workcell:
                     return expert.failure
         if not self.progress.over:
             return ""
-        return self._breach(self.progress.step) or self.progress.outcome
+        forbidden = self.task.forbidden(self.progress.step).values()
+        return self._breach(forbidden) or self.progress.outcome
