@@ -171,24 +171,30 @@ def readme() -> str:
 
 
 def _of_levels(*levels: str) -> list[str]:
-    """Return a table's lines: per cent of each policy and level, `id / ood` where both are known.
+    """Return a table's lines: per cent of each policy and level, `id / ood` where `ood` is known.
 
     Tasks of one name stand in one column.
     """
     table = measured("results_cpu").by_task()
-    shown = dict[tuple[str, str], dict[str, list[str]]]()
+    shown = dict[tuple[str, str], dict[str, dict[object, str]]]()
     for task, played, *rates in table.lines:
         level, _, name = str(task).removeprefix("level").partition("/")
         for policy, rate in zip(table.head[2:], rates, strict=True):
             if level in levels and played in ("id", "ood") and isinstance(rate, Rate):
                 line = shown.setdefault((policy, level), {})
-                line.setdefault(name, []).append(str(int(rate.percent + 0.5)))
+                line.setdefault(name, {})[played] = str(int(rate.percent + 0.5))
     names = sorted({name for line in shown.values() for name in line})
     lines = [f"| {' | '.join(['%', *names])} |", "| --- " * (1 + len(names)) + "|"]
     for policy, level in sorted(shown, key=lambda of: (of[1], table.head.index(of[0]))):
-        cells = (" / ".join(shown[policy, level].get(name, "-")) for name in names)
+        cells = (_id_and_ood(shown[policy, level].get(name, {})) for name in names)
         lines.append(f"| {' | '.join([f'{policy}, level {level}', *cells])} |")
     return lines
+
+
+def _id_and_ood(rates: dict[object, str]) -> str:
+    """Return what is known of the two splits, by their names."""
+    known = rates.get("id", "-")
+    return f"{known} / {rates['ood']}" if "ood" in rates else known
 
 
 @cache
