@@ -1,5 +1,6 @@
 """A person who walks to and fro through the laboratory: a cylinder with a head."""
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar, override
 
@@ -23,8 +24,8 @@ _PACE = (0.4, 0.7)
 _REST = (0.5, 3.0)
 """Least and greatest time at either end [s]; ours."""
 _SEES = 0.65
-"""Distance ahead at which a person stops for what is in the way [m], not beyond where the way ends;
-ours: a step."""
+"""Distance ahead at which a person stops for what is in the way [m], not for what it does not touch
+at the end of the way; ours: a step."""
 _PATIENCE = 2.0
 """Time after which one who has stopped turns round [s]; ours."""
 _EYES = tuple(
@@ -77,14 +78,14 @@ class Walk(Process):
             memory[2:] = (-towards, rest, 0.0)
         elif stopped > _PATIENCE:
             memory[2:] = (-towards, 0.0, 0.0)
-        elif self._sees_something(apparatus, towards, min(left, _SEES)):
+        elif self._sees_something(apparatus, towards, left):
             memory[4] = stopped + period
         else:
             speed, memory[4] = pace * towards, 0.0
         self.motor.command(apparatus, speed)
 
-    def _sees_something(self, apparatus: Apparatus, towards: float, within: float) -> bool:
-        """Return whether anything is so near ahead [m]."""
+    def _sees_something(self, apparatus: Apparatus, towards: float, way: float) -> bool:
+        """Return whether anything is near ahead, on the way that is left [m]."""
         model, data = apparatus.model, apparatus.data
         body = model.body(self.person).id
         turn, middle = data.xmat[body].reshape(3, 3), data.xpos[body]
@@ -92,7 +93,7 @@ class Walk(Process):
         for height, left in _EYES:
             eye = middle + turn @ (0.0, left, height)
             away = mujoco.mj_ray(model, data, eye, ahead, None, 1, body, hit)
-            if 0.0 <= away < RADIUS + within:
+            if 0.0 <= away < min(RADIUS + _SEES, math.sqrt(RADIUS**2 - left**2) + way):
                 return True
         return False
 

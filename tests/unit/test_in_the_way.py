@@ -122,14 +122,21 @@ def test_a_person_stops_before_an_arm_that_is_folded_beyond_the_base():
     assert not touched
 
 
-def test_a_person_does_not_stop_for_what_is_beyond_the_end_of_its_way():
-    base = np.array([-0.7, 0.1 + RADIUS + 0.4 + RIDGEBACK.size[1] / 2, 0.0])
+@pytest.mark.parametrize(
+    ("aside", "beyond"),
+    [(0.0, RADIUS + 0.4), (-0.16 - RIDGEBACK.size[0] / 2, 0.22)],
+    ids=["ahead", "beside its shoulder"],
+)
+def test_a_person_does_not_stop_for_what_is_beyond_the_end_of_its_way(aside, beyond):
+    base = np.array([-0.7 + aside, 0.1 + beyond + RIDGEBACK.size[1] / 2, 0.0])
     simulation, world, person = walking(-0.7, math.pi / 2, base_pose=base)
-    places = []
+    places, touched = [], set()
     for _ in range(10 * CONTROL_HZ):
         simulation.step(simulation.command)
         places.append(world.pose(person).position_w[1])
+        touched |= world.touched_by(person.name)
     assert max(places) == pytest.approx(-1.9 + WAY, abs=0.12)
+    assert not touched
 
 
 def test_nobody_is_in_the_way_unless_asked_for():
