@@ -28,13 +28,19 @@ _SEES = 0.65
 at the end of the way; ours: a step."""
 _PATIENCE = 2.0
 """Time after which one who has stopped turns round [s]; ours."""
-_EYES = tuple(
-    (height, left)
-    for height in (0.20, 0.95, 1.15, 1.40)
-    for left in (-0.24, -0.16, -0.08, 0.0, 0.08, 0.16, 0.24)
+_EYES = np.array(
+    [
+        (math.sqrt(RADIUS**2 - left**2), left, height)
+        for left in np.linspace(-0.2, 0.2, 6)
+        for height in np.arange(0.1, 1.75, 0.1)
+    ]
+    + [(0.0, left, height) for left in (-0.28, 0.28) for height in np.arange(0.1, 1.75, 0.02)]
 )
-"""Height above the floor and distance to the left of the rays in which one looks ahead [m]: a base,
-what a robot carries, and an arm that it has folded high, whose hand is 0.1 m wide."""
+"""Where the rays begin in which one looks ahead, shape (n, 3) [m]: ahead, to the left and above the
+feet; on one's surface and, closer together, 3 cm beside it. Ours: a hand is 0.1 m wide, and a
+finger that comes in from the side 2 cm high."""
+_NEAR = 1.6
+"""Distance of a body below which one looks [m]; ours: a step, oneself, and half of a base."""
 _STALL, _GAIN = 200.0, 1500.0
 """Greatest force [N] and force per difference of speed [N s/m] of the legs; ours."""
 
@@ -78,22 +84,25 @@ class Walk(Process):
             memory[2:] = (-towards, rest, 0.0)
         elif stopped > _PATIENCE:
             memory[2:] = (-towards, 0.0, 0.0)
-        elif self._sees_something(apparatus, towards, left):
+        elif self._sees_something(apparatus, towards, min(left, _SEES)):
             memory[4] = stopped + period
         else:
             speed, memory[4] = pace * towards, 0.0
         self.motor.command(apparatus, speed)
 
-    def _sees_something(self, apparatus: Apparatus, towards: float, way: float) -> bool:
-        """Return whether anything is near ahead, on the way that is left [m]."""
+    def _sees_something(self, apparatus: Apparatus, towards: float, within: float) -> bool:
+        """Return whether anything that can move is so near ahead [m]: walls are beside the way."""
         model, data = apparatus.model, apparatus.data
         body = model.body(self.person).id
-        turn, middle = data.xmat[body].reshape(3, 3), data.xpos[body]
+        others = (model.body_weldid > 0) & (model.body_weldid != body)
+        away = np.hypot(*(data.xpos[others] - data.xpos[body])[:, :2].T)
+        if not (away < _NEAR).any():
+            return False
+        turn = data.xmat[body].reshape(3, 3)
         ahead, hit = towards * turn[:, 0], np.zeros(1, np.int32)
-        for height, left in _EYES:
-            eye = middle + turn @ (0.0, left, height)
-            away = mujoco.mj_ray(model, data, eye, ahead, None, 1, body, hit)
-            if 0.0 <= away < min(RADIUS + _SEES, math.sqrt(RADIUS**2 - left**2) + way):
+        for eye in data.xpos[body] + _EYES * (towards, 1.0, 1.0) @ turn.T:
+            distance = mujoco.mj_ray(model, data, eye, ahead, None, 0, body, hit)
+            if 0.0 <= distance < within:
                 return True
         return False
 

@@ -174,6 +174,17 @@ def test_the_expert_goes_on_from_beside_one_who_waits_for_it():
     assert info["outcome"] == "success"
 
 
+def test_a_person_stops_before_a_finger_that_reaches_in_from_the_side():
+    setting = Setting("level5/weigh_across_rooms", obs="state", robot="fetch", axes=("dynamic",))
+    with LabEnv(setting) as env:
+        env.reset(seed=100043)
+        (person,), expert = env.workcell.world.in_the_way, env.expert()
+        expert.start()
+        for _ in range(8 * CONTROL_HZ):  # after 6.5 s a shoulder met a finger of one who stood
+            env.step(expert.act())
+            assert not env.workcell.world.touched_by(person.name)
+
+
 @pytest.mark.parametrize("split", ["id", "ood"])
 def test_who_drives_into_them_has_collided(split):
     setting = Setting(TASK, obs="state", split=split, axes=("dynamic",), room="organic_7")
