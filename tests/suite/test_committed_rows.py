@@ -23,7 +23,6 @@ NEWER = {"readings", "solutions", "unwanted_contacts"}
 
 
 OLDER = {
-    "level2/neutralise",
     "level3/identify_unknown",
     "level4/prepare_solution",
 }
