@@ -23,6 +23,8 @@ _PACE = (0.4, 0.7)
 """Least and greatest speed [m/s]; ours: somebody who carries something."""
 _REST = (0.5, 3.0)
 """Least and greatest time at either end [s]; ours."""
+_THERE = 0.03
+"""Distance from the end at which a person has come there [m]; ours: more than a step in time."""
 _SEES = 0.65
 """Distance ahead at which a person stops for what is in the way [m], not for what it does not touch
 at the end of the way; ours: a step."""
@@ -80,7 +82,7 @@ class Walk(Process):
         left = WAY - place if towards > 0.0 else place
         if rests > 0.0:
             memory[3] = rests - period
-        elif left < 0.1:
+        elif left < _THERE:
             memory[2:] = (-towards, rest, 0.0)
         elif stopped > _PATIENCE:
             memory[2:] = (-towards, 0.0, 0.0)

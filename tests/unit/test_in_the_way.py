@@ -135,7 +135,7 @@ def test_a_person_does_not_stop_for_what_is_beyond_the_end_of_its_way(aside, bey
         simulation.step(simulation.command)
         places.append(world.pose(person).position_w[1])
         touched |= world.touched_by(person.name)
-    assert max(places) == pytest.approx(-1.9 + WAY, abs=0.12)
+    assert max(places) == pytest.approx(-1.9 + WAY, abs=0.03)
     assert not touched
 
 
