@@ -19,8 +19,8 @@ in half of that."""
 _SOON = (0.0, 0.5, 1.0, 1.5)
 """Times at which one reckons where a person is, who walks straight on [s]; ours."""
 _NEARER = 0.05
-"""How much nearer to a person than it is a base may come [m]; ours: a cell of the map. A way round
-that is planned beside a person keeps that distance but for a cell, and has to be driven."""
+"""How much nearer to a person than it is a base may come on a way round [m]; ours: a cell of the
+map, to which that way keeps its distance."""
 _PATIENCE = 4.0
 """Time after which one who waits looks for a way round [s]; ours: people turn round after two."""
 
@@ -45,6 +45,7 @@ class Driver:
         path = self.routes[0].path
         self.tracker, self.duration = PathTracker(path, way.limits), path.duration(way.limits)
         self._waited = 0.0
+        self._nearest = math.inf
 
     def velocity(self, world: World) -> FloatArray:
         """Return the velocity of the next control period, base frame, shape (3,)."""
@@ -69,9 +70,9 @@ class Driver:
         places = np.array([here + time * speed for time in _SOON])
         far, points = self.tracker.ahead(_AHEAD, _STEP)
         away = np.hypot(*(points[:, None] - places).transpose(2, 0, 1)).min(axis=1)
-        least = RADIUS + other.footprint_radius + CLEAR_OF_PEOPLE
-        near = np.hypot(*(base_at(world)[0] - here))
-        met = far[away < min(least, near - _NEARER)]
+        near = float(np.hypot(*(points[0] - here)))
+        least = min(RADIUS + other.footprint_radius + CLEAR_OF_PEOPLE, near, self._nearest)
+        met = far[away < least]
         return max(0.0, float(met[0]) - _STEP) if len(met) else math.inf
 
     def _go_round(self, world: World, walking: list[Obstacle]) -> None:
@@ -81,3 +82,6 @@ class Driver:
         except (BlockedPlaceError, UnreachableGoalError):
             return
         self.tracker = PathTracker(self.routes[-1].path, self._way.limits)
+        here = base_at(world)[0]
+        near = min(math.dist(here, world.pose(other).position_w[:2]) for other in walking)
+        self._nearest = near - _NEARER

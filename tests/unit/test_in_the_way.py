@@ -174,6 +174,17 @@ def test_the_expert_goes_on_from_beside_one_who_waits_for_it():
     assert info["outcome"] == "success"
 
 
+def test_a_base_does_not_edge_towards_one_who_stands():
+    task = "level5/transport_between_areas"
+    with LabEnv(Setting(task, obs="state", axes=("dynamic",))) as env:
+        env.reset(seed=100072)
+        (person,), expert = env.workcell.world.in_the_way, env.expert()
+        expert.start()
+        for _ in range(12 * CONTROL_HZ):  # after 10 s a corner met somebody, 5 cm by 5 cm
+            env.step(expert.act())
+            assert not env.workcell.world.touched_by(person.name)
+
+
 def test_a_person_stops_before_a_finger_that_reaches_in_from_the_side():
     setting = Setting("level5/weigh_across_rooms", obs="state", robot="fetch", axes=("dynamic",))
     with LabEnv(setting) as env:
