@@ -38,7 +38,9 @@ class FootprintClearance:
     def at(self, position: FloatArray, yaw: float) -> float:
         """Return the distance at a place [m]; 0 where a corner is in something.
 
-        Two convex shapes that do not overlap are nearest at a corner of one of them.
+        Two convex shapes that do not overlap are nearest at a corner of one of them. A cell whose
+        middle is farther from that of the base than the least, by both reaches to a corner, is not
+        the nearest.
 
         Args:
             position: Middle of the base, shape (2,) [m], frame of the map.
@@ -51,7 +53,9 @@ class FootprintClearance:
         half = np.array([self.footprint.length, self.footprint.width]) / 2
         signs = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]])
         own = (signs * half) @ turn.T + position
-        theirs = self.cells[:, None] + self.half * signs
+        far = np.hypot(*(self.cells - position).T)
+        cells = self.cells[far <= far.min() + math.hypot(*half) + math.sqrt(2.0) * self.half]
+        theirs = cells[:, None] + self.half * signs
         beside = np.maximum(np.abs((theirs - position) @ turn) - half, 0.0)
-        before = np.maximum(np.abs(own[:, None] - self.cells) - self.half, 0.0)
+        before = np.maximum(np.abs(own[:, None] - cells) - self.half, 0.0)
         return float(min(np.hypot(*beside.T).min(), np.hypot(*before.T).min()))

@@ -167,7 +167,8 @@ def _way(world: World, thing: Thing) -> tuple[float, float]:
     base = world.mobile_base
     if base is None:
         return math.inf, math.pi
-    x, y, _ = base.inverse().position_w + base.inverse().rotation_w @ reached_at(world, thing)
+    seen = base.inverse()
+    x, y, _ = seen.position_w + seen.rotation_w @ reached_at(world, thing)
     return math.hypot(x, y), math.atan2(y, x)
 
 

@@ -22,6 +22,7 @@ from labutopia_lerobot.robots.drives import Drives
 from labutopia_lerobot.robots.robot import Robot
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
 from labutopia_lerobot.scenes.within_reach import PREFIX
+from labutopia_lerobot.sim.near_bodies import NearBodies
 from labutopia_lerobot.sim.scene import Scene, add_robot, ancestors
 from labutopia_lerobot.sim.simulation import Simulation
 from labutopia_lerobot.sim.unwinding import Unwinding
@@ -102,6 +103,7 @@ class ReactiveMotion:
         ]
         furniture = [] if scene.robot.base is None else _furniture(self._model)
         self._clearances = _clearances(self._model, scene.robot, scene.pieces, furniture)
+        self._near = NearBodies(self._model, self._clearances)
         self._own = _own_clearance(self._model, scene.robot)
         self._extents = {name: _extent(self._model, name) for name in furniture}
         hulls = [body for piece in scene.pieces for body in _hulls_by_body(scene, piece)]
@@ -138,7 +140,8 @@ class ReactiveMotion:
         self._track.set_orientation_cost(tracks * _ORIENTATION)
         folded = min(1.0, abs(self._simulation.command[self._elbow]) / _STRETCHED)
         self._posture.set_cost(_POSTURE * (1.0 + _FOLDING * (1.0 - folded) ** 2))
-        avoid = [self._clearances[pair] for pair in self._kept_apart(touches, holds)]
+        near, kept = self._near.at(self._configuration.data), self._kept_apart(touches, holds)
+        avoid = [self._clearances[pair] for pair in kept if pair in near]
         limits, joints, gripper = self._command_limits, self._roles.joints, self._roles.gripper
         before, last = self._simulation.commands[-2:]
         least, greatest = limits.changes(before, last)
