@@ -174,6 +174,17 @@ def test_the_expert_goes_on_from_beside_one_who_waits_for_it():
     assert info["outcome"] == "success"
 
 
+def test_two_who_wait_for_each_other_do_not_stand_for_ever():
+    with LabEnv(Setting("level5/clear_bench", obs="state", axes=("dynamic",))) as env:
+        env.reset(seed=100028)
+        (person,), expert = env.workcell.world.in_the_way, env.expert()
+        expert.start()
+        for _ in range(30 * CONTROL_HZ):  # for 110 s each stood where the other wanted to go
+            _, _, _, _, info = env.step(expert.act())
+            assert not env.workcell.world.touched_by(person.name)
+    assert math.isfinite(info["substeps"]["1_navigate/arrived"])
+
+
 def test_a_base_does_not_edge_towards_one_who_stands():
     task = "level5/transport_between_areas"
     with LabEnv(Setting(task, obs="state", axes=("dynamic",))) as env:
