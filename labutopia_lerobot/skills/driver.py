@@ -77,6 +77,7 @@ class Driver:
         if self._making_way is not None:
             if not self._making_way.over(world, walking):
                 return self._making_way.back.velocity(here, yaw)
+            self._making_way = None
             self._go_round(world, [])
         if math.dist(here, self._driven[-1]) > _STEP:
             self._driven.append(here.copy())
@@ -116,7 +117,6 @@ class Driver:
         except (BlockedPlaceError, UnreachableGoalError):
             return False
         self.tracker = PathTracker(self.routes[-1].path, self._way.limits)
-        self._making_way = None
         here = base_at(world)[0]
         near = [math.dist(here, place) for place in _places(world, walking)]
         self._nearest = min(near, default=math.inf) - _NEARER
