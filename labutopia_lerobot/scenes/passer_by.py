@@ -28,6 +28,8 @@ _THERE = 0.03
 _SEES = 0.65
 """Distance ahead at which a person stops for what is in the way [m], not for what it does not touch
 at the end of the way; ours: a step."""
+_SPARE = 0.05
+"""Distance that is then left to it [m]; ours: a column that is round is nearer than one looks."""
 _PATIENCE = 2.0
 """Time after which one who has stopped turns round [s]; ours."""
 _EYES = np.array(
@@ -86,7 +88,7 @@ class Walk(Process):
             memory[2:] = (-towards, rest, 0.0)
         elif stopped > _PATIENCE:
             memory[2:] = (-towards, 0.0, 0.0)
-        elif self._sees_something(apparatus, towards, min(left, _SEES)):
+        elif self._sees_something(apparatus, towards, min(left + _SPARE, _SEES)):
             memory[4] = stopped + period
         else:
             speed, memory[4] = pace * towards, 0.0

@@ -98,7 +98,7 @@ class DriveTo:
 
         def there(world: World, target: Pose, elapsed: float) -> bool:
             still = bool(np.abs(world.base_velocity).max() < AT_REST)
-            return driver.arrived(world, within=0.02) and still
+            return driver.tracker.arrived(base_at(world)[0], within=0.02) and still
 
         yield Phase(
             "drive",

@@ -90,25 +90,30 @@ class Way:
         planner = PathPlanner.of(occupancy, limits, radius)
         return cls(occupancy, planner, FloorRectangle(*wheels.size), limits, from_above)
 
-    def round(self, world: World, others: Sequence[Obstacle], room: float) -> "Way":
+    def round(self, world: World, others: Sequence[Obstacle], *, tight: bool = False) -> "Way":
         """Return the way round others where they are now.
 
         Args:
             world: Where they are.
             others: What walks.
-            room: Distance to keep from them beyond the robot's disc [m].
+            tight: Whether the paper's disc may be as near to everything as a map says.
         """
+        room = 0.0 if tight else 2.0 * CLEAR_OF_PEOPLE
         occupancy = _with(self.occupancy, world, others, room)
-        planner = PathPlanner.of(occupancy, self.limits, self.planner.clearance.radius)
+        radius = RADIUS if tight else self.planner.clearance.radius
+        planner = PathPlanner.of(occupancy, self.limits, radius)
         return replace(self, occupancy=occupancy, planner=planner)
 
-    def route(self, world: World, thing: Thing, around: Sequence[Obstacle] = ()) -> Route:
+    def route(
+        self, world: World, thing: Thing, around: Sequence[Obstacle] = (), *, tight: bool = False
+    ) -> Route:
         """Return the route from where a base is now to the bench of a thing.
 
         Args:
             world: Where the base is.
             thing: What to drive to.
             around: Who walks, and is to be gone round.
+            tight: As in `round`.
 
         Raises:
             BlockedPlaceError: If the base is where its disc touches something.
@@ -116,7 +121,7 @@ class Way:
             PhaseError: If the thing is within reach of no place.
         """
         dock = dock_for(world, thing, from_above=self.from_above)
-        free = self.round(world, around, 2.0 * CLEAR_OF_PEOPLE) if around else self
+        free = self.round(world, around, tight=tight) if around else self
         path = free.path(base_at(world)[0], self.before(dock))
         return Route(world.time, thing, tuple(around), path, dock)
 
