@@ -29,7 +29,8 @@ _SEES = 0.65
 """Distance ahead at which a person stops for what is in the way [m], not for what it does not touch
 at the end of the way; ours: a step."""
 _SPARE = 0.05
-"""Distance that is then left to it [m]; ours: a column that is round is nearer than one looks."""
+"""Distance from that end below which it is in the way all the same [m]; ours: a round column is
+nearer than it looks."""
 _PATIENCE = 2.0
 """Time after which one who has stopped turns round [s]; ours."""
 _EYES = np.array(

@@ -139,6 +139,18 @@ def test_a_person_does_not_stop_for_what_is_beyond_the_end_of_its_way(aside, bey
     assert not touched
 
 
+def test_a_person_stops_for_what_is_just_beyond_the_end_of_its_way():
+    base = np.array([-0.7, 0.1 + RADIUS + 0.01 + RIDGEBACK.size[1] / 2, 0.0])
+    simulation, world, person = walking(-0.7, math.pi / 2, base_pose=base)
+    places, touched = [], set()
+    for _ in range(10 * CONTROL_HZ):
+        simulation.step(simulation.command)
+        places.append(world.pose(person).position_w[1])
+        touched |= world.touched_by(person.name)
+    assert max(places) < -1.9 + WAY - 0.3
+    assert not touched
+
+
 def test_nobody_is_in_the_way_unless_asked_for():
     assert draw_scenario(Setting(TASK), 0).variation.in_the_way == ()
     drawn = {
