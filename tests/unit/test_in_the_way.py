@@ -46,6 +46,19 @@ def walking(
     return simulation, SimulatedWorld(simulation), person
 
 
+def ways(
+    simulation: Simulation, world: SimulatedWorld, person: PasserBy, seconds: int
+) -> tuple[list[float], set[str]]:
+    """Return every y where somebody was for a time, and what has touched them."""
+    places: list[float] = []
+    touched: set[str] = set()
+    for _ in range(seconds * CONTROL_HZ):
+        simulation.step(simulation.command)
+        places.append(float(world.pose(person).position_w[1]))
+        touched |= world.touched_by(person.name)
+    return places, touched
+
+
 @pytest.mark.parametrize("name", SETS)
 def test_it_is_on_free_floor_away_from_where_one_works_and_shuts_nothing_off(ground, name):
     beaker, floor = glassware("beaker", "250 ml"), ground.floor
@@ -102,11 +115,7 @@ def test_a_person_walks_to_and_fro_and_rests():
 def test_a_person_stops_before_a_base_and_turns_round():
     simulation, world, person = walking(-0.7, math.pi / 2)  # straight into its side
     side = -RIDGEBACK.size[1] / 2
-    places, touched = [], set()
-    for _ in range(20 * CONTROL_HZ):
-        simulation.step(simulation.command)
-        places.append(world.pose(person).position_w[1])
-        touched |= world.touched_by(person.name)
+    places, touched = ways(simulation, world, person, seconds=20)
     assert side - 1.0 < max(places) + RADIUS < side - 0.2
     assert min(places[int(np.argmax(places)) :]) < max(places) - 0.3
     assert not touched
@@ -115,10 +124,7 @@ def test_a_person_stops_before_a_base_and_turns_round():
 def test_a_person_stops_before_an_arm_that_is_folded_beyond_the_base():
     base = np.array([-0.5, 0.0, math.pi])  # its front at -0.78 m, the hand at -0.97 m
     simulation, world, person = walking(-1.12, math.pi / 2, FETCH, base)
-    touched = set()
-    for _ in range(20 * CONTROL_HZ):
-        simulation.step(simulation.command)
-        touched |= world.touched_by(person.name)
+    _, touched = ways(simulation, world, person, seconds=20)
     assert not touched
 
 
@@ -130,11 +136,7 @@ def test_a_person_stops_before_an_arm_that_is_folded_beyond_the_base():
 def test_a_person_does_not_stop_for_what_is_beyond_the_end_of_its_way(aside, beyond):
     base = np.array([-0.7 + aside, 0.1 + beyond + RIDGEBACK.size[1] / 2, 0.0])
     simulation, world, person = walking(-0.7, math.pi / 2, base_pose=base)
-    places, touched = [], set()
-    for _ in range(10 * CONTROL_HZ):
-        simulation.step(simulation.command)
-        places.append(world.pose(person).position_w[1])
-        touched |= world.touched_by(person.name)
+    places, touched = ways(simulation, world, person, seconds=10)
     assert max(places) == pytest.approx(-1.9 + WAY, abs=0.03)
     assert not touched
 
@@ -142,11 +144,7 @@ def test_a_person_does_not_stop_for_what_is_beyond_the_end_of_its_way(aside, bey
 def test_a_person_stops_for_what_is_just_beyond_the_end_of_its_way():
     base = np.array([-0.7, 0.1 + RADIUS + 0.01 + RIDGEBACK.size[1] / 2, 0.0])
     simulation, world, person = walking(-0.7, math.pi / 2, base_pose=base)
-    places, touched = [], set()
-    for _ in range(10 * CONTROL_HZ):
-        simulation.step(simulation.command)
-        places.append(world.pose(person).position_w[1])
-        touched |= world.touched_by(person.name)
+    places, touched = ways(simulation, world, person, seconds=10)
     assert max(places) < -1.9 + WAY - 0.3
     assert not touched
 
