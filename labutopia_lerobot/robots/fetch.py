@@ -68,6 +68,8 @@ FETCH = Robot(
     handle_approach=Approach(yaw=math.radians(-25.0), pitch=math.radians(15.0)),
     # Turned by half the forearm would be at the end of its range, with the elbow up.
     deep_approach=Approach(yaw=0.0, pitch=math.pi / 2),
+    # Measured: after its wrist has turned down the hand swings by 6 cm, there and back in 1.4 s.
+    settling=0.5,
     base=FETCH_BASE,
     meshes=FETCH_MESHES,
     trunk=(FETCH_BASE.body, "torso_fixed", "torso_lift_link", "head_pan_link"),

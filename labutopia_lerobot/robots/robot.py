@@ -85,6 +85,7 @@ class Robot:
         vessel_approach: How the hand comes to vessels, relative to the bearing from the base.
         handle_approach: How the hand comes to handles, relative to straight into the door.
         deep_approach: How it comes down to what stands deep in something, relative to the bearing.
+        settling: How long the hand stays near a place until it has stopped swinging there [s].
         base: What carries the arm over the floor; None if it is mounted on a stand.
         stowed: The joints while it drives [rad; m]; of an arm on a stand none.
         torso: The slide that lifts the arm [m]; None for an arm that stands on its base.
@@ -104,6 +105,7 @@ class Robot:
     vessel_approach: Approach
     handle_approach: Approach
     deep_approach: Approach
+    settling: float = 0.0
     base: MobileBase | None = None
     stowed: tuple[float, ...] = ()
     torso: Element | None = None

@@ -7,12 +7,17 @@ from typing import Literal
 
 from labutopia_lerobot.predicates import gripped
 from labutopia_lerobot.skills.posture import FROM_ABOVE, hand_at
-from labutopia_lerobot.skills.skill import Phase, arrived, waited
+from labutopia_lerobot.skills.skill import Condition, Phase, arrived, settled, waited
 from labutopia_lerobot.world import BENCH, Approach, Graspable, Pose, World
 
 _FINGER_GAP = 0.006
 """Least height of the finger tips above a thing's base in a grasp from above [m]: the planner keeps
 the hand 4 mm off what the thing stands on."""
+
+_SLOW_LIFT = 4.0
+"""How long a lift is given to end where it is wanted [s]; ours: twice what the highest needs."""
+_SHORT = 0.02
+"""How much lower than wanted a slow lift may end [m]; ours."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +63,8 @@ class Pick:
         there = arrived(within=0.004)
         for missed in range(self.tries):
             yield Phase("hover", lambda w: self._before(w).moved(z=self.hover), wide, away)
-            yield Phase("lower", self._before, wide, away)
+            over = settled(0.015, 0.1) if self.approach == "deep" else away
+            yield Phase("lower", self._before, wide, over)
             yield Phase("reach", self._grasp, wide, there, touches=thing, speed=0.15)
             here = self._grasp(world)
             still = partial(_stay, here)
@@ -79,7 +85,8 @@ class Pick:
             yield Phase("back", back, wide, away, touches=thing, speed=0.15)
         raised = here.moved(z=self.lift)
         carrying = thing | below
-        yield Phase("lift", lambda w: raised, shut, there, carrying, self.thing, speed=0.2)
+        up = _raised(there)
+        yield Phase("lift", lambda w: raised, shut, up, carrying, self.thing, speed=0.2)
         yield Phase("hold", lambda w: raised, shut, waited(0.1), thing, self.thing)
 
     def _grasp(self, world: World) -> Pose:
@@ -96,6 +103,14 @@ class Pick:
 
     def _before(self, world: World) -> Pose:
         return self._grasp(world).advanced(-self.standoff)
+
+
+def _raised(there: Condition) -> Condition:
+    """There; or as high but beside it, where an arm at the ends of its joints gets no nearer."""
+    return lambda world, target, elapsed: (
+        there(world, target, elapsed)
+        or (elapsed > _SLOW_LIFT and world.gripper.position_w[2] > target.position_w[2] - _SHORT)
+    )
 
 
 def _stay(pose: Pose, world: World) -> Pose:

@@ -104,6 +104,20 @@ def arrived(within: float, within_rad: float = 0.05) -> Condition:
     )
 
 
+def settled(within: float, within_rad: float = 0.05) -> Condition:
+    """Gripper has arrived, as of `arrived`, and stayed until its robot's hand swings no more."""
+    there, since = arrived(within, within_rad), 0.0
+
+    def condition(world: World, target: Pose, elapsed: float) -> bool:
+        nonlocal since
+        if not there(world, target, elapsed):
+            since = elapsed
+            return False
+        return elapsed - since >= world.robot.settling
+
+    return condition
+
+
 def waited(seconds: float) -> Condition:
     """The phase has lasted this long."""
     return lambda world, target, elapsed: elapsed >= seconds

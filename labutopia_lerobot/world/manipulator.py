@@ -114,6 +114,11 @@ class Manipulator(Protocol):
         ...
 
     @property
+    def settling(self) -> float:
+        """Time that the hand stays near a place until it has stopped swinging there [s]."""
+        ...
+
+    @property
     def base(self) -> Wheels | None:
         """What carries it over the floor; None for an arm on a stand."""
         ...
