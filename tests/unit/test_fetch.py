@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from importlib.metadata import PackageNotFoundError, version
 from itertools import product
 
@@ -22,9 +22,11 @@ from labutopia_lerobot.robots.mesh_package import MeshPackage, NoMeshesError
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.scenes import LABORATORY, load_room, rooms_to_drive_in
 from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.skills.posture import hand_at
+from labutopia_lerobot.skills.skill import Condition, Phase, arrived, at, settled
 from labutopia_lerobot.skills.way import base_at
 from labutopia_lerobot.tasks.driving import AT_HAND
-from labutopia_lerobot.world import FloatArray
+from labutopia_lerobot.world import CONTROL_HZ, FloatArray, World
 
 
 def has_meshes() -> bool:
@@ -300,6 +302,44 @@ def test_its_folded_hand_meets_no_tripod_on_the_bench_that_it_docks_at():
 def test_its_arm_brakes_before_a_wall_cupboard_and_takes_beakers_on_high_benches_from_above():
     with LabEnv(Setting("level5/clear_bench", obs="state", robot="fetch")) as env:
         assert [outcome(env, seed) for seed in (100002, 100004)] == ["success"] * 2
+
+
+@installed
+@pytest.mark.slow
+def test_a_finger_that_swings_breaks_no_rim_and_a_lift_at_the_ends_of_joints_is_one():
+    with LabEnv(Setting("level5/clear_bench", obs="state", robot="fetch")) as env:
+        assert [outcome(env, seed) for seed in (100033, 100052)] == ["success"] * 2
+
+
+@dataclass(frozen=True)
+class TurnDown:
+    """Turn the hand down where it is."""
+
+    done: Condition
+
+    def phases(self, world: World) -> Iterator[Phase]:
+        down = hand_at(world, world.gripper.position_w, FETCH.deep_approach)
+        yield Phase("turn", at(down), 0.1, self.done)
+
+
+@installed
+@pytest.mark.parametrize(
+    ("done", "slowest", "fastest"),
+    [(arrived(0.015, 0.1), 0.2, 0.3), (settled(0.015, 0.1), 0.0, 0.05)],
+    ids=["arrived", "settled"],
+)
+def test_its_hand_swings_when_it_arrives_and_hardly_when_it_has_settled(done, slowest, fastest):
+    with LabEnv(Setting("level1/pick", obs="state", robot="fetch")) as env:
+        env.reset(seed=0)
+        world = env.workcell.world
+        expert = env.workcell.expert((TurnDown(done),))
+        expert.start()
+        while not expert.finished and expert.failure is None:
+            before = world.gripper.position_w
+            env.step(expert.act())
+            speed = float(np.linalg.norm(world.gripper.position_w - before)) * CONTROL_HZ
+        assert expert.finished
+        assert slowest < speed < fastest
 
 
 @pytest.mark.slow
