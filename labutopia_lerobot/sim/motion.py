@@ -62,7 +62,7 @@ _SHORT = 0.01
 _REACHED = 0.5
 """Height above the floor from which furniture is kept clear of [m]; ours: no arm on a base comes
 lower."""
-_FAR = (0.0, 0.0, -10.0)
+_FAR, _UNTURNED = (0.0, 0.0, -10.0), (1.0, 0.0, 0.0, 0.0)
 _OBSTACLE, _LOAD = "obstacle_", "load_"
 
 
@@ -78,9 +78,11 @@ class ReactiveMotion:
         self._simulation = simulation
         self._world = world
         scene = simulation.scene
-        self._robot, self._pieces = scene.robot, scene.pieces
+        self._robot = scene.robot
         self._roles = scene.robot.roles
         self._model = _planning_model(scene)
+        movable = [piece for piece in scene.pieces if piece.movable]
+        self._loads = {piece: self._model.body(_LOAD + piece.name) for piece in movable}
         self._drives = Drives(self._model, scene.robot)
         self._configuration = mink.Configuration(self._model)
         self._track = mink.FrameTask(
@@ -112,6 +114,8 @@ class ReactiveMotion:
     def begin(self) -> None:
         """Begin anew: nothing that happened before counts."""
         self._unwinding.begin()
+        for load in self._loads.values():  # its mass is in the sums of the hand's, wherever it is
+            load.quat = _UNTURNED
 
     def follow(
         self,
@@ -160,9 +164,7 @@ class ReactiveMotion:
                 damping=1e-6,
                 limits=[*self._limits, *self._own, *avoid],
             )
-        except (
-            mink.NoSolutionFound
-        ):  # hemmed in: whatever it did would bring it nearer to something
+        except mink.NoSolutionFound:  # hemmed in: all that it could do would bring it nearer to it
             change[joints] = np.clip(limits.braking(last - before), least, greatest)[joints]
         else:
             change[joints] = velocity[self._drives.joint_dofs] / CONTROL_HZ
@@ -217,14 +219,12 @@ class ReactiveMotion:
         for mocap, (name, body) in enumerate(self._obstacles):
             data.mocap_pos[mocap] = _FAR if name == held else live.xpos[body]
             data.mocap_quat[mocap] = live.xquat[body]
-        for piece in self._pieces:
-            if piece.movable:
-                load = self._model.body(_LOAD + piece.name)
-                if piece.name == held:
-                    in_hand = self._world.gripper.inverse() @ self._world.pose(piece)
-                    load.pos, load.quat = in_hand.position_w, in_hand.quat_wxyz
-                else:
-                    load.pos = _FAR
+        for piece, load in self._loads.items():
+            if piece.name == held:
+                in_hand = self._world.gripper.inverse() @ self._world.pose(piece)
+                load.pos, load.quat = in_hand.position_w, in_hand.quat_wxyz
+            else:
+                load.pos = _FAR
         positions = self._simulation.command
         # A touch inside the range: measured openings overshoot it, which no motion could mend.
         widest = self._robot.max_opening

@@ -84,4 +84,7 @@ def assert_played_again(committed: Row, **options: Any) -> None:
         again = {name: actual["solutions"][vessel][name] for name in numbers}
         assert again == pytest.approx(numbers, rel=1e-6)
     actual.pop("solutions", None)
-    assert actual == expected
+    # So do products of matrices: a kernel for AVX-512 sums in another order than one for AVX2.
+    numbers = {name: value for name, value in expected.items() if isinstance(value, float)}
+    assert {name: actual[name] for name in numbers} == pytest.approx(numbers, rel=1e-4)
+    assert actual | numbers == expected

@@ -15,6 +15,7 @@ from labutopia_lerobot.layout import Placement
 from labutopia_lerobot.robots import PANDA
 from labutopia_lerobot.scenes import LABORATORY
 from labutopia_lerobot.scenes.views import VESSEL_VIEW
+from labutopia_lerobot.setting import Setting
 from labutopia_lerobot.sim.motion import ReactiveMotion
 from labutopia_lerobot.sim.scene import compile_scene
 from labutopia_lerobot.sim.simulation import Simulation
@@ -220,3 +221,9 @@ def test_an_arm_goes_back_with_a_hand_that_is_free_and_with_no_other(touches, ar
     for _ in range(260):
         cell.simulation.step(expert.act().astype(np.float64))
     assert expert.finished == arrives
+
+
+def test_what_was_held_before_leaves_no_trace_in_the_next_episode():
+    with LabEnv(Setting("level3/pour_sizes", obs="state", split="train")) as env:
+        starts = [env.reset(seed=30)[0]["environment_state"].tobytes() for _ in range(3)]
+    assert len(set(starts)) == 1
