@@ -128,9 +128,13 @@ def _version(package: str) -> str | None:
 
 
 def _processor() -> str:
+    """Return its name, and which of OpenBLAS's kernels it is given: they round differently."""
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
     except OSError:
-        return platform.processor()
-    names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
-    return next(names, platform.processor())
+        lines = []
+    fields = {key.strip(): value.strip() for key, _, value in (s.partition(":") for s in lines)}
+    name = fields.get("model name", platform.processor())
+    if kernels := os.environ.get("OPENBLAS_CORETYPE"):
+        return f"{name} as {kernels}"
+    return f"{name} with AVX-512" if "avx512f" in fields.get("flags", "").split() else name

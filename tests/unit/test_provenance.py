@@ -10,6 +10,7 @@ import pytest
 
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.runtime.claim import differences, locked
+from labutopia_lerobot.runtime.provenance import machine
 
 PACKAGE = Path(__file__).parents[2] / "labutopia_lerobot"
 
@@ -80,6 +81,14 @@ def test_everything_that_computes_has_its_version(copy):
     assert {"python", "scipy", "mujoco", "torch", "numba"} <= {
         k for k, v in reported(copy).items() if v
     }
+
+
+def test_a_machine_that_rounds_otherwise_is_another_one(monkeypatch):
+    monkeypatch.delenv("OPENBLAS_CORETYPE", raising=False)
+    usual = machine()
+    assert ("avx512f" in Path("/proc/cpuinfo").read_text()) == ("with AVX-512" in usual)
+    monkeypatch.setenv("OPENBLAS_CORETYPE", "Sandybridge")
+    assert " as Sandybridge, " in machine() != usual
 
 
 def test_differences_are_named_down_to_the_option():
