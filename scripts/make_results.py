@@ -29,10 +29,18 @@ _HEAD = """# Results
 
 [To the README](../README.md)
 
-Made by `scripts/make_results.py` from the experiments in
-[configs/experiment](../configs/experiment) and the results that are kept in `eval/experiments/`.
-{state} The expert's rows are in the [table of tasks](tasks.md) and in [failures](failures.md);
-what a table's interval means is in [statistics](statistics.md).
+Of the {all} evaluations of learned policies below {known} {are} measured; each table says which
+are not. State policies are given the poses of all things and see no pictures: their numbers are not
+comparable with the paper's, which stand [beside them](#beside-the-paper). The expert's rows are in
+the [table of tasks](tasks.md) and in [failures](failures.md); what an interval means is in
+[statistics](statistics.md), how to repeat a row or add one [at the end](#how-they-are-made).
+
+"""
+
+_HOW = """## How they are made
+
+This page is made by `scripts/make_results.py` of the experiments in
+[configs/experiment](../configs/experiment) and the results kept in `eval/experiments/`.
 
 ```
 labutopia-experiment experiment=results_cpu plan=true            # what would be done; nothing is
@@ -66,9 +74,6 @@ labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU wit
   trains four at once for ten minutes, and goes on when it is called again. `KIT/train`, copied back
   below `out`, is what the experiment then evaluates, with `device=cpu` where there is no GPU.
 - `out/report.html` has tables, curves, causes and films; `out/logs/` what every program said.
-- State policies are given the poses of all things and see no pictures: their numbers are not
-  comparable with the paper's, which stand [beside them](#beside-the-paper).
-
 """
 
 
@@ -82,13 +87,15 @@ def main() -> None:
 def content() -> str:
     """Return the page."""
     kept = measured("results_cpu")
-    state = f"Of the {len(kept.evaluations)} evaluations below {len(kept.results) or 'none'} "
-    state += "is measured." if len(kept.results) < 2 else "are measured."
     tables = [*kept.tables(), *measured("controls").controls()]
     shown = "\n".join(map(as_markdown, [*tables, beside_the_paper()]))
     of_the_expert = map(as_markdown, (elsewhere(), other_robots()))
-    parts = (FINDINGS.read_text(), shown, _with_pictures(), *of_the_expert)
-    return _HEAD.format(state=state) + "\n".join(parts)
+    known = len(kept.results)
+    head = _HEAD.format(
+        all=len(kept.evaluations), known=known or "none", are="is" if known < 2 else "are"
+    )
+    parts = (FINDINGS.read_text(), shown, _with_pictures(), *of_the_expert, _HOW)
+    return head + "\n".join(parts)
 
 
 def beside_the_paper() -> Table:

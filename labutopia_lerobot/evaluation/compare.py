@@ -262,7 +262,8 @@ def comparison_table(comparisons: Sequence[Comparison], names: tuple[str, str]) 
         condition = "" if each.condition is None else each.condition.without_task()
         lines.append((each.task, condition, *each.cells))
     head = ("Task", "Condition", *names, *NUMBERS)
-    return Table("Comparison on common seeds", head, tuple(lines), explanation(comparisons))
+    title = " and ".join(names) + " on common seeds"
+    return Table(title, head, tuple(lines), explanation(comparisons))
 
 
 NUMBERS = ("difference, points", "p", "p (Holm)")
