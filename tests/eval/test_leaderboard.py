@@ -8,11 +8,13 @@ from pathlib import Path
 import pytest
 
 import make_leaderboard
+from labutopia_lerobot.evaluation.load_results import load_results
 from labutopia_lerobot.evaluation.reporting.leaderboard import leaderboard_page, leaderboard_tables
 from labutopia_lerobot.evaluation.reporting.table import Rate, Table
 from labutopia_lerobot.evaluation.result_folder import SCHEMA
 from labutopia_lerobot.evaluation.rows import Row, summarise
 from labutopia_lerobot.evaluation.submission import PUBLISHED, SubmissionError
+from labutopia_lerobot.evaluation.uncertainty.intervals import wilson
 from labutopia_lerobot.registry import tasks_of_levels
 
 from .written_rows import written
@@ -65,7 +67,21 @@ def section(board: Path, title: str) -> dict[str, dict[str, object]]:
 
 
 def test_the_leaderboard_is_up_to_date() -> None:
-    assert make_leaderboard.PAGE.read_text() == leaderboard_page(make_leaderboard.RESULTS)
+    assert make_leaderboard.PAGE.read_text() == make_leaderboard.content()
+
+
+def test_baselines_stand_among_the_entries(board: Path) -> None:
+    ours = load_results(board)[0]
+    rows = tuple(won("level1/pick", 40, obs="state"))
+    baseline = replace(ours, rows=rows)
+    submit(board, "someone", *won("level1/pick", 50, obs="state"))
+    tables = {table.title: table for table in leaderboard_tables(board, [baseline])}
+    entries = lines(tables["Level 1, ID"])
+    assert list(entries) == ["scripted expert", "someone (act, state)", "baseline (act, state)"]
+    assert entries["baseline (act, state)"]["pick"] == Rate(40, 100, wilson(40, 100))
+    coarse = replace(baseline, provenance={"config": {**ours.config, "particles": 300}})
+    with pytest.raises(SubmissionError, match="particles=300"):
+        leaderboard_tables(board, [coarse])
 
 
 def test_a_submission_has_a_line_of_its_own(board: Path) -> None:

@@ -1,4 +1,4 @@
-"""The leaderboard: the expert's kept rows and all submissions, a table per condition."""
+"""The leaderboard: the expert's kept rows, baselines and submissions, a table per condition."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -8,7 +8,7 @@ from statistics import fmean
 from jinja2 import StrictUndefined, Template
 
 from labutopia_lerobot.evaluation.condition import ID
-from labutopia_lerobot.evaluation.load_results import load_results
+from labutopia_lerobot.evaluation.load_results import LoadedResult, load_results
 from labutopia_lerobot.evaluation.reporting.report_entry import ReportEntry, report_entries
 from labutopia_lerobot.evaluation.reporting.result_tables import success
 from labutopia_lerobot.evaluation.reporting.table import Cell, Rate, Table, as_markdown, text
@@ -29,6 +29,10 @@ SUBMISSIONS = "submissions"
 
 REFERENCE = "scripted expert"
 """Policy name of the kept rows. It is no entry: the expert looks at the simulation itself."""
+
+
+BASELINE = "baseline"
+"""Name of the entries that this repository trained itself."""
 
 
 def _widest_ranked() -> float:
@@ -65,8 +69,12 @@ class _Line:
         return self.name != REFERENCE and self.has_all(columns) and known
 
 
-def leaderboard_page(results: Path) -> str:
+def leaderboard_page(results: Path, baselines: Sequence[LoadedResult] = ()) -> str:
     """Return the page of a folder of kept rows and submissions, in Markdown.
+
+    Args:
+        results: The expert's rows, a file per task, and `SUBMISSIONS`.
+        baselines: Results of policies that were trained here.
 
     Raises:
         SubmissionError: If any of them was not played as published.
@@ -80,22 +88,27 @@ def leaderboard_page(results: Path) -> str:
         first_seed=FIRST_SEED,
         fewest=FEWEST_EPISODES,
         schema=SCHEMA,
-        tables=[as_markdown(table).rstrip() for table in leaderboard_tables(results)],
+        tables=[as_markdown(table).rstrip() for table in leaderboard_tables(results, baselines)],
     )
     return page
 
 
-def leaderboard_tables(results: Path) -> list[Table]:
+def leaderboard_tables(results: Path, baselines: Sequence[LoadedResult] = ()) -> list[Table]:
     """Return a table per level, shift, way of playing, and for steps that were played alone.
+
+    Args:
+        results: The expert's rows, a file per task, and `SUBMISSIONS`.
+        baselines: Results of policies that were trained here.
 
     Raises:
         SubmissionError: If anything was not played as published.
         UnreadableResultError: If anything cannot be read.
     """
     kept = load_results(results)
-    for result in kept:
+    for result in (*kept, *baselines):
         require_published(result)
     named = [(REFERENCE, entry) for entry in report_entries(kept)]
+    named += [(_name(BASELINE, entry), entry) for entry in report_entries(baselines)]
     for file in sorted((results / SUBMISSIONS).glob("*.json")):
         named += [(_name(file.stem, entry), entry) for entry in report_entries([read(file).result])]
     sections: dict[tuple[object, ...], list[tuple[str, ReportEntry]]] = {}
