@@ -29,7 +29,7 @@ _HEAD = """# Results
 
 [To the README](../README.md)
 
-Of the {all} evaluations of learned policies below {known} {are} measured; each table says which
+Of the {all} evaluations of learned policies below {known} are measured; each table says which
 are not. State policies are given the poses of all things and see no pictures: their numbers are not
 comparable with the paper's, which stand [beside them](#beside-the-paper). The expert's rows are in
 the [table of tasks](tasks.md) and in [failures](failures.md); what an interval means is in
@@ -90,10 +90,7 @@ def content() -> str:
     tables = [*kept.tables(), *measured("controls").controls()]
     shown = "\n".join(map(as_markdown, [*tables, beside_the_paper()]))
     of_the_expert = map(as_markdown, (elsewhere(), other_robots()))
-    known = len(kept.results)
-    head = _HEAD.format(
-        all=len(kept.evaluations), known=known or "none", are="is" if known < 2 else "are"
-    )
+    head = _HEAD.format(all=len(kept.evaluations), known=len(kept.results))
     parts = (FINDINGS.read_text(), shown, _with_pictures(), *of_the_expert, _HOW)
     return head + "\n".join(parts)
 

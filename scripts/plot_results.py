@@ -15,33 +15,19 @@ COLOURS = {"act": "#1f6f8b", "mlp": "#e08e45", "diffusion": "#8a5a9e"}
 def main() -> None:
     """Draw a line per task and condition, a dot and its interval per policy."""
     table = measured("results_cpu").by_task()
-    places = {name: table.head.index(name) for name in COLOURS}
-    lines = [
-        (
-            f"{task}, {played}" if played != "id" else str(task),
-            dict(zip(table.head, line, strict=True)),
-        )
-        for line in table.lines
-        for task, played in [line[:2]]
-        if any(isinstance(line[place], Rate) for place in places.values())
-    ]
+    every = [dict(zip(table.head, line, strict=True)) for line in table.lines]
+    lines = [of for of in every if any(isinstance(of[policy], Rate) for policy in COLOURS)]
+    names = [f"{of['Task']}, {of['Condition']}".removesuffix(", id") for of in lines]
     figure, axes = plt.subplots(figsize=(8, 0.27 * len(lines) + 0.8))
-    rows = np.arange(len(lines))
-    for shift, (policy, colour) in enumerate(COLOURS.items()):
-        rates = [(row, of[policy]) for row, (_, of) in enumerate(lines)]
+    for place, (policy, colour) in enumerate(COLOURS.items()):
+        rates = [(row, of[policy]) for row, of in enumerate(lines)]
         known = [(row, rate) for row, rate in rates if isinstance(rate, Rate)]
-        y = [row + 0.22 * (shift - 1) for row, _ in known]
-        axes.hlines(
-            y,
-            [100 * rate.interval[0] for _, rate in known],
-            [100 * rate.interval[1] for _, rate in known],
-            color=colour,
-            alpha=0.45,
-            linewidth=2.5,
-        )
+        y = [row + 0.22 * (place - 1) for row, _ in known]
+        low, high = (100 * np.array([rate.interval[end] for _, rate in known]) for end in (0, 1))
+        axes.hlines(y, low, high, color=colour, alpha=0.45, linewidth=2.5)
         axes.plot([rate.percent for _, rate in known], y, "o", color=colour, ms=4.5, label=policy)
     axes.set(xlim=(-2, 102), ylim=(len(lines) - 0.4, -0.6), xlabel="successes of 120 episodes [%]")
-    axes.set_yticks(rows, [name for name, _ in lines], fontsize=8)
+    axes.set_yticks(range(len(lines)), names, fontsize=8)
     axes.grid(axis="x", color="#dddddd")
     axes.set_axisbelow(True)
     axes.spines[["top", "right", "left"]].set_visible(False)
