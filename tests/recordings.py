@@ -1,7 +1,11 @@
 """Recordings for tests: small, watched, compared."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.parquet as pq
 
 from labutopia_lerobot.cli.record import parse
 from labutopia_lerobot.datasets.candidate import Candidate
@@ -74,3 +78,13 @@ def assert_same_dataset(first: Path, second: Path) -> None:
     ]
     assert files[0].keys() == files[1].keys()
     assert [name for name in files[0] if files[0][name] != files[1][name]] == []
+
+
+def edit_table(root: Path, folder: str, key: str, edit: Callable[[list[Any]], None]) -> None:
+    """Change a column of the table of frames (`data`) or episodes (`meta/episodes`)."""
+    path = next((root / folder).glob("*/*.parquet"))
+    table = pq.read_table(path)
+    values, number = table[key].to_pylist(), table.column_names.index(key)
+    edit(values)
+    field = table.schema.field(number)
+    pq.write_table(table.set_column(number, field, pa.array(values, type=field.type)), path)

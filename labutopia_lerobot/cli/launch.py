@@ -18,6 +18,7 @@ PROGRAMS = (
     "chem",
     "compare",
     "convert",
+    "cut",
     "doctor",
     "evaluate",
     "experiment",

@@ -159,7 +159,9 @@ def _compare(root: Path, episodes: int | None, tasks_dir: str | None) -> None:
         console.print(_line(played), markup=False)
         replays.append(played)
     faithful = sum(played.faithful for played in replays)
-    console.print(f"{faithful} of {len(replays)} succeeded again with bit-identical states")
+    console.print(
+        f"{faithful} of {len(replays)} ended as they were recorded, with bit-identical states"
+    )
     sys.exit(faithful < len(replays))
 
 

@@ -64,7 +64,7 @@ class DatasetAssembler:
             "failures": [asdict(replace(c, routes=None)) for c in candidates if not c.success],
         }
         (self._root / RECORDING).write_text(json.dumps(recording, indent=2) + "\n")
-        _open_to_group(self._root)
+        open_to_group(self._root)
 
 
 def _take_statistics(columns: Columns, picture: str) -> Columns:
@@ -77,7 +77,7 @@ def _take_statistics(columns: Columns, picture: str) -> Columns:
     }
 
 
-def _open_to_group(root: Path) -> None:
+def open_to_group(root: Path) -> None:
     """Give all files the usual mode: LeRobot makes some of them for their owner alone."""
     mask = os.umask(0)
     os.umask(mask)

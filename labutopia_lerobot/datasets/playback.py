@@ -10,16 +10,28 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.declaration import COMMAND, PHASE
+from labutopia_lerobot.datasets.demonstration import EXPERT_FAILED
 from labutopia_lerobot.datasets.description import DamagedDatasetError
 from labutopia_lerobot.datasets.frames import Columns, Frames
+from labutopia_lerobot.datasets.recording_config import SLOWEST
 from labutopia_lerobot.datasets.replanning import Replanning
 from labutopia_lerobot.datasets.routes import Routes
-from labutopia_lerobot.datasets.tables import ROUTES, SEED, Row, column, episode_setting
-from labutopia_lerobot.env import LabEnv
+from labutopia_lerobot.datasets.tables import (
+    CUT,
+    OUTCOME,
+    ROUTES,
+    SEED,
+    Row,
+    column,
+    cut_of,
+    episode_setting,
+)
+from labutopia_lerobot.env import Info, LabEnv, Observation
 from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario.task_function import located_in_play
 from labutopia_lerobot.setting import Setting
+from labutopia_lerobot.task import RUNNING
 
 
 @dataclass(frozen=True)
@@ -92,7 +104,7 @@ class Player:
         replayed = Frames(env, setting.obs)
         replanning = Replanning(json.loads(row.get(ROUTES) or "null"))
         with located_in_play(setting.task, setting.tasks_dir):
-            observation, info = env.reset(seed=row[SEED])
+            observation, info = begin(env, row)
             drawn = info["drawn"]
             for number, command in enumerate(commands):
                 look(number, env)
@@ -123,6 +135,47 @@ class Player:
             self.close()
             self._env = LabEnv(setting)
         return self._env
+
+
+def begin(env: LabEnv, row: Row) -> tuple[Observation, Info]:
+    """Begin a recorded episode, whose seed is known, at its first frame.
+
+    What comes before that in an episode that was cut, the expert plays as it did.
+
+    Args:
+        env: Where to play.
+        row: Its row of the episode table.
+
+    Raises:
+        DamagedDatasetError: If no expert comes there.
+    """
+    observation, info = env.reset(seed=row[SEED])
+    cut = cut_of(row)
+    if cut is None:
+        return observation, info
+    where = f"{CUT} of episode {row['episode_index']}"
+    if not SLOWEST <= cut["pace"] <= 1.0:
+        raise DamagedDatasetError(f"{where} has the pace {cut['pace']}, not {SLOWEST:g} to 1")
+    expert = env.expert(cut["pace"])
+    expert.start()
+    for frame in range(cut["first"]):
+        command = expert.act()
+        if expert.failure is not None or info["outcome"] != RUNNING:
+            raise DamagedDatasetError(
+                f"{where} begins at frame {cut['first']}, but the expert ends at {frame}"
+            )
+        observation, *_, info = env.step(command)
+    return observation, info
+
+
+def outcome_behind(row: Row) -> str:
+    """Return what the environment says behind the last frame of a recorded episode.
+
+    It goes on where the expert gave up, or another step follows on the one that was cut out.
+    """
+    cut = cut_of(row)
+    goes_on = row[OUTCOME] == EXPERT_FAILED or (cut is not None and not cut["last"])
+    return RUNNING if goes_on else str(row[OUTCOME])
 
 
 def commands_of(row: Row, frames: pa.Table, robot: str) -> NDArray[Any]:

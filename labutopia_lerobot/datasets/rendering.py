@@ -105,6 +105,8 @@ def _config(root: Path, out: Path, chosen: dict[str, Any]) -> RecordingConfig:
             f"{root} has no {RECORDING}: labutopia-record did not make it, or a tool of LeRobot "
             "has edited it. Draw what it was made of anew, and edit that"
         )
+    if recording["config"].get("cut"):
+        raise ForeignDatasetError(f"{root} was cut: draw the whole recording anew, and cut that")
     known = {option.name for option in fields(RecordingConfig)}
     recorded = {name: v for name, v in recording["config"].items() if name in known}
     if recorded.get("hidden"):

@@ -4,10 +4,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from labutopia_lerobot.datasets.playback import Player
+from labutopia_lerobot.datasets.playback import Player, outcome_behind
 from labutopia_lerobot.datasets.tables import SEED, frames_of_episodes, read_episodes
 from labutopia_lerobot.errors import UserError
-from labutopia_lerobot.task import SUCCESS
 
 
 class ForeignDatasetError(UserError):
@@ -22,18 +21,20 @@ class Replay:
         episode: Index of the episode.
         seed: What the environment was reset with.
         outcome: Outcome in the environment, "running" if the actions ended before the episode.
+        recorded: What it was when it was recorded.
         first_difference: First frame that differs from the recorded one, or None.
     """
 
     episode: int
     seed: int
     outcome: str
+    recorded: str
     first_difference: int | None
 
     @property
     def faithful(self) -> bool:
-        """Whether it succeeded again, through the very same states."""
-        return self.outcome == SUCCESS and self.first_difference is None
+        """Whether it ended as it did, through the very same states."""
+        return self.outcome == self.recorded and self.first_difference is None
 
 
 def replay(
@@ -62,4 +63,5 @@ def replay(
         played = player.play(row, frames)
         if played is not None:
             first = None if played.difference is None else played.difference.frame
-            yield Replay(row["episode_index"], row[SEED], played.outcome, first)
+            before = outcome_behind(row)
+            yield Replay(row["episode_index"], row[SEED], played.outcome, before, first)

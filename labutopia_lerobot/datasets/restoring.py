@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pyarrow as pa
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.annotations import annotated_candidate
@@ -30,6 +31,7 @@ from labutopia_lerobot.datasets.description import (
     read_info,
     read_recording,
 )
+from labutopia_lerobot.datasets.frames import Columns
 from labutopia_lerobot.datasets.tables import (
     Row,
     column,
@@ -64,12 +66,7 @@ def restore_candidates(root: Path, work: Path) -> None:
         if not candidate.stored(recording["config"]["keep"]):
             _keep(work, candidate, lambda folder: None)
     for row, frames in frames_of_episodes(root, episodes):
-        columns = {
-            key: column(frames, key)
-            for key, feature in info["features"].items()
-            if feature["dtype"] in ("float32", "bool", "string") and key not in _MADE_BY_LEROBOT
-        }
-        columns = {key: v[:, 0] if v.shape[1:] == (1,) else v for key, v in columns.items()}
+        columns = recorded_columns(info, frames)
         colors = {name: values[row["episode_index"]] for name, values in statistics.items()}
 
         def fill(
@@ -78,6 +75,21 @@ def restore_candidates(root: Path, work: Path) -> None:
             _fill(folder, root, info, row, columns, colors)
 
         _keep(work, annotated_candidate(row, recording["config"]["seed"]), fill)
+
+
+def recorded_columns(info: dict[str, Any], frames: pa.Table) -> Columns:
+    """Return the columns of an episode as they were recorded, without those that LeRobot adds.
+
+    Args:
+        info: `meta/info.json` of the dataset.
+        frames: Table of the frames.
+    """
+    columns = {
+        key: column(frames, key)
+        for key, feature in info["features"].items()
+        if feature["dtype"] in ("float32", "bool", "string") and key not in _MADE_BY_LEROBOT
+    }
+    return {key: v[:, 0] if v.shape[1:] == (1,) else v for key, v in columns.items()}
 
 
 def _keep(work: Path, candidate: Candidate, fill: Callable[[Path], None]) -> None:

@@ -31,6 +31,9 @@ from labutopia_lerobot.setting import Setting
 TASKS = "meta/tasks.parquet"
 EPISODES = "meta/episodes"
 
+OURS = "labutopia/"
+"""Prefix of the columns that are ours."""
+
 SETTING = "labutopia/setting"
 SEED = "labutopia/seed"
 OUTCOME = "labutopia/outcome"
@@ -43,12 +46,14 @@ SEGMENTS = "labutopia/segments"
 MACHINE = "labutopia/machine"
 RENDERER = "labutopia/renderer"
 ROUTES = "labutopia/routes"
+CUT = "labutopia/cut"
 """Columns of the episode table. JSON: every field of `Setting`; axis -> what was drawn on it; where
 the liquid was at the end [ml]; other ways to say the instruction; what the elements of the
 privileged state are called; what the numbers of a segmentation, if there is one, mean; of a robot
-with a base, map and planned paths (`routes.Routes`), null where nobody drives. Plain: seed,
-outcome, cause of a failure (empty for a success), what it was played on, what drew the pictures
-(empty where there are none)."""
+with a base, map and planned paths (`routes.Routes`), null where nobody drives; which piece of a
+whole episode this is (`Cut`), in datasets that were cut. Plain: seed, outcome, cause of a failure
+(empty for a success), what it was played on, what drew the pictures (empty where there are
+none)."""
 
 Row = dict[str, Any]
 """An episode: column of the episode table -> value."""
@@ -70,7 +75,7 @@ _COUNTED = (
 """Columns that every row of the episode table has: whole numbers from 0 on."""
 
 _WORDS = (OUTCOME, CAUSE, MACHINE, RENDERER)
-_JSON = (SETTING, DRAWN, VOLUMES, PARAPHRASES, PRIVILEGED, SEGMENTS, ROUTES)
+_JSON = (SETTING, DRAWN, VOLUMES, PARAPHRASES, PRIVILEGED, SEGMENTS, ROUTES, CUT)
 """Our own columns, which a row may lack: texts, and JSON in texts."""
 
 
@@ -78,6 +83,22 @@ class PlayedIn(TypedDict):
     """Keys that the column `SETTING` always has."""
 
     task: str
+
+
+class Cut(TypedDict):
+    """Which piece of a whole episode an episode is.
+
+    Attributes:
+        step: Name of the step that it is.
+        first: Which frame of the whole its first one is.
+        pace: How fast the expert's hand moved, as a share of its usual speeds.
+        last: Whether the whole ends with it.
+    """
+
+    step: str
+    first: int
+    pace: float
+    last: bool
 
 
 def data_file(root: Path, row: Mapping[str, Any]) -> Path:
@@ -141,6 +162,8 @@ def _check_row(row: Row, where: str) -> None:
                 checked(PlayedIn, said, f"{where}, {name}", DamagedDatasetError)
             elif name == ROUTES:
                 checked(Routes | None, said, f"{where}, {name}", DamagedDatasetError)
+            elif name == CUT:
+                checked(Cut, said, f"{where}, {name}", DamagedDatasetError)
 
 
 def _counts(value: object) -> bool:
@@ -249,6 +272,12 @@ def episode_setting(row: Row, tasks_dir: str | None = None) -> Setting | None:
     except (UserError, TypeError, ValueError) as error:
         raise DamagedDatasetError(f"{where} cannot be: {error}") from None
     return setting
+
+
+def cut_of(row: Row) -> Cut | None:
+    """Return which piece of a whole episode an episode is, None if it is whole."""
+    cut: Cut | None = json.loads(row.get(CUT) or "null")
+    return cut
 
 
 def _numbers(values: pa.ChunkedArray) -> NDArray[Any]:

@@ -88,9 +88,10 @@ def _nothing_there(
     one_of_several: bool,
 ) -> str:
     """Return that a place holds no checkpoint, with the commands that make one."""
-    place, named, only = task_id, task_id, ""
+    place, named, only, cut = task_id, task_id, "", ""
     if step is not None:
         place, named, only = f"{task_id}/{step}", f"{task_id}-{step}", f" step={step}"
+        cut = f"labutopia-cut outputs/datasets/{task_id} --step={step}\n  "
     wanted = [CONFIG, "checkpoints/last/pretrained_model", place]
     looked = place if one_of_several else f"{', '.join(wanted[:-1])} nor {wanted[-1]}"
     recorded, recipe = (" obs=state", "train_state") if obs == "state" else ("", "train")
@@ -115,7 +116,7 @@ def _nothing_there(
     meant = f"{near.strip()} Or m" if near else "M"
     return (
         f"No checkpoint for {task_id}{only} at policy.path={path}, which {lacks}. "
-        f"{meant}ake one:\n  labutopia-record task={task_id}{only}{recorded}\n  {training}"
+        f"{meant}ake one:\n  labutopia-record task={task_id}{recorded}\n  {cut}{training}"
     )
 
 

@@ -3,7 +3,8 @@
 recipe              the command of `lerobot-train` for a policy and a dataset
 study               options of a study: which policies learn which tasks, and how they are judged
 experiment          several studies with one folder, as a value
-parts/              what is done, one program each: recording, verification, training, evaluation
+parts/              what is done, one program each: recording, verification, cutting, training,
+                    evaluation
 planning            from an experiment to its parts, in order; refuses what cannot be done
 requirements        inputs that stand, room on the disk, memory: before anything is done
 part_record         what is kept of a part: its inputs, what it took, how it ended

@@ -95,14 +95,14 @@ def _training(
 ) -> TrainingPart:
     out = experiment.out
     chosen = dict(study.options)
-    own = chosen.pop("step", None)
+    alone = chosen.pop("step", None)
     chosen |= {} if study.pace == 1.0 else {"pace": study.pace}
     recording = RecordingPart(
-        out, task, step or own, count, study.obs, tuple(chosen.items()), experiment.workers
+        out, task, alone, count, study.obs, tuple(chosen.items()), experiment.workers
     )
     label = study.label_of(policy)
     return TrainingPart(
-        out, recording, policy, label, study.budget, study.evaluate_at, experiment.device
+        out, recording, step, policy, label, study.budget, study.evaluate_at, experiment.device
     )
 
 

@@ -76,15 +76,15 @@ def fill_kit(trainings: Sequence[TrainingPart], folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     listed: list[dict[str, Any]] = []
     for training in trainings:
-        recording = training.recording.place.relative_to(training.out)
+        dataset = training.dataset.place.relative_to(training.out)
         place = training.place.relative_to(training.out)
         recipe = Path("recipes", training.policy, training.recipe.name)
-        shutil.copytree(training.recording.place, folder / recording, dirs_exist_ok=True)
+        shutil.copytree(training.dataset.place, folder / dataset, dirs_exist_ok=True)
         (folder / recipe).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(training.recipe, folder / recipe)
         moved = {
             f"--config_path={training.recipe}": f"--config_path={recipe}",
-            f"--dataset.root={training.recording.place}": f"--dataset.root={recording}",
+            f"--dataset.root={training.dataset.place}": f"--dataset.root={dataset}",
             f"--output_dir={training.place}": f"--output_dir={place}",
         }
         words = [moved.get(word, word) for word in training.first_words()]

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from labutopia_lerobot.experiments.parts.cutting_part import CuttingPart
 from labutopia_lerobot.experiments.parts.evaluation_part import EvaluationPart
 from labutopia_lerobot.experiments.parts.experiment_part import ExperimentPart
 from labutopia_lerobot.experiments.parts.recording_part import RecordingPart, VerificationPart
@@ -37,7 +38,7 @@ def _small(part: ExperimentPart, out: Path) -> ExperimentPart:
     match part:
         case RecordingPart():
             return _recording(part, out)
-        case VerificationPart():
+        case VerificationPart() | CuttingPart():
             return replace(part, out=out / FOLDER, recording=_recording(part.recording, out))
         case TrainingPart():
             return _training(part, out)

@@ -92,7 +92,7 @@ def card_of_dataset(
         code=facts.recording["code"],
         versions={name: v for name, v in facts.recording["versions"].items() if v is not None},
         renderers=facts.recording["renderers"],
-        command=_command(facts),
+        commands=_commands(facts),
     )
 
 
@@ -112,9 +112,10 @@ def _room(facts: DatasetFacts) -> str:
     return "drawn for each episode" if drawn else f"`{room}`"
 
 
-def _command(facts: DatasetFacts) -> str:
+def _commands(facts: DatasetFacts) -> list[str]:
     """Return what makes the dataset again: every option that is not the default."""
-    config = facts.config
+    config = dict(facts.config)
+    step = config.pop("step", None) if config.get("cut") else None
     defaults = {
         option.name: option.default
         for option in options_of(RecordingConfig)
@@ -128,7 +129,9 @@ def _command(facts: DatasetFacts) -> str:
         if name in config and _typed(config[name]) != _typed(default)
     ]
     task = facts.tasks if len(facts.tasks) > 1 else facts.tasks[0]
-    return " ".join([f"labutopia-record task={_typed(task)}", *chosen])
+    recorded = " ".join([f"labutopia-record task={_typed(task)}", *chosen])
+    cut = f"labutopia-cut outputs/datasets/{task} --step={step}"
+    return [recorded, *([] if step is None else [cut])]
 
 
 def _typed(value: Any) -> str:

@@ -139,9 +139,7 @@ class VideoWriter:
 
     def statistics(self) -> dict[str, NDArray[np.float64]]:
         """Return the statistics that LeRobot stores, per channel: levels, or depths [m]."""
-        of_levels = level_statistics(self._levels.histogram, self._frames)
-        step = self._encoding.step
-        return {name: v if name == "count" else v * step for name, v in of_levels.items()}
+        return _statistics(self._levels, self._frames, self._encoding)
 
     def __enter__(self) -> Self:
         return self
@@ -164,6 +162,30 @@ def write_video(file: Path, frames: Sequence[NDArray[np.uint8]]) -> None:
     with VideoWriter(file, width, height) as video:
         for frame in frames:
             video.add(frame)
+
+
+def statistics_of_video(path: Path, kind: str) -> dict[str, NDArray[np.float64]]:
+    """Return the statistics that LeRobot stores, of the pictures as they are decoded.
+
+    Args:
+        path: The video.
+        kind: What its pictures show, a key of `ENCODINGS`.
+    """
+    encoding, frames = ENCODINGS[kind], 0
+    levels = LevelCount(1 if kind == DEPTH else 3, encoding.levels)
+    with av.open(str(path)) as container:
+        for frame in container.decode(container.streams.video[0]):
+            picture: NDArray[Any] = frame.to_ndarray(format=encoding.array)
+            levels.add(picture)
+            frames += 1
+    return _statistics(levels, frames, encoding)
+
+
+def _statistics(
+    levels: LevelCount, frames: int, encoding: Encoding
+) -> dict[str, NDArray[np.float64]]:
+    of_levels = level_statistics(levels.histogram, frames)
+    return {n: v if n == "count" else v * encoding.step for n, v in of_levels.items()}
 
 
 def level_statistics(histogram: NDArray[np.int64], frames: int) -> dict[str, NDArray[np.float64]]:

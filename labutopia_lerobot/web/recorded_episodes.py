@@ -7,8 +7,8 @@ from typing import Any
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.looking import drawn_with, find_episode
-from labutopia_lerobot.datasets.playback import commands_of
-from labutopia_lerobot.datasets.tables import SEED, episode_setting, read_episodes
+from labutopia_lerobot.datasets.playback import begin, commands_of
+from labutopia_lerobot.datasets.tables import episode_setting, read_episodes
 from labutopia_lerobot.env import LabEnv
 from labutopia_lerobot.web.episodes import Performer
 
@@ -53,7 +53,7 @@ class RecordedEpisodes:
             if env is not None:
                 env.close()
             self.env = LabEnv(setting)
-        self.env.reset(seed=row[SEED])
+        begin(self.env, row)
         return _Recorded(commands_of(row, frames, setting.robot))
 
     def choose(self, option: str, value: str, number: int) -> None:

@@ -100,6 +100,7 @@ def test_help_of_the_experiments_explains_every_option(monkeypatch, capsys):
     [
         ("verify", ["dataset"]),
         ("convert", ["source", "out", "--repo-id", "--instruction"]),
+        ("cut", ["dataset", "--step", "--out", "--tasks-dir"]),
         ("render", ["dataset", "out", "--cameras", "--width", "--height"]),
         ("replay", ["dataset", "--episode", "--out", "--cameras", "--episodes"]),
         ("publish", ["what", "--repo-id", "--results", "--private", "--replace", "--dry-run"]),

@@ -98,7 +98,7 @@ def test_a_dataset_holds_no_path_and_is_replayed_with_the_file(
     monkeypatch.setattr("sys.argv", ["labutopia-replay", str(dataset), f"room={file}"])
     with pytest.raises(SystemExit, match="False"):
         replay.main()
-    assert "1 of 1 succeeded again" in capsys.readouterr().out
+    assert "1 of 1 ended as they were recorded" in capsys.readouterr().out
     monkeypatch.setattr("sys.argv", ["labutopia-verify", str(dataset), "--room", str(file)])
     verify.main()
     subject = VerifiedDataset.of(dataset, own_files=OwnFiles(room=str(file)))

@@ -5,7 +5,6 @@ import os
 import shutil
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pyarrow as pa
@@ -29,18 +28,9 @@ from labutopia_lerobot.datasets.verification import environment
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import Verdict, find_problems, require_intact, verify
 from labutopia_lerobot.runtime.video import VideoWriter, read_frames, video_size_and_frames
+from recordings import edit_table
 
 Picture = NDArray[np.uint8]
-
-
-def edit_table(root: Path, folder: str, key: str, edit: Callable[[list[Any]], None]) -> None:
-    """Change a column of the table of frames (`data`) or episodes (`meta/episodes`)."""
-    path = next((root / folder).glob("*/*.parquet"))
-    table = pq.read_table(path)
-    values, number = table[key].to_pylist(), table.column_names.index(key)
-    edit(values)
-    field = table.schema.field(number)
-    pq.write_table(table.set_column(number, field, pa.array(values, type=field.type)), path)
 
 
 def edit_video(root: Path, camera: str, edit: Callable[[list[Picture]], list[Picture]]) -> None:

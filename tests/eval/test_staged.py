@@ -234,7 +234,8 @@ def test_a_step_without_its_checkpoint_is_named_with_the_commands_that_make_it(
         with pytest.raises(CheckpointError) as refusal:
             make_jobs(learned(given))
         assert f"No checkpoint for {DRAWER} step=close" in str(refusal.value)
-        assert f"labutopia-record task={DRAWER} step=close\n" in str(refusal.value)
+        assert f"labutopia-record task={DRAWER}\n" in str(refusal.value)
+        assert f"labutopia-cut outputs/datasets/{DRAWER} --step=close\n" in str(refusal.value)
         recipe = f"$(labutopia-recipe act outputs/datasets/{DRAWER}-close --epochs 200 --out "
         assert recipe in str(refusal.value)
     # One policy for everything is none per step, however often it could be loaded.

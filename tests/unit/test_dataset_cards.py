@@ -127,6 +127,14 @@ def test_a_card_says_what_the_dataset_is() -> None:
     assert "visualize_dataset?path=me/press" in card
 
 
+def test_the_card_of_a_step_that_was_cut_says_how_to_cut_it() -> None:
+    card = card_of_dataset(facts(step="1_press", cut=True), "me/press-1_press")
+    recorded, cut = "labutopia-record task=level1/press episodes=3", "labutopia-cut "
+    made = card.partition(recorded)[2].partition("```")[0].splitlines()
+    assert "step=" not in made[0]
+    assert made[1] == f"{cut}outputs/datasets/level1/press --step=1_press"
+
+
 def test_what_is_not_released_says_so() -> None:
     card = card_of_dataset(facts(), "local/press")
     assert "Not released" in card

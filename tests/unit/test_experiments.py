@@ -66,12 +66,22 @@ def test_steps_of_a_task_are_trained_alone_and_judged_in_turn():
     parts = planned("level4/clean_beaker", "obs=state", "policy=act", "play=staged")
     trainings = [part for part in parts if isinstance(part, TrainingPart)]
     (evaluation,) = evaluations(parts)
-    assert [training.recording.step for training in trainings][:3] == [
-        "1_pick",
-        "2_pour",
-        "3_place",
-    ]
+    assert [training.step for training in trainings][:3] == ["1_pick", "2_pour", "3_place"]
     assert evaluation.trainings == tuple(trainings)
+
+
+def test_one_recording_serves_who_plays_all_steps_and_who_plays_one():
+    made = names("level4/clean_beaker", "obs=state", "policy=act", "play=both")
+    whole, *_ = trained = [name for name in made if name.startswith("train")]
+    assert whole == "train act level4/clean_beaker state 100"
+    assert len(trained) == 1 + 7
+    assert [name for name in made if name.startswith(("record", "verify"))] == [
+        "record level4/clean_beaker state 100",
+        "verify level4/clean_beaker state 100",
+    ]
+    cut = made.index("cut level4/clean_beaker-1_pick state 100")
+    assert made.index("verify level4/clean_beaker state 100") < cut
+    assert cut < made.index("train act level4/clean_beaker-1_pick state 100")
 
 
 def test_every_axis_by_itself_is_an_evaluation_of_its_own():

@@ -12,13 +12,14 @@ from itertools import batched, chain
 from typing import Any
 
 import numpy as np
+import pyarrow as pa
 
-from labutopia_lerobot.datasets.declaration import dataset_features
-from labutopia_lerobot.datasets.demonstration import EXPERT_FAILED
+from labutopia_lerobot.datasets.declaration import STEP, dataset_features
 from labutopia_lerobot.datasets.description import INFO
-from labutopia_lerobot.datasets.playback import Playback, Player
+from labutopia_lerobot.datasets.playback import Playback, Player, outcome_behind
 from labutopia_lerobot.datasets.routes import difference
 from labutopia_lerobot.datasets.tables import (
+    CUT,
     DRAWN,
     MACHINE,
     OUTCOME,
@@ -26,12 +27,15 @@ from labutopia_lerobot.datasets.tables import (
     SEGMENTS,
     VOLUMES,
     Row,
+    column,
+    cut_of,
     episode_setting,
     frames_of_episodes,
 )
 from labutopia_lerobot.datasets.verification.finding import Fault, Finding, Unchecked
 from labutopia_lerobot.datasets.verification.picture_check import PictureCheck
 from labutopia_lerobot.datasets.verification.verified_dataset import VerifiedDataset
+from labutopia_lerobot.foreign_files import printable
 from labutopia_lerobot.registry import UnknownTaskError
 from labutopia_lerobot.runtime import provenance
 from labutopia_lerobot.runtime.claim import differences
@@ -39,7 +43,6 @@ from labutopia_lerobot.runtime.workers import in_processes
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import SEGMENTATION, Setting
 from labutopia_lerobot.sim.segments import segment_names
-from labutopia_lerobot.task import RUNNING
 
 _LEARNING = ("lerobot", "torch", "torchvision", "diffusers", "transformers", "safetensors")
 """Packages that no episode is played with."""
@@ -158,6 +161,7 @@ def _replay(subject: VerifiedDataset, pictures: int) -> _Replayed:
             texts = None
             if playback is not None:
                 texts = [*_compare(row, playback), *_compare_pictures(check)]
+                texts += _check_step(row, frames)
             replayed.append((row["episode_index"], texts))
     finally:
         player.close()
@@ -168,18 +172,17 @@ def _compare(row: Row, playback: Playback) -> Iterator[str]:
     if row["tasks"] != [playback.instruction]:
         instruction = playback.instruction
         yield f"its instruction is {row['tasks']}, but the environment says {instruction!r}"
-    for name, column, here in (
+    for says, key, here in (
         ("drew", DRAWN, playback.drawn),
         ("ends with the volumes", VOLUMES, playback.volumes),
     ):
-        there = json.loads(row[column]) if row.get(column) is not None else here
+        there = json.loads(row[key]) if row.get(key) is not None else here
         if there != here:
-            yield f"{column} is {there}, but the environment {name} {here}"
+            yield f"{key} is {there}, but the environment {says} {here}"
     planned = json.loads(row[ROUTES]) if row.get(ROUTES) is not None else playback.routes
     if other := difference(planned, playback.routes):
         yield f"{ROUTES}: {other}"
-    outcome = RUNNING if row[OUTCOME] == EXPERT_FAILED else row[OUTCOME]
-    if playback.outcome != outcome:
+    if playback.outcome != outcome_behind(row):
         yield f"{OUTCOME} is {row[OUTCOME]}, but replayed it is {playback.outcome}"
     if playback.difference is not None:
         first = playback.difference
@@ -187,6 +190,14 @@ def _compare(row: Row, playback: Playback) -> Iterator[str]:
             f"replayed it differs from frame {first.frame} on, first in {first.key}; by at most "
             f"{first.largest:.3g} in all"
         )
+
+
+def _check_step(row: Row, frames: pa.Table) -> Iterator[str]:
+    """Yield where an episode that was cut begins with another step than it says."""
+    cut = cut_of(row)
+    first = column(frames.slice(0, 1), STEP)[0] if cut is not None else ""
+    if cut is not None and first != cut["step"]:
+        yield f"{CUT} says {printable(cut['step'])}, but its first frame is of {first}"
 
 
 def _compare_pictures(check: PictureCheck) -> Iterator[str]:

@@ -153,13 +153,7 @@ class RecordingPart:
 
     def digest(self) -> str:
         """Return a hash of tables and videos, whatever code of the same effect recorded them."""
-        files = {
-            file.relative_to(self.place).as_posix(): file
-            for file in self.place.rglob("*")
-            if file.is_file()
-        }
-        files.pop(RECORDING, None)
-        return digest_of(files)
+        return dataset_digest(self.place)
 
     def foreign(self) -> list[str]:
         """Return in what the recording that is there differs from what would be recorded now."""
@@ -175,6 +169,13 @@ class RecordingPart:
             if count < self.demonstrations and shorter.finished() and not shorter.foreign():
                 return shorter.place
         return None
+
+
+def dataset_digest(root: Path) -> str:
+    """Return a hash of the tables and videos of a dataset."""
+    files = {file.relative_to(root).as_posix(): file for file in root.rglob("*") if file.is_file()}
+    files.pop(RECORDING, None)
+    return digest_of(files)
 
 
 _VERDICTS = (" is intact: ", " has no fault in what was checked: ")

@@ -13,6 +13,7 @@ from typing import Any
 from labutopia_lerobot.datasets.disk_space import expected_frames
 from labutopia_lerobot.evaluation.find_checkpoint import adapted, checkpoint_files
 from labutopia_lerobot.evaluation.origin import training_step, weight_hashes
+from labutopia_lerobot.experiments.parts.cutting_part import CuttingPart
 from labutopia_lerobot.experiments.parts.experiment_part import ExperimentPart, digest_of, log_of
 from labutopia_lerobot.experiments.parts.recording_part import RecordingPart, VerificationPart
 from labutopia_lerobot.experiments.recipe import RecipeError, recipe_file, training_command
@@ -36,11 +37,12 @@ _LAST = Path("checkpoints/last/pretrained_model")
 
 @dataclass(frozen=True)
 class TrainingPart:
-    """A policy trained on a recording.
+    """A policy trained on a recording, or on one step of it.
 
     Attributes:
         out: Folder of the experiment.
         recording: What it learns from.
+        step: The step that is cut out of it and learned alone, or None.
         policy: A recipe of `policies/`.
         label: What tables and folders call it.
         budget: What it may use.
@@ -50,6 +52,7 @@ class TrainingPart:
 
     out: Path
     recording: RecordingPart
+    step: str | None
     policy: str
     label: str
     budget: Budget
@@ -59,7 +62,8 @@ class TrainingPart:
     @property
     def name(self) -> str:
         recorded = self.recording
-        return f"train {self.label} {recorded.subject} {recorded.variety} {recorded.demonstrations}"
+        kind = f"{recorded.variety} {recorded.demonstrations}"
+        return f"train {self.label} {self.dataset.subject} {kind}"
 
     @property
     def rate_key(self) -> str:
@@ -78,15 +82,22 @@ class TrainingPart:
 
     @property
     def place(self) -> Path:
-        return self.root / self.recording.task / (self.recording.step or "")
+        return self.root / self.recording.task / (self.step or self.recording.step or "")
 
     @property
     def root(self) -> Path:
         """Where `policy.path=` finds it by its task, or by its task and step."""
         recorded = self.recording
-        kind = "whole" if recorded.step is None else "steps"
+        kind = "whole" if self.step is None and recorded.step is None else "steps"
         numbered = f"{recorded.variety}-{recorded.demonstrations}"
         return self.out / "train" / self.label / numbered / kind
+
+    @property
+    def dataset(self) -> RecordingPart | CuttingPart:
+        """What it reads."""
+        if self.step is None:
+            return self.recording
+        return CuttingPart(self.out, self.recording, self.step)
 
     @property
     def cores(self) -> int:
@@ -98,7 +109,8 @@ class TrainingPart:
 
     @property
     def needs(self) -> tuple[ExperimentPart, ...]:
-        return (self.recording, VerificationPart(self.out, self.recording))
+        recorded = (self.recording, VerificationPart(self.out, self.recording))
+        return recorded if self.step is None else (*recorded, self.dataset)
 
     @property
     def recipe(self) -> Path:
@@ -115,7 +127,7 @@ class TrainingPart:
         if self.budget.epochs is None:
             steps: int = self.budget.steps or self._recipe["steps"]
             return steps
-        if self.recording.finished():
+        if self.dataset.finished():
             (said,) = (word for word in self._made() if word.startswith("--steps="))
             return int(said.partition("=")[2])
         batch = self.budget.batch_size or self._recipe["batch_size"]
@@ -155,7 +167,7 @@ class TrainingPart:
         """
         versions = provenance.versions()
         return {
-            "dataset": self.recording.digest(),
+            "dataset": self.dataset.digest(),
             "recipe": provenance.sha256(self.recipe),
             "budget": [self.steps, self.budget.batch_size, *self._said()],
             "versions": {name: versions.get(name) for name in _LEARNING},
@@ -250,7 +262,7 @@ class TrainingPart:
     def _made(self) -> list[str]:
         budget = self.budget
         return training_command(
-            self.policy, self.recording.place, budget.epochs, budget.batch_size, self.place
+            self.policy, self.dataset.place, budget.epochs, budget.batch_size, self.place
         )
 
     def _said(self) -> list[str]:
