@@ -43,14 +43,24 @@ def main() -> None:
     root: Path = arguments.dataset
     if arguments.out is not None and arguments.step is None:
         raise CutOptionError("--out is the folder of one step: name it with --step")
-    from labutopia_lerobot.datasets.cutting import cut, steps_of  # here: LeRobot brings torch
+    from labutopia_lerobot.datasets.cutting import (  # here: LeRobot brings torch
+        NothingOfStepError,
+        cut,
+        steps_of,
+    )
 
     steps = [arguments.step] if arguments.step else steps_of(root, arguments.tasks_dir)
     console = Console(highlight=False, soft_wrap=True)
     for step in steps:
         out = arguments.out or root.with_name(f"{root.name}-{step}")
-        with doing(Console(stderr=True), f"Cutting {step} out of {root}"):
-            episodes = cut(root, step, out, arguments.tasks_dir)
+        try:
+            with doing(Console(stderr=True), f"Cutting {step} out of {root}"):
+                episodes = cut(root, step, out, arguments.tasks_dir)
+        except NothingOfStepError as error:
+            if arguments.step:
+                raise
+            console.print(str(error), markup=False)
+            continue
         console.print(f"{out}: {episodes} episodes of {step}", markup=False)
 
 

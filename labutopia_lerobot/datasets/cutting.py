@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.assembler import open_to_group
 from labutopia_lerobot.datasets.declaration import IMAGES, STEP, dataset_features
@@ -52,6 +53,10 @@ class CuttingError(UserError):
     """A dataset or a step that cannot be cut; the message says why."""
 
 
+class NothingOfStepError(CuttingError):
+    """A step that takes no time in any demonstration: it is done as soon as the one before."""
+
+
 def steps_of(root: Path, tasks_dir: str | None = None) -> list[str]:
     """Return the names of the steps that a dataset can be cut into, in the task's order.
 
@@ -73,6 +78,9 @@ def steps_of(root: Path, tasks_dir: str | None = None) -> list[str]:
 def cut(root: Path, step: str, out: Path, tasks_dir: str | None = None) -> int:
     """Cut a step out of every demonstration, and return how many episodes that makes.
 
+    A demonstration in which the step takes no time is left out: it is done as soon as the one
+    before, and nothing can be learned from it.
+
     Args:
         root: Folder of the dataset, which is not changed.
         step: Name of the step, such as `3_place`.
@@ -80,8 +88,9 @@ def cut(root: Path, step: str, out: Path, tasks_dir: str | None = None) -> int:
         tasks_dir: A further folder of tasks, which the user trusts.
 
     Raises:
-        CuttingError: If the dataset is no recording of one whole task of several steps, an episode
-            has next to nothing of the step, or `out` exists.
+        CuttingError: If the dataset is no recording of one whole task of several steps, or `out`
+            exists.
+        NothingOfStepError: If nothing is left.
         UnknownOptionError: If there is no such step.
         ForeignDatasetError: If the dataset does not say how it was recorded.
         DamagedDatasetError: If a file is missing or cannot be read.
@@ -91,9 +100,10 @@ def cut(root: Path, step: str, out: Path, tasks_dir: str | None = None) -> int:
         raise CuttingError(f"{out} is there already: delete it, or choose another folder")
     recording = _recording(root)
     config = recording["config"]
-    config |= {"step": step, "cut": True, "repo_id": f"{config['repo_id']}-{step}"}
-    episodes = [row for row in read_episodes(root) if row.get(OUTCOME) == SUCCESS]
-    setting = episode_setting(episodes[0], tasks_dir)
+    config |= {"step": step, "cut": True, "repo_id": f"{config['repo_id']}-{step}", "episodes": 0}
+    rows = read_episodes(root)
+    episodes = [row for row in rows if row.get(OUTCOME) == SUCCESS]
+    setting = episode_setting(rows[0], tasks_dir)
     assert setting is not None  # `steps_of` refuses those that have none
     out.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=out.parent) as place:
@@ -104,12 +114,20 @@ def cut(root: Path, step: str, out: Path, tasks_dir: str | None = None) -> int:
         cutter = _Cutter(root, step, config.get("pace", 1.0), Path(place))
         for row, frames in frames_of_episodes(root, episodes):
             columns = recorded_columns(cutter.info, frames)
-            piece = cutter.piece(row, columns[STEP])
+            piece = cutter.piece(columns[STEP])
+            if piece.stop - piece.start < _FEWEST:
+                continue
+            config["episodes"] += 1
             writer.add(
                 row["tasks"][0],
                 {key: values[piece] for key, values in columns.items()},
                 cutter.videos(row, piece),
                 cutter.annotations(row, piece),
+            )
+        if not config["episodes"]:
+            raise NothingOfStepError(
+                f"No demonstration of {root} has {_FEWEST} frames of {step}: it is done as soon as "
+                "the step before, and nothing can be learned from it"
             )
         writer.finish()
         if config.get("language"):
@@ -118,7 +136,7 @@ def cut(root: Path, step: str, out: Path, tasks_dir: str | None = None) -> int:
         open_to_group(draft)
         require_intact(draft)
         draft.rename(out)
-    return len(episodes)
+    return int(config["episodes"])
 
 
 def _recording(root: Path) -> dict[str, Any]:
@@ -147,28 +165,22 @@ class _Cutter:
         features = self.info["features"].items()
         self._videos = [key for key, feature in features if feature["dtype"] == "video"]
 
-    def piece(self, row: Row, steps: np.ndarray[Any, Any]) -> slice:
-        """Return which frames of an episode are the step's.
+    def piece(self, steps: NDArray[np.str_]) -> slice:
+        """Return which frames of an episode are the step's, maybe none.
 
         What comes behind the last step, until the goal has held, is the last one's. Videos are cut
         without being encoded anew, and so at key frames: the first frame may be left out.
 
         Args:
-            row: Of the episode.
             steps: Which step is being done in every frame, shape (frames,).
         """
         frames = np.flatnonzero(steps == self._step)
         if not frames.size:
-            frames = np.array([len(steps)])
+            return slice(0, 0)
         first, end = int(frames[0]), int(frames[-1]) + 1
         end = len(steps) if not any(steps[end:]) else end
         if self._videos:
             first = -(-first // KEYFRAME_INTERVAL) * KEYFRAME_INTERVAL
-        if end - first < _FEWEST:
-            raise CuttingError(
-                f"Episode {row['episode_index']} of {self._root} has less than {_FEWEST} frames of "
-                f"{self._step}, which nothing can be learned from: cut the other steps, with --step"
-            )
         return slice(first, end)
 
     def videos(self, row: Row, piece: slice) -> dict[str, Video]:

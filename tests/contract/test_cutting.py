@@ -1,6 +1,7 @@
 """Whole demonstrations are cut into those of their steps, which are verified as any dataset is."""
 
 import json
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,7 @@ import pytest
 
 from labutopia_lerobot.cli import cut as command
 from labutopia_lerobot.cli import verify as verify_command
-from labutopia_lerobot.datasets.cutting import CuttingError, cut, steps_of
+from labutopia_lerobot.datasets.cutting import CuttingError, NothingOfStepError, cut, steps_of
 from labutopia_lerobot.datasets.declaration import STEP
 from labutopia_lerobot.datasets.description import RECORDING, read_info
 from labutopia_lerobot.datasets.recording_folder import RecordingFolderError
@@ -122,6 +123,25 @@ def test_what_cannot_be_cut_is_refused(
     with pytest.raises(CuttingError, match="level1/pick, which has one step"):
         cut(picked, "1_pick", tmp_path / "out")
     assert not (tmp_path / "out").exists()
+
+
+def test_a_step_that_takes_no_time_leaves_nothing_to_learn_from(
+    whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    root = Path(shutil.copytree(whole, tmp_path / "at_once"))
+
+    def shut_at_once(steps: list[str]) -> None:
+        steps[:] = ["open"] * (len(steps) - 1) + ["close"]
+
+    edit_table(root, "data", STEP, shut_at_once)
+    with pytest.raises(NothingOfStepError, match="done as soon as the step before"):
+        cut(root, "close", tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+    monkeypatch.setattr("sys.argv", ["labutopia-cut", str(root)])
+    command.main()
+    opened, nothing = capsys.readouterr().out.splitlines()
+    assert opened == f"{root}-open: 1 episodes of open"
+    assert "has 2 frames of close" in nothing
 
 
 def test_an_edited_dataset_is_not_cut(whole: Path, tmp_path: Path) -> None:
