@@ -167,38 +167,43 @@ def _together(rates: list[Rate]) -> Cell:
 
 
 def readme() -> str:
-    """Return the README with what is measured of levels 1 to 3: a line per policy and level."""
-    tables = "\n".join([*_of_levels("1"), "", *_of_levels("2", "3")])
+    """Return the README with what is measured of levels 1 to 4: a line per policy and level."""
+    by_step = _of_levels("4", beside="id, staged")
+    tables = "\n".join([*_of_levels("1"), "", *_of_levels("2", "3"), "", *by_step])
     before, _, rest = README.read_text().partition(BEGIN)
     _, _, after = rest.partition(END)
     return before + BEGIN + tables + "\n" + END + after
 
 
-def _of_levels(*levels: str) -> list[str]:
-    """Return a table's lines: per cent of each policy and level, `id / ood` where `ood` is known.
+def _of_levels(*levels: str, beside: str = "ood") -> list[str]:
+    """Return a table's lines: per cent of each policy and level, `id`, or `id / BESIDE`.
 
     Tasks of one name stand in one column.
+
+    Args:
+        *levels: Which.
+        beside: The condition that stands beside `id` where it is known.
     """
     table = measured("results_cpu").by_task()
     shown = dict[tuple[str, str], dict[str, dict[object, str]]]()
     for task, played, *rates in table.lines:
         level, _, name = str(task).removeprefix("level").partition("/")
         for policy, rate in zip(table.head[2:], rates, strict=True):
-            if level in levels and played in ("id", "ood") and isinstance(rate, Rate):
+            if level in levels and played in ("id", beside) and isinstance(rate, Rate):
                 line = shown.setdefault((policy, level), {})
                 line.setdefault(name, {})[played] = str(int(rate.percent + 0.5))
     names = sorted({name for line in shown.values() for name in line})
     lines = [f"| {' | '.join(['%', *names])} |", "| --- " * (1 + len(names)) + "|"]
     for policy, level in sorted(shown, key=lambda of: (of[1], table.head.index(of[0]))):
-        cells = (_id_and_ood(shown[policy, level].get(name, {})) for name in names)
+        cells = (_both(shown[policy, level].get(name, {}), beside) for name in names)
         lines.append(f"| {' | '.join([f'{policy}, level {level}', *cells])} |")
     return lines
 
 
-def _id_and_ood(rates: dict[object, str]) -> str:
-    """Return what is known of the two splits, by their names."""
+def _both(rates: dict[object, str], beside: str) -> str:
+    """Return what is known of `id` and of the condition beside it."""
     known = rates.get("id", "-")
-    return f"{known} / {rates['ood']}" if "ood" in rates else known
+    return f"{known} / {rates[beside]}" if beside in rates else known
 
 
 @cache

@@ -17,7 +17,7 @@ def main() -> None:
     table = measured("results_cpu").by_task()
     every = [dict(zip(table.head, line, strict=True)) for line in table.lines]
     lines = [of for of in every if any(isinstance(of[policy], Rate) for policy in COLOURS)]
-    names = [f"{of['Task']}, {of['Condition']}".removesuffix(", id") for of in lines]
+    names = [f"{of['Task']}, {of['Condition']}".replace(", id", "") for of in lines]
     figure, axes = plt.subplots(figsize=(8, 0.27 * len(lines) + 0.8))
     for place, (policy, colour) in enumerate(COLOURS.items()):
         rates = [(row, of[policy]) for row, of in enumerate(lines)]
