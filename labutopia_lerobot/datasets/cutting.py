@@ -108,10 +108,10 @@ def cut(root: Path, step: str, out: Path, tasks_dir: str | None = None) -> int:
     out.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=out.parent) as place:
         draft = Path(place) / "dataset"
-        writer = EncodedDatasetWriter(
-            config["repo_id"], dataset_features(setting), setting.robot, draft
-        )
         cutter = _Cutter(root, step, config.get("pace", 1.0), Path(place))
+        declared = dataset_features(setting)
+        features = {key: each for key, each in declared.items() if key in cutter.info["features"]}
+        writer = EncodedDatasetWriter(config["repo_id"], features, setting.robot, draft)
         for row, frames in frames_of_episodes(root, episodes):
             columns = recorded_columns(cutter.info, frames)
             piece = cutter.piece(columns[STEP])
@@ -120,7 +120,7 @@ def cut(root: Path, step: str, out: Path, tasks_dir: str | None = None) -> int:
             config["episodes"] += 1
             writer.add(
                 row["tasks"][0],
-                {key: values[piece] for key, values in columns.items()},
+                {key: values[piece] for key, values in columns.items() if key in features},
                 cutter.videos(row, piece),
                 cutter.annotations(row, piece),
             )
