@@ -35,7 +35,7 @@ COLORS = "colors."
 UNFINISHED = ".tmp"
 """Suffix of the folder of a candidate that is still being played."""
 
-_FEWEST = 2
+FEWEST_FRAMES = 2
 """Frames of an episode that is stored: LeRobot has no statistics of a single one."""
 
 
@@ -86,7 +86,7 @@ class Candidate:
         Args:
             keep: Which candidates are (`RecordingConfig.keep`).
         """
-        return self.success or (keep == "failures" and self.frames >= _FEWEST)
+        return self.success or (keep == "failures" and self.frames >= FEWEST_FRAMES)
 
 
 def candidate_folder(work: Path, task: str, index: int) -> Path:

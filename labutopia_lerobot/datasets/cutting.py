@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.assembler import open_to_group
+from labutopia_lerobot.datasets.candidate import FEWEST_FRAMES
 from labutopia_lerobot.datasets.declaration import IMAGES, STEP, dataset_features
 from labutopia_lerobot.datasets.description import RECORDING, read_info, read_recording
 from labutopia_lerobot.datasets.language import add_language_columns
@@ -41,9 +42,6 @@ from labutopia_lerobot.runtime.video import KEYFRAME_INTERVAL, copy_frames, stat
 from labutopia_lerobot.scenario import canonical_task
 from labutopia_lerobot.setting import require_choices
 from labutopia_lerobot.task import SUCCESS
-
-_FEWEST = 2
-"""Frames of an episode: LeRobot has no statistics of a single one."""
 
 _OF_THE_WHOLE = (VOLUMES, ROUTES)
 """Columns of the episode table that say how a whole episode ends, or which ways it goes."""
@@ -115,7 +113,7 @@ def cut(root: Path, step: str, out: Path, tasks_dir: str | None = None) -> int:
         for row, frames in frames_of_episodes(root, episodes):
             columns = recorded_columns(cutter.info, frames)
             piece = cutter.piece(columns[STEP])
-            if piece.stop - piece.start < _FEWEST:
+            if piece.stop - piece.start < FEWEST_FRAMES:
                 continue
             config["episodes"] += 1
             writer.add(
@@ -126,8 +124,8 @@ def cut(root: Path, step: str, out: Path, tasks_dir: str | None = None) -> int:
             )
         if not config["episodes"]:
             raise NothingOfStepError(
-                f"No demonstration of {root} has {_FEWEST} frames of {step}: it is done as soon as "
-                "the step before, and nothing can be learned from it"
+                f"No demonstration of {root} has {FEWEST_FRAMES} frames of {step}: it is done as "
+                "soon as the step before, and nothing can be learned from it"
             )
         writer.finish()
         if config.get("language"):

@@ -31,7 +31,7 @@ from labutopia_lerobot.features import ACTION
 from labutopia_lerobot.robots import load_robot
 from labutopia_lerobot.scenario.task_function import located_in_play
 from labutopia_lerobot.setting import Setting
-from labutopia_lerobot.task import RUNNING
+from labutopia_lerobot.task import RUNNING, SUCCESS
 
 
 @dataclass(frozen=True)
@@ -171,11 +171,12 @@ def begin(env: LabEnv, row: Row) -> tuple[Observation, Info]:
 def outcome_behind(row: Row) -> str:
     """Return what the environment says behind the last frame of a recorded episode.
 
-    It goes on where the expert gave up, or another step follows on the one that was cut out.
+    It goes on where the expert gave up, or another step follows on the one that was cut out. Where
+    none is written, such as in a dataset that was edited, it is to be a success.
     """
-    cut = cut_of(row)
-    goes_on = row[OUTCOME] == EXPERT_FAILED or (cut is not None and not cut["last"])
-    return RUNNING if goes_on else str(row[OUTCOME])
+    cut, outcome = cut_of(row), row.get(OUTCOME) or SUCCESS
+    goes_on = outcome == EXPERT_FAILED or (cut is not None and not cut["last"])
+    return RUNNING if goes_on else str(outcome)
 
 
 def commands_of(row: Row, frames: pa.Table, robot: str) -> NDArray[Any]:

@@ -23,7 +23,7 @@ from labutopia_lerobot.datasets.description import (
     read_statistics,
 )
 from labutopia_lerobot.datasets.replay import ForeignDatasetError, replay
-from labutopia_lerobot.datasets.tables import DRAWN
+from labutopia_lerobot.datasets.tables import DRAWN, OUTCOME
 from labutopia_lerobot.datasets.verification import environment
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import Verdict, find_problems, require_intact, verify
@@ -47,6 +47,15 @@ def test_a_finished_dataset_is_whole_and_what_the_environment_does(
     fixture: str, request: pytest.FixtureRequest
 ) -> None:
     assert verify(request.getfixturevalue(fixture)) == Verdict([], [])
+
+
+def test_an_episode_whose_outcome_is_not_written_is_to_succeed_again(
+    picked: Path, tmp_path: Path
+) -> None:
+    root = Path(shutil.copytree(picked, tmp_path / "copy"))
+    path = next((root / "meta/episodes").glob("*/*.parquet"))
+    pq.write_table(pq.read_table(path).drop_columns([OUTCOME]), path)
+    assert all(played.faithful for played in replay(root))
 
 
 @pytest.mark.parametrize("kept", [0.0, 0.5, 0.999])

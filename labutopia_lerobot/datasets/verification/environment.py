@@ -183,7 +183,7 @@ def _compare(row: Row, playback: Playback) -> Iterator[str]:
     if other := difference(planned, playback.routes):
         yield f"{ROUTES}: {other}"
     if playback.outcome != outcome_behind(row):
-        yield f"{OUTCOME} is {row[OUTCOME]}, but replayed it is {playback.outcome}"
+        yield f"{OUTCOME} is {row.get(OUTCOME)}, but replayed it is {playback.outcome}"
     if playback.difference is not None:
         first = playback.difference
         yield (
