@@ -20,6 +20,7 @@ from lerobot.datasets.io_utils import embed_images, write_stats
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.declaration import IMAGES
+from labutopia_lerobot.datasets.scaling import SCALED, widened
 from labutopia_lerobot.pictures import FARTHEST_M, camera_and_kind
 from labutopia_lerobot.runtime.video import ENCODINGS, KEYFRAME_INTERVAL
 from labutopia_lerobot.setting import DEPTH
@@ -112,7 +113,11 @@ class EncodedDatasetWriter:
     def finish(self) -> None:
         """Close every file."""
         self._writer.finalize()
-        write_stats(_in_order(self._meta.stats, self._meta.features), self._meta.root)
+        statistics = _in_order(self._meta.stats, self._meta.features)
+        for key in SCALED:
+            if key in statistics:
+                statistics[key] = widened(statistics[key], self._meta.features[key]["names"])
+        write_stats(statistics, self._meta.root)
 
 
 class _AnnotatedMetadata(LeRobotDatasetMetadata):  # type: ignore[misc]  # LeRobot is untyped

@@ -3,6 +3,7 @@
 Recomputed with NumPy in double precision, not with LeRobot, whose sums are in single precision:
 the tolerances are its rounding. A quantile of an episode is, with LeRobot, somewhere in the bin of
 a histogram of 5,000 bins; of the dataset it is the mean of the episodes', weighted by frames.
+Those of a dataset's states may be wider (`scaling`).
 """
 
 from collections.abc import Iterator, Mapping
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.description import STATISTICS, read_statistics
+from labutopia_lerobot.datasets.scaling import SCALED, least_spans
 from labutopia_lerobot.datasets.tables import (
     EPISODES,
     column,
@@ -77,7 +79,9 @@ def _check_dataset(
     lengths = [row["length"] for row in subject.episodes]
     recorded = read_statistics(subject.root)
     for key, together in computed.items():
-        for wrong in wrong_statistics(_flat(recorded.get(key, {})), together.all, max(lengths)):
+        said, longest = _flat(recorded.get(key, {})), max(lengths)
+        spans = least_spans(subject.features[key]["names"]) if key in SCALED else 0.0
+        for wrong in wrong_statistics(said, together.all, longest, spans):
             yield Fault(f"{STATISTICS}: {wrong} of {key} is not that of the frames")
     for key in subject.cameras:
         if f"{key}/mean" not in stored:
@@ -153,7 +157,10 @@ class _Together:
 
 
 def wrong_statistics(
-    stored: Mapping[str, NDArray[np.float64]], computed: Statistics, frames: int
+    stored: Mapping[str, NDArray[np.float64]],
+    computed: Statistics,
+    frames: int,
+    spans: NDArray[np.float64] | float = 0.0,
 ) -> Iterator[str]:
     """Yield the names of the stored statistics that are not the computed ones.
 
@@ -161,6 +168,8 @@ def wrong_statistics(
         stored: What LeRobot has added up.
         computed: What the numbers say.
         frames: Of the longest episode.
+        spans: What the statistics may be widened to, shape (elements,). How far they are depends on
+            whether LeRobot has made them anew, or has added episodes.
     """
     rounding = max(_ROUNDING, frames * _ADDITION)
     rounding_of_squares = max(_ROUNDING, 3 * frames * _ADDITION)
@@ -172,15 +181,19 @@ def wrong_statistics(
             yield f"{name} (shape {values.shape})"
         elif name.startswith("q"):
             low, high = computed[f"low_{name}"], computed[f"high_{name}"]
-            slack = rounding * largest + _EDGE
+            slack = rounding * largest + _EDGE + spans / 2
             if ((values < low - slack) | (values > high + slack)).any():
                 yield name
         elif name == "std":
-            square = np.abs(values**2 - computed["std"] ** 2)
-            if (square > rounding_of_squares * largest**2).any():
+            slack = rounding_of_squares * largest**2
+            wider = values**2 - computed["std"] ** 2
+            if ((wider < -slack) | (wider > slack + spans**2 / 12)).any():
                 yield name
-        elif (np.abs(values - computed[name]) > rounding * largest).any():
-            yield name
+        else:
+            down, up = (spans / 2 if name == bound else 0.0 for bound in ("min", "max"))
+            slack, apart = rounding * largest, values - computed[name]
+            if ((apart < -slack - down) | (apart > slack + up)).any():
+                yield name
 
 
 def _flat(statistics: Mapping[str, object]) -> Statistics:
