@@ -32,14 +32,17 @@ HOME_NAMES = ("home.x", "home.y", "home.z")
 
 SIZE_NAMES = ("height", "footprint_radius", "grip_height", "grip_width")
 
-_LEAST_SPANS = {"lit": 1.0, "settled": 1.0, "solid": 1e-5, "gas": 1e-5}
-"""Last word of a name -> `least_span`, where it is not `_LEAST_SPAN`: what is 1 or 0, and amounts,
-of which a hundredth of a millimole is seen [mol]."""
+_LEAST_SPANS = (
+    dict.fromkeys(_POSE_NAMES[3:], 0.2)
+    | dict.fromkeys(("lit", "settled"), 1.0)
+    | dict.fromkeys(("solid", "gas"), 1e-4)
+)
+"""Last word of a name -> `least_span`, where it is not `_LEAST_SPAN`: of the axes of a thing (6
+degrees to either side), of what is 1 or 0, of amounts (a tenth of a millimole)."""
 
-_LEAST_SPAN = 0.01
-"""A centimetre, 0.6 degrees, a hundredth of what a colour, an acidity or a display may show: ours.
-With it one ACT per step put the third beaker of `level4/liquid_fusion` back in 12 of 12 episodes,
-without in 6 of 19; a button, the least of what moves, has half of it (5 mm)."""
+_LEAST_SPAN = 0.1
+"""A decimetre, 6 degrees, a tenth of what a colour, an acidity or a display shows. Ours, chosen by
+what policies then do (`policies/act/README.md`)."""
 
 
 @dataclass(frozen=True)
