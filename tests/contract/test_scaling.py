@@ -1,6 +1,7 @@
 """What stands still in all demonstrations is not blown up where a policy scales a state."""
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,7 @@ from lerobot.processor import NormalizerProcessorStep, TransitionKey
 from numpy.typing import NDArray
 
 from labutopia_lerobot.datasets.declaration import ENVIRONMENT_STATE, STATE
-from labutopia_lerobot.datasets.description import STATISTICS, read_info, read_statistics
+from labutopia_lerobot.datasets.description import INFO, STATISTICS, read_info, read_statistics
 from labutopia_lerobot.datasets.scaling import SCALED, widened
 from labutopia_lerobot.datasets.tables import column, frames_of_episodes, read_episodes
 from labutopia_lerobot.datasets.verify import verify
@@ -88,6 +89,19 @@ def test_what_is_widened_stays_as_it_is() -> None:
     assert np.allclose(once["std"], (once["max"] - once["min"]) / np.sqrt(12))
     twice = widened(once, names)
     assert all(np.allclose(twice[name], once[name], rtol=1e-12) for name in once)
+
+
+@pytest.mark.parametrize("names", [None, {"motors": ["joint1"]}, ["joint1"]], ids=repr)
+def test_a_state_that_others_named_is_read(
+    names: list[str] | dict[str, list[str]] | None, heated: Path, tmp_path: Path
+) -> None:
+    root = Path(shutil.copytree(heated, tmp_path / "foreign"))
+    info = json.loads((root / INFO).read_text())
+    info["features"][ENVIRONMENT_STATE]["names"] = names
+    (root / INFO).write_text(json.dumps(info))
+    faults = verify(root, 0).faults
+    assert any(f"names of {ENVIRONMENT_STATE}" in fault for fault in faults)
+    assert not any("cannot be read" in fault for fault in faults)
 
 
 @pytest.mark.parametrize("statistic", SPREAD)

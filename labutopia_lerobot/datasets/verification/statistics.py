@@ -7,6 +7,7 @@ Those of a dataset's states may be wider (`scaling`).
 """
 
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -80,7 +81,7 @@ def _check_dataset(
     recorded = read_statistics(subject.root)
     for key, together in computed.items():
         said, longest = _flat(recorded.get(key, {})), max(lengths)
-        spans = least_spans(subject.features[key]["names"]) if key in SCALED else 0.0
+        spans = _spans(subject.features[key]) if key in SCALED else 0.0
         for wrong in wrong_statistics(said, together.all, longest, spans):
             yield Fault(f"{STATISTICS}: {wrong} of {key} is not that of the frames")
     for key in subject.cameras:
@@ -92,6 +93,13 @@ def _check_dataset(
             together.add(_stored_of(stored, key, number), length)
         for wrong in wrong_statistics(_flat(recorded.get(key, {})), together.all, max(lengths)):
             yield Fault(f"{STATISTICS}: {wrong} of {key} is not that of its episodes")
+
+
+def _spans(feature: Mapping[str, Any]) -> NDArray[np.float64] | float:
+    """Return what the statistics of a state may be widened to; not where others named it."""
+    names = feature["names"]
+    named = isinstance(names, list) and [len(names)] == list(feature["shape"])
+    return least_spans(names) if named else 0.0
 
 
 def _stored_of(stored: Mapping[str, NDArray[np.float64]], key: str, number: int) -> Statistics:
