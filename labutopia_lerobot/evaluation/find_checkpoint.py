@@ -94,14 +94,17 @@ def _nothing_there(
         cut = f"labutopia-cut outputs/datasets/{task_id} --step={step}\n  "
     wanted = [CONFIG, "checkpoints/last/pretrained_model", place]
     looked = place if one_of_several else f"{', '.join(wanted[:-1])} nor {wanted[-1]}"
-    recorded, recipe = (" obs=state", "train_state") if obs == "state" else ("", "train")
+    kind = policy or "act"
+    recipes = shipped("policies") / kind
+    on_pictures, on_states = recipes / "train.json", recipes / "train_state.json"
+    state = obs == "state" or (on_states.is_file() and not on_pictures.is_file())
+    recorded = " obs=state" if state else ""
     other = "" if not path.is_file() else "a file"
     other = "a dataset" if (path / "meta" / "info.json").is_file() else other
-    below = Path("outputs/train") / (policy or "act") if other else path
+    below = Path("outputs/train") / kind if other else path
     dataset, out = f"outputs/datasets/{named}", shlex.quote(str(below / place))
-    kind = policy or "act"
-    if (shipped("policies") / kind / f"{recipe}.json").is_file():
-        epochs = "" if obs == "state" else _EPOCHS.get(kind, "")
+    if (on_states if state else on_pictures).is_file():
+        epochs = "" if state else _EPOCHS.get(kind, "")
         training = f"$(labutopia-recipe {kind} {dataset}{epochs} --out {out})"
     else:
         training = (

@@ -262,6 +262,12 @@ def test_a_misspelt_path_asks_for_its_neighbour_and_a_recipe_trains_what_is_miss
     assert "--policy.type=tdmpc --policy.push_to_hub=false " in str(raised.value)
 
 
+def test_a_policy_with_a_recipe_for_states_alone_is_trained_on_states() -> None:
+    with pytest.raises(CheckpointError, match=r"does not exist\. Make one") as raised:
+        find_checkpoint("outputs/nothing/like/it", "mlp", TASK, None)
+    assert f"labutopia-record task={TASK} obs=state\n  $(labutopia-recipe mlp " in str(raised.value)
+
+
 def test_a_dataset_is_no_checkpoint_and_nothing_is_trained_into_it(tmp_path: Path) -> None:
     (tmp_path / "meta").mkdir()
     (tmp_path / "meta" / "info.json").write_text("{}")
