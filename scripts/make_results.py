@@ -67,6 +67,7 @@ labutopia-experiment experiment=results_gpu kit=KIT              # for a GPU wit
 - `launcher=ray` joins the cluster at `RAY_ADDRESS`, whose machines share `out`, or starts one of
   this machine: parts that do not need each other run at the same time, as cores and GPUs allow,
   and go on elsewhere when a machine is lost.
+- `trainings=3` trains three times, from one seed to the next, and evaluates each.
 - A study with `control=act` differs from that of `act` in one thing, such as `particles: 300`, and
   is compared with it on common seeds.
 - `kit=KIT` records and verifies, and fills a folder for a machine that has a GPU, Python with
@@ -87,7 +88,8 @@ def main() -> None:
 def content() -> str:
     """Return the page."""
     kept = measured("results_cpu")
-    tables = [*kept.tables(), *measured("controls").controls()]
+    changed = measured("controls")
+    tables = [*kept.tables(), *changed.trainings(), *changed.controls()]
     shown = "\n".join(map(as_markdown, [*tables, beside_the_paper()]))
     of_the_expert = map(as_markdown, (elsewhere(), other_robots()))
     head = _HEAD.format(all=len(kept.evaluations), known=len(kept.results))

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from pathlib import Path
+from statistics import mean, stdev
 from typing import Any
 
 from labutopia_lerobot.evaluation.compare import (
@@ -85,9 +86,10 @@ class Measured:
     def final(self) -> list[EvaluationPart]:
         """Those of the last weights, from as many demonstrations as most policies and tasks have.
 
-        Where one has never so many, the most that it has: numbers in one table are comparable.
+        Where one has never so many, the most that it has: numbers in one table are comparable. Of
+        trainings that differ in their seed alone, the first.
         """
-        last = [each for each in self.evaluations if each.at is None]
+        last = [each for each in self.evaluations if each.at is None and not each.repeat]
         counts: dict[tuple[str, str], set[int]] = {}
         for each in last:
             counts.setdefault((each.label, each.task), set()).add(each.demonstrations or 0)
@@ -108,11 +110,12 @@ class Measured:
         return UNKNOWN if result is None else success(report_entries([result])[0])
 
     def tables(self) -> list[Table]:
-        """Return the tables of all tasks, causes, learning curves, controls, comparisons."""
+        """Return the tables of tasks, causes, learning curves, trainings, controls, comparisons."""
         return [
             self.by_task(),
             *self._causes(),
             *self._curve_tables(),
+            *self.trainings(),
             *self.controls(),
             *self._comparisons(),
         ]
@@ -178,7 +181,7 @@ class Measured:
         by_count: dict[Line, dict[int, Cell]] = {}
         by_step: dict[Line, dict[int, Cell]] = {}
         for each in self.evaluations:
-            if each.demonstrations is None:
+            if each.demonstrations is None or each.repeat:
                 continue
             line = Line(each.label, _played(each), each.task, None)
             if each.at is None:
@@ -194,6 +197,25 @@ class Measured:
             }.items()
             if (shown := {line: points for line, points in lines.items() if len(points) > 1})
         ]
+
+    def trainings(self) -> list[Table]:
+        """Return the table of trainings that differ in their seed alone, if there are such."""
+        of: dict[tuple[str, str, str, int], list[EvaluationPart]] = {}
+        for each in self.evaluations:
+            if each.at is None and each.demonstrations is not None:
+                said = (each.label, each.task, _played(each), each.demonstrations)
+                of.setdefault(said, []).append(each)
+        lines = [
+            (*said, *_spread([self.rate(each) for each in trained]))
+            for said, trained in of.items()
+            if len(trained) > 1
+        ]
+        head = ("Policy", "Task", "Condition", "Demonstrations", "Successes of each", "mean", "sd")
+        note = (
+            "Of each training, the recipe's seed first. Mean of the rates in per cent, sd: their "
+            "standard deviation in percentage points. All play the same episodes."
+        )
+        return [Table("Trainings that differ in their seed", head, (*lines,), note)] * bool(lines)
 
     def controls(self) -> list[Table]:
         """Return the table of what is compared with what differs from it in one thing, if any is.
@@ -274,6 +296,18 @@ def kept_results(folder: Path, evaluations: Sequence[EvaluationPart]) -> Measure
     moved = {each: folder / each.place.relative_to(each.out / "eval") for each in evaluations}
     there = {e: load_results(place)[0] for e, place in moved.items() if place.exists()}
     return Measured(tuple(evaluations), there)
+
+
+def _spread(rates: Sequence[Cell]) -> tuple[str, str, str]:
+    """Return successes of each training, and mean and standard deviation of what is measured."""
+    known = [rate for rate in rates if isinstance(rate, Rate)]
+    each = ", ".join(str(rate.count) if isinstance(rate, Rate) else UNKNOWN for rate in rates)
+    percents = [rate.percent for rate in known]
+    return (
+        f"{each} of {known[0].n}" if known else UNKNOWN,
+        f"{mean(percents):.1f}" if known else UNKNOWN,
+        f"{stdev(percents):.1f}" if len(known) > 1 else UNKNOWN,
+    )
 
 
 def _same(evaluation: EvaluationPart) -> tuple[str, str]:

@@ -61,10 +61,11 @@ def _parts_of_study(experiment: Experiment, study: Study) -> Iterator[Experiment
         if policy in REFERENCES:
             yield from _reference(experiment, study, policy, task)
             continue
-        for count, play in product(study.demonstrations, study.plays):
+        repeats = range(study.trainings)
+        for count, play, repeat in product(study.demonstrations, study.plays, repeats):
             steps = _steps(study, task) if play == STAGED else [None]
             trainings = tuple(
-                _training(experiment, study, policy, task, step, count) for step in steps
+                _training(experiment, study, policy, task, step, count, repeat) for step in steps
             )
             for training in trainings:
                 yield from (*training.needs, training)
@@ -74,7 +75,7 @@ def _parts_of_study(experiment: Experiment, study: Study) -> Iterator[Experiment
 def _learned(
     experiment: Experiment, study: Study, policy: str, task: str, play: str, trainings: _Trainings
 ) -> Iterator[ExperimentPart]:
-    along = study.evaluate_at if play == SINGLE else ()
+    along = study.evaluate_at if play == SINGLE and not trainings[0].repeat else ()
     first = study.shifts[0]  # success over steps needs one condition
     for at in along:
         if at != trainings[0].steps:
@@ -91,7 +92,13 @@ def _reference(
 
 
 def _training(
-    experiment: Experiment, study: Study, policy: str, task: str, step: str | None, count: int
+    experiment: Experiment,
+    study: Study,
+    policy: str,
+    task: str,
+    step: str | None,
+    count: int,
+    repeat: int,
 ) -> TrainingPart:
     out = experiment.out
     chosen = dict(study.options)
@@ -102,7 +109,15 @@ def _training(
     )
     label = study.label_of(policy)
     return TrainingPart(
-        out, recording, step, policy, label, study.budget, study.evaluate_at, experiment.device
+        out=out,
+        recording=recording,
+        step=step,
+        policy=policy,
+        label=label,
+        budget=study.budget,
+        repeat=repeat,
+        evaluate_at=study.evaluate_at,
+        device=experiment.device,
     )
 
 

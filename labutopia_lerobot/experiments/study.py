@@ -48,6 +48,11 @@ class StudyConfig(SettingOptions):
     steps: int | None = option(None, "Steps of a training; the recipe's when null.")
     epochs: int | None = option(None, "How often every frame is seen, instead of `steps`.")
     batch_size: int | None = option(None, "Frames per step; the recipe's when null.")
+    trainings: int = option(
+        1,
+        "How often it is trained, from one seed to the next: the recipe's first. Each training is "
+        "evaluated, and tables say how far they differ.",
+    )
     training: Any = option(
         None, "Options of `lerobot-train` beside the recipe's, such as {policy.chunk_size: 20}."
     )
@@ -112,6 +117,7 @@ class Study:
         demonstrations: Numbers of demonstrations that are learned from, in increasing order.
         pace: How fast the hand moves in them, as a share of the expert's speeds.
         budget: What each training may use.
+        trainings: How many there are, which differ in their seed alone.
         evaluate_at: Steps at which a training is evaluated too, in increasing order.
         shifts: What the evaluations draw.
         plays: `single`, `staged`, or both.
@@ -127,6 +133,7 @@ class Study:
     demonstrations: tuple[int, ...]
     pace: float
     budget: Budget
+    trainings: int
     evaluate_at: tuple[int, ...]
     shifts: tuple[Shift, ...]
     plays: tuple[str, ...]
@@ -161,7 +168,11 @@ def study_of(config: StudyConfig) -> Study:
     if not _several(config.demonstrations):
         raise ExperimentOptionError("Nothing is learned from: say demonstrations=100")
     require_choices("play", [config.play], (SINGLE, STAGED, BOTH))
-    for name in ("steps", "epochs", "batch_size", "episodes"):
+    if config.trainings != 1 and "seed" in (config.training or {}):
+        raise ExperimentOptionError(
+            "trainings= and training={seed} both decide the seed: leave one out"
+        )
+    for name in ("steps", "epochs", "batch_size", "episodes", "trainings"):
         _require_numbers(name, [getattr(config, name)])
     if config.label is not None and not _NAME.fullmatch(config.label):
         raise ExperimentOptionError(
@@ -179,6 +190,7 @@ def study_of(config: StudyConfig) -> Study:
         demonstrations=_increasing("demonstrations", config.demonstrations),
         pace=config.pace,
         budget=Budget(config.steps, config.epochs, config.batch_size, _said(config.training)),
+        trainings=config.trainings,
         evaluate_at=_increasing("evaluate_at", config.evaluate_at),
         shifts=(
             *(Shift(split, axes) for split in splits),

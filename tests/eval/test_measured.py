@@ -78,6 +78,23 @@ def test_what_differs_in_one_thing_is_compared_with_the_usual_seed_by_seed(tmp_p
     assert not any("common seeds" in title for title in titles)  # their conditions differ
 
 
+def test_trainings_that_differ_in_their_seed_stand_in_a_table_of_their_own(tmp_path):
+    words = ("level1/pick", "obs=state", "policy=[act,mlp]", "trainings=3", f"out={tmp_path}")
+    evaluations = planning.evaluations(planning.parts_of(parse([*words])))
+    act = [each for each in evaluations if each.label == "act"]
+    for each, lost in zip(act[:2], (0, 10), strict=True):
+        rows = written("level1/pick", "act", 1.0, n=40, obs="state")
+        keep(each.place, [replace(row, success=row.seed >= 100_000 + lost) for row in rows])
+    measured = Measured.of(evaluations)
+    (table,) = measured.trainings()
+    of_act, of_mlp = table.lines
+    assert of_act == ("act", "level1/pick", "id", 100, "40, 30, not measured of 40", "87.5", "17.7")
+    assert of_mlp[4:] == ("not measured",) * 3
+    assert [each.repeat for each in measured.final] == [0, 0]  # other tables have the first
+    assert measured.by_task().lines[0][2].count == 40
+    assert table in measured.tables()
+
+
 def _control(evaluations: list[EvaluationPart]) -> tuple[Cell, ...]:
     """Return the line of the first control; the second is not measured."""
     (table,) = Measured.of(evaluations).controls()

@@ -62,6 +62,34 @@ def test_success_over_steps_plays_weights_that_the_training_keeps():
     assert len(places) == 3
 
 
+def test_trainings_that_differ_in_their_seed_share_a_recording_and_begin_with_the_recipes_own():
+    words = (*PICK, "evaluate_at=[500]")
+    once, parts = planned(*words), planned(*words, "trainings=3")
+    assert parts[: len(once)] == once
+    assert [part.name for part in parts[len(once) :]] == [
+        "train act level1/pick state 100 seed1001",
+        "evaluate act level1/pick state 100 seed1001 id",
+        "train act level1/pick state 100 seed1002",
+        "evaluate act level1/pick state 100 seed1002 id",
+    ]
+    assert len({part.place for part in parts}) == len(parts)
+    trainings = [part for part in parts if isinstance(part, TrainingPart)]
+    seeds = [[word for word in part._said() if "seed" in word] for part in trainings]
+    assert seeds == [[], ["--seed=1001"], ["--seed=1002"]]
+
+
+def test_every_step_of_a_staged_task_is_trained_from_every_seed():
+    words = ("level4/clean_beaker", "obs=state", "policy=act", "play=staged", "trainings=2")
+    parts = planned(*words)
+    first, second = evaluations(parts)
+    assert (first.repeat, second.repeat) == (0, 1)
+    assert [training.step for training in second.trainings] == [
+        training.step for training in first.trainings
+    ]
+    assert all("--seed=1001" in training._said() for training in second.trainings)
+    assert second.place != first.place
+
+
 def test_steps_of_a_task_are_trained_alone_and_judged_in_turn():
     parts = planned("level4/clean_beaker", "obs=state", "policy=act", "play=staged")
     trainings = [part for part in parts if isinstance(part, TrainingPart)]
@@ -135,6 +163,8 @@ def test_the_experiments_that_come_with_the_package_fit_their_tasks_and_recipes(
         ((*PICK, "splt=ood"), "Did you mean 'split='"),
         ((*PICK, "only=level1/press"), "only=level1/press is no task of"),
         ((*PICK, "training=[a]"), "is no map of options"),
+        ((*PICK, "trainings=0"), "trainings=0 is impossible"),
+        ((*PICK, "trainings=2", "training={seed: 3}"), "both decide the seed"),
         ((*PICK, "training={steps: 10}"), "training={steps}: an experiment decides that itself"),
         ((*PICK, "training={policy.device: cuda}"), "Say device="),
         ((*PICK, "device=cudda"), "device=cudda is none of torch"),
@@ -280,7 +310,7 @@ def test_a_training_that_comes_back_from_elsewhere_must_be_the_one_that_was_aske
     folder = training.place / "checkpoints" / "last" / "pretrained_model"
     folder.mkdir(parents=True)
     chosen = {"type": "act", "chunk_size": 20, "input_features": {"observation.state": {}}}
-    made = {"policy": chosen, "batch_size": 64}
+    made = {"policy": chosen, "batch_size": 64, "seed": 1000}
 
     def said(config):
         (folder / "train_config.json").write_text(json.dumps(config))
@@ -289,5 +319,6 @@ def test_a_training_that_comes_back_from_elsewhere_must_be_the_one_that_was_aske
     assert said(made) == ""
     assert "policy.type=diffusion, not act" in said({**made, "policy": {"type": "diffusion"}})
     assert "batch_size=8, not 64" in said({**made, "batch_size": 8})
+    assert "seed=7, not 1000" in said({**made, "seed": 7})
     other = {"type": "act", "chunk_size": 40}
     assert "policy.chunk_size=40, not 20" in said({**made, "policy": other})

@@ -55,14 +55,17 @@ class EvaluationPart:
 
     @property
     def name(self) -> str:
-        learned = [t.recording.variety for t in self.trainings[:1]] or [self.obs]
-        count = [str(self.demonstrations)] if self.trainings else []
-        return " ".join(["evaluate", self.label, self.task, *learned, *count, self._how])
+        return " ".join(["evaluate", self.label, self.task, *self._variety, self._how])
 
     @property
     def demonstrations(self) -> int | None:
         """How many demonstrations the policy has learned from; None for a reference policy."""
         return self.trainings[0].recording.demonstrations if self.trainings else None
+
+    @property
+    def repeat(self) -> int:
+        """How many trainings that differ in their seed alone are before the one that plays."""
+        return self.trainings[0].repeat if self.trainings else 0
 
     @property
     def rate_key(self) -> str:
@@ -79,8 +82,7 @@ class EvaluationPart:
 
     @property
     def place(self) -> Path:
-        learned = "-".join(f"{t.recording.variety}-{self.demonstrations}" for t in self._first)
-        return self.out / "eval" / self.label / (learned or self.obs) / self.task / self._how
+        return self.out / "eval" / self.label / "-".join(self._variety) / self.task / self._how
 
     @property
     def cores(self) -> int:
@@ -173,8 +175,8 @@ class EvaluationPart:
         return digest_of({ROWS: self.place / ROWS})
 
     @property
-    def _first(self) -> tuple[TrainingPart, ...]:
-        return self.trainings[:1]
+    def _variety(self) -> list[str]:
+        return self.trainings[0].variety if self.trainings else [self.obs]
 
     @property
     def _how(self) -> str:

@@ -32,6 +32,9 @@ _BAR = re.compile(r"Training: .*?\| *(\d+)/(\d+) \[")
 _TAIL = 4_000
 """Bytes at the end of a log in which the bar stands."""
 
+_SEED = 1000
+"""LeRobot's seed of a training, where a recipe says none."""
+
 _LAST = Path("checkpoints/last/pretrained_model")
 
 
@@ -46,6 +49,7 @@ class TrainingPart:
         policy: A recipe of `policies/`.
         label: What tables and folders call it.
         budget: What it may use.
+        repeat: How many trainings that differ in their seed alone are before it.
         evaluate_at: Steps at which its weights are kept, beside those of the recipe.
         device: Device of torch, or None for the recipe's.
     """
@@ -56,14 +60,19 @@ class TrainingPart:
     policy: str
     label: str
     budget: Budget
+    repeat: int
     evaluate_at: tuple[int, ...]
     device: str | None
 
     @property
     def name(self) -> str:
-        recorded = self.recording
-        kind = f"{recorded.variety} {recorded.demonstrations}"
-        return f"train {self.label} {self.dataset.subject} {kind}"
+        return " ".join(["train", self.label, self.dataset.subject, *self.variety])
+
+    @property
+    def variety(self) -> list[str]:
+        """What it has learned from, how many, and its seed if that is not the recipe's: words."""
+        reseeded = [f"seed{self._seed}"] if self.repeat else []
+        return [self.recording.variety, str(self.recording.demonstrations), *reseeded]
 
     @property
     def rate_key(self) -> str:
@@ -89,8 +98,7 @@ class TrainingPart:
         """Where `policy.path=` finds it by its task, or by its task and step."""
         recorded = self.recording
         kind = "whole" if self.step is None and recorded.step is None else "steps"
-        numbered = f"{recorded.variety}-{recorded.demonstrations}"
-        return self.out / "train" / self.label / numbered / kind
+        return self.out / "train" / self.label / "-".join(self.variety) / kind
 
     @property
     def dataset(self) -> RecordingPart | CuttingPart:
@@ -220,6 +228,7 @@ class TrainingPart:
         asked = {
             "policy.type": recipe["policy"]["type"],
             "batch_size": self.budget.batch_size or recipe["batch_size"],
+            "seed": self._seed,
             **{name: json.loads(value) for name, _, value in (w.partition("=") for w in words)},
         }
         for name, value in asked.items():
@@ -253,6 +262,11 @@ class TrainingPart:
     def _recipe(self) -> dict[str, Any]:
         return read_json_object(self.recipe, RecipeError)
 
+    @property
+    def _seed(self) -> int:
+        seed: int = self._recipe.get("seed", _SEED) + self.repeat
+        return seed
+
     def _own_network(self) -> str | None:
         """Return the hash of a network that is not LeRobot's but ours, or None."""
         files = {file.name: file for file in _OWN_NETWORK.glob("*.py")}
@@ -267,7 +281,11 @@ class TrainingPart:
 
     def _said(self) -> list[str]:
         """Return what the study says beside what `labutopia-recipe` prints."""
-        words = {"steps": self.budget.steps, "save_freq": math.gcd(*self.evaluate_at) or None}
+        words = {
+            "steps": self.budget.steps,
+            "save_freq": math.gcd(*self.evaluate_at) or None,
+            "seed": self._seed if self.repeat else None,
+        }
         said = [f"--{name}={value}" for name, value in words.items() if value is not None]
         return [*said, *self.budget.arguments]
 
