@@ -217,7 +217,10 @@ def _merged[Options](kind: type[Options], file: Path | None, *layers: Mapping[st
         merged = OmegaConf.merge(OmegaConf.structured(kind), *listed)
         made: Options = OmegaConf.to_object(merged)  # type: ignore[assignment]
     except OmegaConfBaseException as error:
-        raise ExperimentOptionError(str(error).strip().splitlines()[0]) from None
+        reason = str(error).strip().splitlines()[0]
+        raise ExperimentOptionError(
+            ": ".join(str(word) for word in (file, error.full_key, reason) if word)
+        ) from None
     return made
 
 

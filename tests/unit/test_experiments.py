@@ -164,6 +164,7 @@ def test_the_experiments_that_come_with_the_package_fit_their_tasks_and_recipes(
         ((*PICK, "only=level1/press"), "only=level1/press is no task of"),
         ((*PICK, "training=[a]"), "is no map of options"),
         ((*PICK, "trainings=0"), "trainings=0 is impossible"),
+        ((*PICK, "trainings=1.5"), "trainings: Value '1.5' of type 'float' could not be"),
         ((*PICK, "trainings=2", "training={seed: 3}"), "both decide the seed"),
         ((*PICK, "training={steps: 10}"), "training={steps}: an experiment decides that itself"),
         ((*PICK, "training={policy.device: cuda}"), "Say device="),
@@ -221,6 +222,7 @@ def test_two_studies_that_make_one_thing_differently_are_refused(tmp_path):
         ("studies: 3", "no list of maps"),
         ("- 3", "no map of options"),
         ("studies:\n - {polcy: act}", "'polcy' is no option. Did you mean 'policy'"),
+        ("studies:\n - {policy: act, episodes: many}", "mine.yaml: episodes: Value 'many'"),
         ("studies: [", "cannot be read"),
     ],
 )
