@@ -1,8 +1,11 @@
 """A recipe of `policies/` and a dataset become the command of `lerobot-train`."""
 
+import io
 import json
 import math
 from collections.abc import Iterable, Sequence
+from contextlib import redirect_stderr
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -116,6 +119,51 @@ def recipe_file(policy: str, obs: str) -> Path:
             f"{', '.join(sorted(f.name for f in file.parent.glob('train*.json')))}"
         )
     raise RecipeError(f"'{policy}' is no recipe. Recipes: {', '.join(trainable_policies())}")
+
+
+@cache
+def require_options(recipe: Path, words: tuple[str, ...]) -> None:
+    """Have LeRobot read a recipe with further options, as it will when a training begins.
+
+    Of a recipe that begins with a base model, LeRobot knows the options when that is loaded.
+
+    Args:
+        recipe: One of `recipe_file`.
+        words: Arguments for `lerobot-train` beside it.
+
+    Raises:
+        RecipeError: If it refuses one; the message says why.
+    """
+    if "type" not in read_json_object(recipe, RecipeError).get("policy", {}):
+        return
+    import lerobot.policies  # noqa: F401  here: it takes seconds
+    from draccus.utils import DecodingError
+    from lerobot.configs.train import TrainPipelineConfig
+
+    import labutopia_lerobot.behaviour_cloning  # noqa: F401  both register policies
+
+    said = io.StringIO()
+    try:
+        with redirect_stderr(said):
+            TrainPipelineConfig.from_pretrained(recipe, cli_args=[*words])
+    except SystemExit:  # of its parser
+        reason = said.getvalue().strip().rpartition("error: ")[2]
+    except DecodingError as error:
+        reason = _why(error)
+    else:
+        return
+    raise RecipeError(
+        f"lerobot-train refuses {' '.join(words)} with {recipe.parent.name}/{recipe.name}: {reason}"
+    )
+
+
+def _why(error: BaseException) -> str:
+    """Return the last line of an error and, if that says more, of what caused it in the end."""
+    first = last = str(error).strip().splitlines()[-1].strip()
+    while error.__cause__ is not None:
+        error = error.__cause__
+        last = str(error).strip()
+    return first if last in first else f"{first} ({last})"
 
 
 def _info(dataset: Path) -> dict[str, Any]:

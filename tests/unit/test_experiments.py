@@ -194,6 +194,12 @@ def test_a_wrong_word_is_reported_with_the_cure(words, reported):
         ((*PICK, "steps=100", "evaluate_at=[200]"), "comes after the training of act"),
         ((*PICK, "shifts=[size]"), "size"),
         ((*PICK, "play=staged"), "play=staged needs several steps"),
+        ((*PICK, "training={policy.chunk: 20}"), "act/train_state.json: unrecognized arguments"),
+        (
+            (*PICK, "training={policy.chunk_size: x}"),
+            "`chunk_size`: Couldn't parse 'x' into an int",
+        ),
+        ((*PICK, "training={policy.n_obs_steps: 3}"), "Multiple observation steps not handled yet"),
         ((*PICK, "extras=[depth]"), "needs cameras"),
     ],
 )

@@ -16,7 +16,12 @@ from labutopia_lerobot.evaluation.origin import training_step, weight_hashes
 from labutopia_lerobot.experiments.parts.cutting_part import CuttingPart
 from labutopia_lerobot.experiments.parts.experiment_part import ExperimentPart, digest_of, log_of
 from labutopia_lerobot.experiments.parts.recording_part import RecordingPart, VerificationPart
-from labutopia_lerobot.experiments.recipe import RecipeError, recipe_file, training_command
+from labutopia_lerobot.experiments.recipe import (
+    RecipeError,
+    recipe_file,
+    require_options,
+    training_command,
+)
 from labutopia_lerobot.experiments.study import Budget, ExperimentOptionError
 from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.runtime import provenance
@@ -148,10 +153,10 @@ class TrainingPart:
         return None
 
     def check(self) -> None:
-        """Check that there is a recipe, and that it has enough demonstrations.
+        """Check that there is a recipe, that it has enough demonstrations, and what is said beside.
 
         Raises:
-            RecipeError: If there is no recipe for what is observed.
+            RecipeError: If there is no recipe for what is observed, or LeRobot refuses an option.
             ExperimentOptionError: If numbers do not fit the recipe.
         """
         split = self._recipe.get("dataset", {}).get("eval_split", 0.0)
@@ -167,6 +172,8 @@ class TrainingPart:
                 f"evaluate_at={beyond[0]} comes after the training of {self.label}, which has "
                 f"{self.steps} steps"
             )
+        if self.budget.arguments:
+            require_options(self.recipe, self.budget.arguments)
 
     def inputs(self) -> dict[str, Any]:
         """Return the content of the dataset, the recipe, what is asked beside it, the versions.
