@@ -215,7 +215,8 @@ class Measured:
             "Of each training, the recipe's seed first. Mean of the rates in per cent, sd: their "
             "standard deviation in percentage points. All play the same episodes."
         )
-        return [Table("Trainings that differ in their seed", head, (*lines,), note)] * bool(lines)
+        title = "Trainings that differ in their seed"
+        return [Table(title, head, (*lines,), note)] if lines else []
 
     def controls(self) -> list[Table]:
         """Return the table of what is compared with what differs from it in one thing, if any is.
