@@ -168,7 +168,8 @@ def study_of(config: StudyConfig) -> Study:
     if not _several(config.demonstrations):
         raise ExperimentOptionError("Nothing is learned from: say demonstrations=100")
     require_choices("play", [config.play], (SINGLE, STAGED, BOTH))
-    if config.trainings != 1 and "seed" in (config.training or {}):
+    said = _said(config.training)
+    if config.trainings != 1 and any(word.startswith("--seed=") for word in said):
         raise ExperimentOptionError(
             "trainings= and training={seed} both decide the seed: leave one out"
         )
@@ -189,7 +190,7 @@ def study_of(config: StudyConfig) -> Study:
         tasks=tuple(choose_tasks(config.task, config.level, config.tasks_dir)),
         demonstrations=_increasing("demonstrations", config.demonstrations),
         pace=config.pace,
-        budget=Budget(config.steps, config.epochs, config.batch_size, _said(config.training)),
+        budget=Budget(config.steps, config.epochs, config.batch_size, said),
         trainings=config.trainings,
         evaluate_at=_increasing("evaluate_at", config.evaluate_at),
         shifts=(

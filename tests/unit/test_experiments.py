@@ -166,6 +166,7 @@ def test_the_experiments_that_come_with_the_package_fit_their_tasks_and_recipes(
         ((*PICK, "trainings=0"), "trainings=0 is impossible"),
         ((*PICK, "trainings=1.5"), "trainings: Value '1.5' of type 'float' could not be"),
         ((*PICK, "trainings=2", "training={seed: 3}"), "both decide the seed"),
+        ((*PICK, "trainings=2", "training=5"), "is no map of options"),
         ((*PICK, "training={steps: 10}"), "training={steps}: an experiment decides that itself"),
         ((*PICK, "training={policy.device: cuda}"), "Say device="),
         ((*PICK, "device=cudda"), "device=cudda is none of torch"),
