@@ -28,7 +28,7 @@ from labutopia_lerobot.datasets.verification import environment
 from labutopia_lerobot.datasets.verification.environment import ALL
 from labutopia_lerobot.datasets.verify import Verdict, find_problems, require_intact, verify
 from labutopia_lerobot.runtime.video import VideoWriter, read_frames, video_size_and_frames
-from recordings import edit_table
+from recordings import edit_table, recording
 
 Picture = NDArray[np.uint8]
 
@@ -156,6 +156,20 @@ def test_a_flipped_camera_is_found(copied: Path) -> None:
     faults = verify(copied).faults
     assert len(faults) == 2
     assert all("observation.images.wrist is not what the camera sees" in f for f in faults)
+
+
+def test_a_dimmed_camera_is_found(copied: Path) -> None:
+    edit_video(copied, "front", lambda pictures: [(0.93 * p).astype(np.uint8) for p in pictures])
+    assert find_problems(copied) == []
+    faults = verify(copied).faults
+    assert len(faults) == 2
+    assert all("observation.images.front is not what the camera sees" in f for f in faults)
+
+
+def test_a_bright_button_that_compression_dulls_is_no_fault(tmp_path: Path) -> None:
+    small = ("obs=pixels", "cameras=[front,wrist]", "width=96", "height=96")
+    root = recording(tmp_path / "press", "task=level1/press", "seed=74", "episodes=1", *small)
+    assert verify(root, ALL) == Verdict([], [])  # its red is off by 13 levels, beside a dark panel
 
 
 def test_a_wrong_instruction_is_found(copied: Path) -> None:
