@@ -29,27 +29,28 @@ OLDER = {
 """Rows of liquids that mixed and cooled by a thousandth otherwise: to be measured anew."""
 
 
-def _param(value: Any, name: str, *, slow: bool = True) -> Any:
+def _param(*values: Any, name: str, slow: bool = True) -> Any:
     """Return a parameter; where its row is of an earlier build, the test is to fail."""
     older = [pytest.mark.xfail(strict=True, reason="measured before")] * (name in OLDER)
-    return pytest.param(value, marks=[*[pytest.mark.slow] * slow, *older], id=name)
+    return pytest.param(*values, marks=[*[pytest.mark.slow] * slow, *older], id=name)
 
 
 def _tasks() -> list[Any]:
     """Return every task; most are `make test-slow`."""
-    return [_param(task, task, slow=task not in QUICK) for task in task_files()]
+    return [_param(task, name=task, slow=task not in QUICK) for task in task_files()]
 
 
 def _shifted() -> list[Any]:
     """Return every task of which rows of `ood` are measured."""
     tasks = expert_rows.read(expert_rows.RESULTS, expert_rows.OOD)
-    return [_param(task, f"{task} ood") for task in tasks]
+    return [_param(task, name=f"{task} ood") for task in tasks]
 
 
 def _others() -> list[Any]:
-    """Return the evaluations of `experiment=other_robots` that are measured."""
-    results = make_results.measured("other_robots", learned=False).results
-    return [_param(evaluation, evaluation.name) for evaluation in results]
+    """Return the expert's measured evaluations with other robots and in other rooms."""
+    experiments = ("other_robots", "expert_elsewhere")
+    results = make_results.measured(*experiments, learned=False).results
+    return [_param(each, result.rows[0], name=each.name) for each, result in results.items()]
 
 
 @pytest.mark.parametrize("task", _tasks())
@@ -62,9 +63,8 @@ def test_a_committed_row_of_ood_played_again_is_the_same_row(task):
     assert_played_again(expert_rows.read(expert_rows.RESULTS, expert_rows.OOD)[task][0])
 
 
-@pytest.mark.parametrize("evaluation", _others())
-def test_a_committed_row_of_another_robot_played_again_is_the_same_row(evaluation):
-    row = make_results.measured("other_robots", learned=False).results[evaluation].rows[0]
+@pytest.mark.parametrize(("evaluation", "row"), _others())
+def test_a_committed_row_of_the_expert_elsewhere_played_again_is_the_same_row(evaluation, row):
     assert_played_again(row, axes=evaluation.shift.axes, **dict(evaluation.options))
 
 
