@@ -23,8 +23,9 @@ NEWER = {"readings", "solutions", "unwanted_contacts"}
 
 
 OLDER = {
-    "level3/identify_unknown",
+    "level3/identify_unknown ood",
     "level4/prepare_solution",
+    "level4/prepare_solution ood",
 }
 """Rows of liquids that mixed and cooled by a thousandth otherwise: to be measured anew."""
 
