@@ -23,7 +23,6 @@ NEWER = {"readings", "solutions", "unwanted_contacts"}
 
 
 OLDER = {
-    "level3/identify_unknown ood",
     "level4/prepare_solution",
     "level4/prepare_solution ood",
 }
