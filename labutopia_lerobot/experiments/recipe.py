@@ -14,6 +14,9 @@ from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.runtime.shipped import shipped
 
+_NOT_NEGATIVE = ("num_workers", "seed")
+"""Options that LeRobot reads as they are, and that torch and numpy refuse when training begins."""
+
 
 class RecipeError(UserError):
     """No such recipe, or an impossible number; the message lists the recipes."""
@@ -145,13 +148,16 @@ def require_options(recipe: Path, words: tuple[str, ...]) -> None:
     said = io.StringIO()
     try:
         with redirect_stderr(said):
-            TrainPipelineConfig.from_pretrained(recipe, cli_args=[*words])
+            config = TrainPipelineConfig.from_pretrained(recipe, cli_args=[*words])
     except SystemExit:  # of its parser
         reason = said.getvalue().strip().rpartition("error: ")[2]
     except DecodingError as error:
         reason = _why(error)
     else:
-        return
+        negative = [name for name in _NOT_NEGATIVE if (getattr(config, name) or 0) < 0]
+        if not negative:
+            return
+        reason = f"{' and '.join(negative)} must be 0 or more"
     raise RecipeError(
         f"lerobot-train refuses {' '.join(words)} with {recipe.parent.name}/{recipe.name}: {reason}"
     )

@@ -200,6 +200,8 @@ def test_a_wrong_word_is_reported_with_the_cure(words, reported):
             (*PICK, "training={policy.chunk_size: x}"),
             "`chunk_size`: Couldn't parse 'x' into an int",
         ),
+        ((*PICK, "training={num_workers: -1}"), "num_workers must be 0 or more"),
+        ((*PICK, "training={seed: -1}"), "seed must be 0 or more"),
         ((*PICK, "training={policy.n_obs_steps: 3}"), "Multiple observation steps not handled yet"),
         ((*PICK, "extras=[depth]"), "needs cameras"),
     ],
