@@ -21,11 +21,7 @@ QUICK = ("level1/pick", "level2/pour_liquid", "level3/pick_sizes")
 NEWER = {"readings", "solutions", "unwanted_contacts"}
 """Columns that rows of earlier versions lack."""
 
-
-OLDER = {
-    "level4/prepare_solution",
-    "level4/prepare_solution ood",
-}
+OLDER = {"level4/prepare_solution ood"}
 """Rows of liquids that mixed and cooled by a thousandth otherwise: to be measured anew."""
 
 
