@@ -7,15 +7,19 @@ from collections.abc import Iterable, Sequence
 from contextlib import redirect_stderr
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+from warnings import catch_warnings
 
 from labutopia_lerobot.datasets.dataset_folder import INFO, require_dataset
 from labutopia_lerobot.errors import UserError
 from labutopia_lerobot.foreign_files import read_json_object
 from labutopia_lerobot.runtime.shipped import shipped
 
-_NOT_NEGATIVE = ("num_workers", "seed")
-"""Options that LeRobot reads as they are, and that torch and numpy refuse when training begins."""
+if TYPE_CHECKING:
+    from lerobot.configs.train import TrainPipelineConfig
+
+_SEEDS = 2**32
+"""How many seeds numpy's global generator takes, from 0 (lerobot/utils/random_utils.py)."""
 
 
 class RecipeError(UserError):
@@ -154,13 +158,48 @@ def require_options(recipe: Path, words: tuple[str, ...]) -> None:
     except DecodingError as error:
         reason = _why(error)
     else:
-        negative = [name for name in _NOT_NEGATIVE if (getattr(config, name) or 0) < 0]
-        if not negative:
+        refusal = _refusal(config, words)
+        if refusal is None:
             return
-        reason = f"{' and '.join(negative)} must be 0 or more"
+        reason = refusal
     raise RecipeError(
         f"lerobot-train refuses {' '.join(words)} with {recipe.parent.name}/{recipe.name}: {reason}"
     )
+
+
+def _refusal(config: "TrainPipelineConfig", words: tuple[str, ...]) -> str | None:
+    """Return why a training is not to begin with options that LeRobot takes as they are, or None.
+
+    Of the optimizer's options, the recipe's or the policy's, it uses one kind and ignores the
+    other. Numbers it hands to torch and numpy once the dataset is loaded; torch is asked here.
+    """
+    import torch
+
+    assert config.policy is not None
+    preset = config.use_policy_training_preset
+    used, idle = ("policy.optimizer_", "policy.scheduler_"), ("optimizer.", "scheduler.")
+    if not preset:
+        used, idle = idle, used
+    ignored = [word for word in words if word.startswith(tuple(f"--{name}" for name in idle))]
+    if ignored:
+        setting = f"use_policy_training_preset={str(preset).lower()}"
+        return f"{setting} has {' and '.join(ignored)} ignored; say {' or '.join(used)}..."
+    if config.seed is not None and not 0 <= config.seed < _SEEDS:
+        return f"seed {config.seed} is not from 0 to {_SEEDS - 1}"
+    optimizer = config.policy.get_optimizer_preset() if preset else config.optimizer
+    try:
+        with catch_warnings(action="ignore"):  # a training says itself what it warns of
+            torch.utils.data.DataLoader(
+                torch.utils.data.TensorDataset(torch.zeros(1)),
+                batch_size=config.batch_size,
+                num_workers=config.num_workers,
+                prefetch_factor=config.prefetch_factor if config.num_workers else None,
+            )
+        if optimizer is not None:
+            optimizer.build([torch.nn.Parameter(torch.zeros(1))])
+    except ValueError as error:
+        return str(error)
+    return None
 
 
 def _why(error: BaseException) -> str:
