@@ -21,32 +21,28 @@ QUICK = ("level1/pick", "level2/pour_liquid", "level3/pick_sizes")
 NEWER = {"readings", "solutions", "unwanted_contacts"}
 """Columns that rows of earlier versions lack."""
 
-OLDER = {"level4/prepare_solution ood"}
-"""Rows of liquids that mixed and cooled by a thousandth otherwise: to be measured anew."""
 
-
-def _param(*values: Any, name: str, slow: bool = True) -> Any:
-    """Return a parameter; where its row is of an earlier build, the test is to fail."""
-    older = [pytest.mark.xfail(strict=True, reason="measured before")] * (name in OLDER)
-    return pytest.param(*values, marks=[*[pytest.mark.slow] * slow, *older], id=name)
+def _slow(*values: Any, name: str) -> Any:
+    """Return a parameter of `make test-slow`."""
+    return pytest.param(*values, marks=pytest.mark.slow, id=name)
 
 
 def _tasks() -> list[Any]:
     """Return every task; most are `make test-slow`."""
-    return [_param(task, name=task, slow=task not in QUICK) for task in task_files()]
+    return [task if task in QUICK else _slow(task, name=task) for task in task_files()]
 
 
 def _shifted() -> list[Any]:
     """Return every task of which rows of `ood` are measured."""
     tasks = expert_rows.read(expert_rows.RESULTS, expert_rows.OOD)
-    return [_param(task, name=f"{task} ood") for task in tasks]
+    return [_slow(task, name=f"{task} ood") for task in tasks]
 
 
 def _others() -> list[Any]:
     """Return the expert's measured evaluations with other robots and in other rooms."""
     experiments = ("other_robots", "expert_elsewhere")
     results = make_results.measured(*experiments, learned=False).results
-    return [_param(each, result.rows[0], name=each.name) for each, result in results.items()]
+    return [_slow(each, result.rows[0], name=each.name) for each, result in results.items()]
 
 
 @pytest.mark.parametrize("task", _tasks())
