@@ -183,7 +183,7 @@ def _refusal(config: "TrainPipelineConfig", words: tuple[str, ...]) -> str | Non
     ignored = [word for word in words if word.startswith(tuple(f"--{name}" for name in idle))]
     if ignored:
         setting = f"use_policy_training_preset={str(preset).lower()}"
-        return f"{setting} has {' and '.join(ignored)} ignored; say {' or '.join(used)}..."
+        return f"{setting} ignores {', '.join(ignored)}; say {'* or '.join(used)}*"
     if config.seed is not None and not 0 <= config.seed < _SEEDS:
         return f"seed {config.seed} is not from 0 to {_SEEDS - 1}"
     optimizer = config.policy.get_optimizer_preset() if preset else config.optimizer

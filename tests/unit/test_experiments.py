@@ -208,7 +208,7 @@ def test_a_wrong_word_is_reported_with_the_cure(words, reported):
         ((*PICK, "training={optimizer.lr: -1}"), "Invalid learning rate: -1"),
         (
             (*PICK, "training={policy.optimizer_lr: 0.1}"),
-            "--policy.optimizer_lr=0.1 ignored; say optimizer",
+            "=false ignores --policy.optimizer_lr=0.1; say optimizer",
         ),
         ((*PICK, "training={seed: -1}"), "seed -1 is not from 0 to 4294967295"),
         ((*PICK, "training={policy.n_obs_steps: 3}"), "Multiple observation steps not handled yet"),
