@@ -275,8 +275,7 @@ def as_markdown(table: Table) -> str:
             _piped("---" for _ in table.head),
             *(_piped(map(text, line)) for line in table.lines),
             "",
-            table.note,
-            "",
+            *((table.note, "") if table.note else ()),
         ]
     )
 
